@@ -1,0 +1,26 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_H
+#define CGAL_APPROXIMATE_GEODESICS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+// Includes the whole package.
+
+#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Balanced_bucket_width.h>
+#include <CGAL/Approximate_geodesics/Bucket_statistics.h>
+#include <CGAL/Approximate_geodesics/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Propagation.h>
+#include <CGAL/Approximate_geodesics/Propagation_statistics.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/approximate_geodesic_path.h>
+
+#endif // CGAL_APPROXIMATE_GEODESICS_H

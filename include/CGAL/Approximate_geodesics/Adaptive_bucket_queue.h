@@ -1,0 +1,302 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_ADAPTIVE_BUCKET_QUEUE_H
+#define CGAL_APPROXIMATE_GEODESICS_ADAPTIVE_BUCKET_QUEUE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Balanced_bucket_width.h>
+#include <CGAL/Approximate_geodesics/Bucket_statistics.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * A monotone priority queue that sorts its entries into buckets by their keys, and does not sort
+ * them further: the bucket of the smallest keys is drained first-in first-out. A node whose key is
+ * lowered is entered again; the search skips the stale entry when it comes out. The width of the
+ * buckets is chosen anew for every run from the figures of the last one.
+ *
+ * All keys in the queue lie within one longest arc of the current bucket, so a small circle of
+ * buckets is enough, and few enough entries share a bucket for their order not to matter: on
+ * scanned models a node comes out 1.00 to 1.04 times on average. Two fallbacks bound the cost where
+ * arc lengths differ by many orders of magnitude:
+ * - keys beyond the circle, whose length is limited, wait in a heap until the circle reaches them;
+ * - a bucket that keeps growing while it is drained is made a heap, and drained smallest first.
+ *
+ * `push()` and `extract_min()` take constant time, and \cgalBigO{\log m} for the entries in
+ * either heap, of which there are `m`. Memory is proportional to the largest number of entries
+ * present at a time.
+ *
+ * The idea of adapting the buckets to the mesh from run to run is the published queue's; the
+ * circle, draining in any order and the fallbacks are additions of this package.
+ * Buckets drained in any order were introduced by Denardo and Fox \cgalCite{df-spmrp-79}.
+ *
+ * \tparam WidthPolicy a model of `BucketWidthPolicy`
+ *
+ * \cgalModels{GeodesicPriorityQueue}
+ */
+template <typename WidthPolicy = Balanced_bucket_width>
+class Basic_adaptive_bucket_queue
+{
+public:
+  /// the number of a node.
+  using Node = std::uint32_t;
+
+  /// a distance, in units of the graph.
+  using Key = double;
+
+  /// what comes out of the queue: a node, and the key that it was entered with.
+  struct Entry
+  {
+    Key key;
+    Node node;
+  };
+
+  /// an empty queue for a graph with the given arcs.
+  explicit Basic_adaptive_bucket_queue(std::size_t /* number_of_nodes */ = 0,
+                                       const Arc_lengths& arcs = Arc_lengths())
+    : m_longest_arc(arcs.longest), m_policy(arcs)
+  {
+    set_up_circle();
+  }
+
+  /// returns whether no entry is left.
+  bool is_empty() const { return m_size == 0; }
+
+  /*!
+   * enters `node` with `key`.
+   * \pre `key` is not below the start of the bucket of the entry extracted last, nor a NaN.
+   */
+  void push(const Node node, const Key key)
+  {
+    CGAL_precondition(!is_final(key));
+    const std::uint64_t index = bucket_index(key);
+    ++m_size;
+    if(index - m_current > m_mask)
+      push_far({key, node});
+    else
+    {
+      bucket(index).push_back({key, node});
+      if(m_open_is_heap && index == m_current)
+        std::push_heap(open().begin(), open().end(), Later{m_statistics.comparisons});
+    }
+  }
+
+  /*!
+   * removes an entry of the first bucket that is not empty, and returns it. It may be stale:
+   * entered with a key larger than the node has by now. \pre `!is_empty()`
+   */
+  Entry extract_min()
+  {
+    CGAL_precondition(!is_empty());
+    while(m_next == open().size())
+      open_next_bucket();
+    --m_size;
+    if(m_drained++ < m_patience)
+      return open()[m_next++];
+    return extract_from_heap();
+  }
+
+  /// returns a node that will come out after `ahead` others, if that is known, and `no_node` else.
+  Node upcoming(const std::size_t ahead) const
+  {
+    const Bucket& b = m_buckets[m_current & m_mask];
+    return m_next + ahead < b.size() ? b[m_next + ahead].node : no_node;
+  }
+
+  /// what `upcoming()` returns if it does not know.
+  static constexpr Node no_node = (std::numeric_limits<Node>::max)();
+
+  /// returns whether `key` is smaller than any key in the queue and any that may still be pushed.
+  bool is_final(const Key key) const { return bucket_index(key) < m_current; }
+
+  /// calls `f(node)` for the nodes of all entries; for some of them more than once.
+  template <typename F>
+  void for_each_node(F f) const
+  {
+    for(const Entry& e : m_far)
+      f(e.node);
+    for(const Bucket& b : m_buckets)
+      for(const Entry& e : b)
+        f(e.node);
+  }
+
+  /// removes all entries, and prepares for the next run with what was learnt from the last one.
+  void clear()
+  {
+    for(Bucket& b : m_buckets)
+      b.clear();
+    m_far.clear();
+    m_size = 0;
+    m_policy.update(statistics());
+    set_up_circle();
+  }
+
+  /// returns the figures of the run since the last call of `clear()`.
+  Bucket_statistics statistics() const
+  {
+    Bucket_statistics result = m_statistics;
+    add_open_bucket(result);
+    return result;
+  }
+
+  /// returns the number of bytes that the queue takes.
+  std::size_t memory() const
+  {
+    std::size_t result = m_buckets.capacity() * sizeof(Bucket) + m_far.capacity() * sizeof(Entry);
+    for(const Bucket& b : m_buckets)
+      result += b.capacity() * sizeof(Entry);
+    return result;
+  }
+
+private:
+  using Bucket = std::vector<Entry>;
+
+  static constexpr std::size_t LARGEST_CIRCLE = 1024; // arcs longer than 1023 widths are rare
+  static constexpr std::uint64_t LARGEST_INDEX = std::uint64_t(1) << 62;
+
+  struct Later // puts the smallest key on top of a heap
+  {
+    bool operator()(const Entry& a, const Entry& b) const
+    {
+      ++comparisons;
+      return a.key > b.key;
+    }
+    std::size_t& comparisons;
+  };
+
+  // Monotone in `key`, which is all that correctness needs of it.
+  std::uint64_t bucket_index(const Key key) const
+  {
+    const double index = key * m_buckets_per_unit;
+    return index < double(LARGEST_INDEX) ? static_cast<std::uint64_t>(index) : LARGEST_INDEX;
+  }
+
+  Bucket& bucket(const std::uint64_t index) { return m_buckets[index & m_mask]; }
+  Bucket& open() { return bucket(m_current); }
+
+  void set_up_circle()
+  {
+    const double width = m_policy.width();
+    const double needed = m_longest_arc / width + 2;
+    std::size_t size = 2;
+    while(double(size) < needed && size < LARGEST_CIRCLE)
+      size *= 2;
+    m_buckets.resize(size);
+    m_mask = size - 1;
+    m_buckets_per_unit = 1 / width;
+    m_statistics = Bucket_statistics();
+    m_statistics.width = width;
+    m_current = 0;
+    start_draining();
+  }
+
+  void start_draining()
+  {
+    m_next = 0;
+    m_drained = 0;
+    m_open_is_heap = false;
+    m_size_when_opened = open().size();
+    m_patience = 4 * m_size_when_opened + 256;
+  }
+
+  void add_open_bucket(Bucket_statistics& statistics) const
+  {
+    if(m_drained == 0)
+      return;
+    const double occupancy = static_cast<double>(m_drained);
+    statistics.visited_buckets += 1;
+    statistics.entries += m_drained;
+    statistics.late_entries += m_drained - (std::min)(m_drained, m_size_when_opened);
+    statistics.used_buckets += 1;
+    statistics.sum_of_squared_occupancies += occupancy * occupancy;
+  }
+
+  // Goes on to the next bucket, which may be empty.
+  void open_next_bucket()
+  {
+    add_open_bucket(m_statistics);
+    m_statistics.visited_buckets += m_drained == 0 ? 1 : 0;
+    open().clear();
+
+    const bool circle_is_empty = m_size == m_far.size();
+    m_current = circle_is_empty ? bucket_index(m_far.front().key) : m_current + 1;
+    while(!m_far.empty() && bucket_index(m_far.front().key) - m_current <= m_mask)
+      move_nearest_into_circle();
+    start_draining();
+  }
+
+  void push_far(const Entry& e)
+  {
+    m_far.push_back(e);
+    std::push_heap(m_far.begin(), m_far.end(), Later{m_statistics.comparisons});
+  }
+
+  void move_nearest_into_circle()
+  {
+    std::pop_heap(m_far.begin(), m_far.end(), Later{m_statistics.comparisons});
+    bucket(bucket_index(m_far.back().key)).push_back(m_far.back());
+    m_far.pop_back();
+  }
+
+  // Draining first-in first-out has not got the bucket empty: smallest first will.
+  Entry extract_from_heap()
+  {
+    const Later later{m_statistics.comparisons};
+    if(!m_open_is_heap)
+    {
+      open().erase(open().begin(), open().begin() + static_cast<std::ptrdiff_t>(m_next));
+      std::make_heap(open().begin(), open().end(), later);
+      m_next = 0;
+      m_open_is_heap = true;
+    }
+    std::pop_heap(open().begin(), open().end(), later);
+    const Entry result = open().back();
+    open().pop_back();
+    return result;
+  }
+
+  std::vector<Bucket> m_buckets; // a circle; their number is a power of two
+  Bucket m_far;                  // a heap of the entries beyond the circle
+  std::size_t m_size = 0;        // number of entries, of both
+  std::uint64_t m_current = 0;   // index of the open bucket, not reduced to the circle
+  std::size_t m_mask = 0;
+  double m_buckets_per_unit = 1;
+
+  std::size_t m_next = 0;    // entry of the open bucket that comes out next, if it is no heap
+  std::size_t m_drained = 0; // number of entries that came out of it
+  std::size_t m_patience = 0;
+  std::size_t m_size_when_opened = 0;
+  bool m_open_is_heap = false;
+
+  double m_longest_arc;
+  WidthPolicy m_policy;
+  Bucket_statistics m_statistics;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * The package's default queue: an adaptive bucket queue with balanced widths.
+ */
+using Adaptive_bucket_queue = Basic_adaptive_bucket_queue<Balanced_bucket_width>;
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_ADAPTIVE_BUCKET_QUEUE_H

@@ -1,0 +1,140 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_MESH_QUERY_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_MESH_QUERY_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Propagation.h>
+#include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
+#include <CGAL/Approximate_geodesics/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/internal/run_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * One run on a mesh that is not seen again: what the free functions have in common.
+ */
+template <typename TriangleMesh, typename NamedParameters>
+class Mesh_query
+{
+  static_assert(!is_given<NamedParameters, internal_np::number_of_points_per_edge_t>,
+                "number_of_points_per_edge: the edge graph has no points on edges");
+
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Vertex_index_map =
+      typename GetInitializedVertexIndexMap<TriangleMesh, NamedParameters>::const_type;
+  using Vertices = Mesh_vertices<TriangleMesh, Vertex_index_map>;
+  using Search = Propagation<Edge_graph>;
+  using Node = typename Search::Node;
+
+public:
+  Mesh_query(const TriangleMesh& tmesh, const NamedParameters& np)
+    : m_mesh(tmesh),
+      m_np(np),
+      m_graph(Intrinsic_triangulation(tmesh, np)),
+      m_vertices(tmesh, get_initialized_vertex_index_map(tmesh, np), m_graph.triangulation()),
+      m_search(m_graph)
+  {
+  }
+
+  // from one vertex or from a range of them
+  template <typename Sources>
+  void run(const Sources& sources)
+  {
+    run(sources, stop_rule<Search>(m_vertices, m_np));
+  }
+
+  // ... until `target` is settled
+  template <typename Sources>
+  void run(const Sources& sources, const vertex_descriptor target)
+  {
+    auto stop = stop_rule<Search>(m_vertices, m_np);
+    stop.targets = {m_vertices.node(target)};
+    run(sources, stop);
+  }
+
+  double distance(const vertex_descriptor v) const { return m_search.distance(m_vertices.node(v)); }
+
+  // The vertices from the source to `v`, or none if `v` was not reached.
+  std::vector<vertex_descriptor> path(const vertex_descriptor v) const
+  {
+    std::vector<vertex_descriptor> result;
+    Node node = m_vertices.node(v);
+    if(!m_search.is_reached(node))
+      return result;
+    for(; node != Search::null_node; node = m_search.predecessor(node))
+      result.push_back(m_vertices.vertex(node));
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+  template <typename VertexDistanceMap>
+  void write_distances(VertexDistanceMap distances) const
+  {
+    for(const vertex_descriptor v : vertices(m_mesh))
+      put(distances, v, m_search.distance(m_vertices.node(v)));
+  }
+
+  template <typename NearestSourceMap>
+  void write_nearest_sources(NearestSourceMap sources) const
+  {
+    using Value = typename boost::property_traits<NearestSourceMap>::value_type;
+    for(const vertex_descriptor v : vertices(m_mesh))
+      put(sources, v, static_cast<Value>(m_search.source(m_vertices.node(v))));
+  }
+
+  template <typename PredecessorMap>
+  void write_predecessors(PredecessorMap predecessors) const
+  {
+    for(const vertex_descriptor v : vertices(m_mesh))
+      put(predecessors, v, predecessor(v));
+  }
+
+private:
+  template <typename Sources>
+  void run(const Sources& sources, const typename Search::Stop_rule& stop)
+  {
+    std::vector<typename Search::Seed> seeds;
+    if constexpr(std::is_convertible_v<Sources, vertex_descriptor>)
+      seeds.push_back({m_vertices.node(sources)});
+    else
+      for(const vertex_descriptor v : sources)
+        seeds.push_back({m_vertices.node(v), 0, seeds.size()});
+    internal::run(m_search, seeds, stop, m_vertices, m_np);
+  }
+
+  vertex_descriptor predecessor(const vertex_descriptor v) const
+  {
+    const Node node = m_vertices.node(v);
+    if(!m_search.is_reached(node))
+      return boost::graph_traits<TriangleMesh>::null_vertex();
+    const Node predecessor = m_search.predecessor(node);
+    return predecessor == Search::null_node ? v : m_vertices.vertex(predecessor);
+  }
+
+  const TriangleMesh& m_mesh;
+  const NamedParameters& m_np;
+  Edge_graph m_graph;
+  Vertices m_vertices;
+  Search m_search;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_MESH_QUERY_H

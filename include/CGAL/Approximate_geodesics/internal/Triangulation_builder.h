@@ -1,0 +1,325 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_TRIANGULATION_BUILDER_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_TRIANGULATION_BUILDER_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/internal/named_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * Reads a mesh into an `Intrinsic_triangulation`. This is the only place of the package where a
+ * mesh is traversed and its input is checked.
+ *
+ * One breadth-first traversal numbers the vertices and writes the halfedge groups at the same time:
+ * the group of a vertex is read off the mesh when its turn comes, and numbers its new neighbours.
+ */
+template <typename TriangleMesh, typename NamedParameters>
+class Triangulation_builder
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using Index = Intrinsic_triangulation::Index;
+  using Vertex_index_map =
+      typename GetInitializedVertexIndexMap<TriangleMesh, NamedParameters>::const_type;
+  using Halfedge_index_map =
+      typename GetInitializedHalfedgeIndexMap<TriangleMesh, NamedParameters>::const_type;
+
+  static constexpr Index null_index = Intrinsic_triangulation::null_index;
+  static constexpr bool lengths_are_given =
+      !parameters::is_default_parameter<NamedParameters, internal_np::edge_length_t>::value;
+
+public:
+  Triangulation_builder(Intrinsic_triangulation& triangulation,
+                        const TriangleMesh& tmesh,
+                        const NamedParameters& np)
+    : m(triangulation),
+      m_mesh(tmesh),
+      m_np(np),
+      m_vertex_index_map(get_initialized_vertex_index_map(tmesh, np)),
+      m_halfedge_index_map(get_initialized_halfedge_index_map(tmesh, np))
+  {
+  }
+
+  void build()
+  {
+    check_size();
+    check_faces();
+    copy_connectivity();
+    link_twins();
+    if constexpr(!lengths_are_given)
+      compute_lengths();
+    normalize_lengths();
+  }
+
+private:
+  [[noreturn]] static void reject(const std::string& reason)
+  {
+    throw std::invalid_argument("Approximate_geodesics: " + reason);
+  }
+
+  static std::string name(const Index i) { return "vertex " + std::to_string(i); }
+
+  void check_size() const
+  {
+    if(num_halfedges(m_mesh) >= null_index || num_vertices(m_mesh) >= null_index)
+      throw std::length_error("Approximate_geodesics: the mesh has " +
+                              std::to_string(num_halfedges(m_mesh)) +
+                              " halfedges, more than 32-bit numbers can tell apart");
+  }
+
+  void check_faces()
+  {
+    for(const auto f : faces(m_mesh))
+    {
+      const halfedge_descriptor h = halfedge(f, m_mesh);
+      if(!is_triangle(h, m_mesh) || next(h, m_mesh) == h)
+        reject("face " + std::to_string(m.m_number_of_faces) + " (in the order of faces()), at " +
+               name(checked_index(target(h, m_mesh))) + ", is not a triangle");
+      ++m.m_number_of_faces;
+    }
+  }
+
+  // ----- connectivity
+
+  Index checked_index(const vertex_descriptor v) const
+  {
+    return checked_index(get(m_vertex_index_map, v), num_vertices(m_mesh), "vertex");
+  }
+
+  Index checked_index(const halfedge_descriptor h) const
+  {
+    return checked_index(get(m_halfedge_index_map, h), num_halfedges(m_mesh), "halfedge");
+  }
+
+  template <typename I>
+  static Index checked_index(const I i, const std::size_t size, const char* kind)
+  {
+    if(static_cast<std::size_t>(i) >= size) // so is a negative one
+      reject(std::string(kind) + " index " + std::to_string(i) +
+             " is out of range: the mesh has room for " + std::to_string(size));
+    return static_cast<Index>(i);
+  }
+
+  void copy_connectivity()
+  {
+    const std::size_t number_of_vertices = num_vertices(m_mesh);
+    const std::size_t number_of_halfedges = num_halfedges(m_mesh);
+    m.m_vertex_of_index.assign(number_of_vertices, null_index);
+    m.m_index_of_vertex.reserve(number_of_vertices);
+    m_vertices.reserve(number_of_vertices);
+    m_number_of_halfedge.assign(number_of_halfedges, null_index);
+    m_halfedges.reserve(number_of_halfedges);
+    m.m_first_halfedge.reserve(number_of_vertices + 1);
+    m.m_target.reserve(number_of_halfedges);
+    m.m_is_border.reserve(number_of_halfedges);
+    if constexpr(lengths_are_given)
+      m.m_length.reserve(number_of_halfedges);
+
+    for(const vertex_descriptor root : vertices(m_mesh))
+    {
+      if(m_vertices[number(root)] != root)
+        reject("vertex index " + std::to_string(checked_index(root)) +
+               " is given to more than one vertex");
+      while(m.number_of_vertices() < m_vertices.size())
+        copy_halfedges_around(m.number_of_vertices());
+    }
+  }
+
+  Index number(const vertex_descriptor v)
+  {
+    const Index i = checked_index(v);
+    Index& result = m.m_vertex_of_index[i];
+    if(result == null_index)
+    {
+      result = static_cast<Index>(m_vertices.size());
+      m_vertices.push_back(v);
+      m.m_index_of_vertex.push_back(i);
+    }
+    return result;
+  }
+
+  halfedge_descriptor first_halfedge_from(const vertex_descriptor v) const
+  {
+    const halfedge_descriptor h = halfedge(v, m_mesh);
+    return h == Graph_traits::null_halfedge() ? h : opposite(h, m_mesh);
+  }
+
+  halfedge_descriptor counterclockwise(const halfedge_descriptor h) const
+  {
+    return opposite(prev(h, m_mesh), m_mesh);
+  }
+
+  void copy_halfedges_around(const Index v)
+  {
+    const halfedge_descriptor first = first_halfedge_from(m_vertices[v]);
+    if(first != Graph_traits::null_halfedge())
+    {
+      halfedge_descriptor h = first;
+      do
+      {
+        if(m.m_target.size() == num_halfedges(m_mesh))
+          reject("the halfedges around " + name(m.index(v)) + " do not form a cycle");
+        m_number_of_halfedge[checked_index(h)] = static_cast<Index>(m.m_target.size());
+        m_halfedges.push_back(h);
+        m.m_target.push_back(number(target(h, m_mesh)));
+        m.m_is_border.push_back(is_border(h, m_mesh));
+        if constexpr(lengths_are_given)
+          m.m_length.push_back(checked_length(h));
+        h = counterclockwise(h);
+      } while(h != first);
+    }
+    m.m_first_halfedge.push_back(static_cast<Index>(m.m_target.size()));
+  }
+
+  // Every halfedge was copied once, from the group of its source.
+  void link_twins()
+  {
+    m.m_twin.resize(m.m_target.size());
+    for(Index v = 0; v < m.number_of_vertices(); ++v)
+      for(Index h = m.first_halfedge(v); h < m.beyond_halfedge(v); ++h)
+      {
+        const Index twin = m_number_of_halfedge[checked_index(opposite(m_halfedges[h], m_mesh))];
+        if(twin == null_index || m.target(twin) != v)
+          reject("the halfedges around " + name(m.index(m.target(h))) +
+                 " do not form one cycle, or their indices are not unique");
+        m.m_twin.set(h, twin - m.first_halfedge(m.target(h)));
+      }
+  }
+
+  // ----- lengths
+
+  double checked_length(const halfedge_descriptor h) const
+  {
+    const auto length_map = parameters::get_parameter(m_np, internal_np::edge_length);
+    const double length = CGAL::to_double(get(length_map, edge(h, m_mesh)));
+    if(!(length >= 0) || std::isinf(length))
+      reject("the edge between " + name(checked_index(source(h, m_mesh))) + " and " +
+             name(checked_index(target(h, m_mesh))) + " has length " + std::to_string(length) +
+             "; it must be a finite number that is not negative");
+    return length + 0.0; // turns a negative zero into a positive one
+  }
+
+  void compute_lengths()
+  {
+    const std::vector<Point> points = scaled_points();
+    m.m_length.resize(m.number_of_halfedges());
+    double longest = 0;
+    for(Index v = 0; v < m.number_of_vertices(); ++v)
+      for(Index h = m.first_halfedge(v); h < m.beyond_halfedge(v); ++h)
+      {
+        m.m_length[h] = distance(points[v], points[m.target(h)]);
+        longest = (std::max)(longest, m.m_length[h]);
+      }
+    if(std::isinf(longest * m.m_unit))
+      reject_longest_edge(longest);
+  }
+
+  [[noreturn]] void reject_longest_edge(const double longest) const
+  {
+    const auto h = std::find(m.m_length.begin(), m.m_length.end(), longest) - m.m_length.begin();
+    reject("the length of the edge between " + name(m.index(m.source(static_cast<Index>(h)))) +
+           " and " + name(m.index(m.target(static_cast<Index>(h)))) + " does not fit a double");
+  }
+
+  // Returns the points, in the order of the numbers of the vertices, in units of `m_unit`.
+  std::vector<Point> scaled_points()
+  {
+    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+    const Traits traits = parameters::choose_parameter<Traits>(
+        parameters::get_parameter(m_np, internal_np::geom_traits));
+    const auto point_map =
+        parameters::choose_parameter(parameters::get_parameter(m_np, internal_np::vertex_point),
+                                     get_const_property_map(CGAL::vertex_point, m_mesh));
+
+    std::vector<Point> points;
+    points.reserve(m_vertices.size());
+    double extent = 0;
+    for(const vertex_descriptor v : m_vertices)
+    {
+      points.push_back(double_point(get(point_map, v), traits));
+      for(const double coordinate : points.back())
+      {
+        if(!std::isfinite(coordinate))
+          reject(name(checked_index(v)) + " has a coordinate that is infinite or not a number");
+        extent = (std::max)(extent, std::abs(coordinate));
+      }
+    }
+
+    const Scale scale(extent);
+    m.m_unit = scale.unit();
+    for(Point& p : points)
+      for(double& coordinate : p)
+        coordinate = scale.reduce(coordinate);
+    return points;
+  }
+
+  template <typename Point_3, typename Traits>
+  static Point double_point(const Point_3& p, const Traits& traits)
+  {
+    return {CGAL::to_double(traits.compute_x_3_object()(p)),
+            CGAL::to_double(traits.compute_y_3_object()(p)),
+            CGAL::to_double(traits.compute_z_3_object()(p))};
+  }
+
+  // Given lengths are scaled here; computed ones are already.
+  void normalize_lengths()
+  {
+    if constexpr(lengths_are_given)
+    {
+      double extent = 0;
+      for(const double length : m.m_length)
+        extent = (std::max)(extent, length);
+      const Scale scale(extent);
+      m.m_unit = scale.unit();
+      for(double& length : m.m_length)
+        length = scale.reduce(length);
+    }
+  }
+
+  Intrinsic_triangulation& m;
+  const TriangleMesh& m_mesh;
+  const NamedParameters& m_np;
+  const Vertex_index_map m_vertex_index_map;
+  const Halfedge_index_map m_halfedge_index_map;
+  std::vector<vertex_descriptor> m_vertices; // in the order of their numbers
+  std::vector<halfedge_descriptor> m_halfedges;
+  std::vector<Index> m_number_of_halfedge; // by index
+};
+
+} // namespace internal
+
+template <typename TriangleMesh, typename NamedParameters>
+Intrinsic_triangulation::Intrinsic_triangulation(const TriangleMesh& tmesh,
+                                                 const NamedParameters& np)
+  : Intrinsic_triangulation()
+{
+  internal::Triangulation_builder<TriangleMesh, NamedParameters>(*this, tmesh, np).build();
+  CGAL_expensive_postcondition(is_valid());
+}
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_TRIANGULATION_BUILDER_H

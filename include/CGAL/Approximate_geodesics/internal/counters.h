@@ -1,0 +1,40 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_COUNTERS_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_COUNTERS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Propagation_statistics.h>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Counts nothing, and costs nothing.
+struct No_counter
+{
+  void on_pop() const {}
+  void on_stale_pop() const {}
+  void on_relaxation() const {}
+  void on_improvement() const {}
+};
+
+struct Counter
+{
+  void on_pop() const { ++statistics.pops; }
+  void on_stale_pop() const { ++statistics.stale_pops; }
+  void on_relaxation() const { ++statistics.relaxations; }
+  void on_improvement() const { ++statistics.improvements; }
+
+  Propagation_statistics& statistics;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_COUNTERS_H

@@ -1,0 +1,159 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESIC_DISTANCES_H
+#define CGAL_APPROXIMATE_GEODESIC_DISTANCES_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/internal/Mesh_query.h>
+#include <CGAL/Approximate_geodesics/internal/named_parameters.h>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * computes for every vertex the length of a shortest path along the edges of the mesh from the
+ * nearest of the sources.
+ *
+ * A distance is never below that along the surface, which paths through faces can make shorter; it
+ * is about 4 % above it on average on scanned models, and there is no bound in general. Distances
+ * are in the unit of the coordinates. Vertices that no source reaches, or that are not certain when
+ * the run ends early, get infinity, and so does every vertex if there is no source.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam VertexDistanceMap a model of `WritablePropertyMap` with
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type that
+ *         `double` converts to
+ * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a model of
+ *         `ConstRange` with that value type
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param vertex_distance_map receives one distance per vertex
+ * \param sources a vertex, or a range of vertices; repetitions do no harm
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+ *           listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+ *                    `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *     \cgalParamExtra{Not needed if `edge_length_map` is given.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_length_map}
+ *     \cgalParamDescription{a property map associating lengths to the edges of `tmesh`, to be
+ *                           used in place of the distances of their end points}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a
+ *                    number type convertible by `CGAL::to_double()` as value type}
+ *     \cgalParamDefault{unused}
+ *     \cgalParamExtra{The lengths need not fulfil the triangle inequality.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_distance}
+ *     \cgalParamDescription{the distance beyond which vertices are not reached}
+ *     \cgalParamType{a number type convertible to `double`}
+ *     \cgalParamDefault{infinity}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{targets}
+ *     \cgalParamDescription{vertices; the run ends as soon as the distances to all of them are
+ *                           certain}
+ *     \cgalParamType{a model of `ConstRange` with value type
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
+ *     \cgalParamDefault{none: the run goes on to the end, as it does if the range is empty}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{nearest_source_map}
+ *     \cgalParamDescription{a property map that receives, for each vertex, the position in
+ *                           `sources` of its nearest source}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and an
+ *                    integer type as value type}
+ *     \cgalParamDefault{unused}
+ *     \cgalParamExtra{Vertices that were not reached get `-1`, converted to the value type.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{predecessor_map}
+ *     \cgalParamDescription{a property map that receives, for each vertex, the one before it on
+ *                           a shortest path from its nearest source}
+ *     \cgalParamType{a class model of `WritablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key and value
+ *                    type}
+ *     \cgalParamDefault{unused}
+ *     \cgalParamExtra{A source gets itself, and a vertex that was not reached
+ *                     `boost::graph_traits<TriangleMesh>::%null_vertex()`.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{an object that is told of settled vertices and of progress, and that
+ *                           may end the run}
+ *     \cgalParamType{a class model of `GeodesicVisitor`, or a `std::reference_wrapper` of one}
+ *     \cgalParamDefault{`CGAL::Approximate_geodesics::Geodesic_visitor_base`}
+ *     \cgalParamExtra{The visitor is copied unless it is given as `std::ref(visitor)`.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
+ *                           between `0` and `num_vertices(tmesh) - 1`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and an
+ *                    integer type as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{halfedge_index_map}
+ *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index
+ *                           between `0` and `num_halfedges(tmesh) - 1`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
+ *                    integer type as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a class model of `Kernel`}
+ *     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \throws std::invalid_argument if the mesh is not as
+ *         `CGAL::Approximate_geodesics::Intrinsic_triangulation` requires, if a source or target is
+ *         not one of its vertices, or if `maximum_distance` is negative or not a number. The
+ * message says what is wrong and where. If an exception leaves this function, nothing has been
+ *         written to any property map.
+ * \throws std::length_error if `tmesh` has more halfedges than 32-bit numbers can tell apart.
+ *
+ * Run time is \cgalBigO{n} in practice and \cgalBigO{n \log n} in the worst case for `n` vertices;
+ * memory is \cgalBigO{n}. The method is Dijkstra's algorithm \cgalCite{d-ntpcg-59} with
+ * buckets in place of a heap. The mesh is read again by every call: if it is used more than once,
+ * `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is several times as fast.
+ *
+ * \sa `approximate_geodesic_path()`
+ * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
+ */
+template <typename TriangleMesh,
+          typename VertexDistanceMap,
+          typename Sources,
+          typename NamedParameters = parameters::Default_named_parameters>
+void approximate_geodesic_distances(const TriangleMesh& tmesh,
+                                    VertexDistanceMap vertex_distance_map,
+                                    const Sources& sources,
+                                    const NamedParameters& np = parameters::default_values())
+{
+  using parameters::get_parameter;
+  namespace AG = Approximate_geodesics;
+
+  AG::internal::Mesh_query<TriangleMesh, NamedParameters> query(tmesh, np);
+  query.run(sources);
+
+  query.write_distances(vertex_distance_map);
+  if constexpr(AG::internal::is_given<NamedParameters, internal_np::nearest_source_t>)
+    query.write_nearest_sources(get_parameter(np, internal_np::nearest_source));
+  if constexpr(AG::internal::is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
+    query.write_predecessors(get_parameter(np, internal_np::geodesic_predecessor));
+}
+
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESIC_DISTANCES_H

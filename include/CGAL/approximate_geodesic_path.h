@@ -1,0 +1,126 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESIC_PATH_H
+#define CGAL_APPROXIMATE_GEODESIC_PATH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/internal/Mesh_query.h>
+#include <CGAL/Approximate_geodesics/internal/named_parameters.h>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * computes a shortest path along the edges of the mesh from `source` to `target`, and its length.
+ *
+ * The run ends when the distance to `target` is certain. The length is never below the distance
+ * along the surface; there is no bound for how much it is above.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param source the vertex that the path starts from
+ * \param target the vertex that the path ends at
+ * \param points receives the points of the path, from `source` to `target`: a single one if they
+ *               are the same, and none if there is no path
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+ *           listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+ *                    `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *     \cgalParamExtra{The points of the path are taken from it.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_length_map}
+ *     \cgalParamDescription{a property map associating lengths to the edges of `tmesh`, to be
+ *                           used in place of the distances of their end points}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a
+ *                    number type convertible by `CGAL::to_double()` as value type}
+ *     \cgalParamDefault{unused}
+ *     \cgalParamExtra{The lengths need not fulfil the triangle inequality.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_distance}
+ *     \cgalParamDescription{the distance beyond which vertices are not reached}
+ *     \cgalParamType{a number type convertible to `double`}
+ *     \cgalParamDefault{infinity}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{an object that is told of settled vertices and of progress, and that
+ *                           may end the run}
+ *     \cgalParamType{a class model of `GeodesicVisitor`, or a `std::reference_wrapper` of one}
+ *     \cgalParamDefault{`CGAL::Approximate_geodesics::Geodesic_visitor_base`}
+ *     \cgalParamExtra{The visitor is copied unless it is given as `std::ref(visitor)`.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_index_map}
+ *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
+ *                           between `0` and `num_vertices(tmesh) - 1`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and an
+ *                    integer type as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{halfedge_index_map}
+ *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index
+ *                           between `0` and `num_halfedges(tmesh) - 1`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
+ *                    integer type as value type}
+ *     \cgalParamDefault{an automatically indexed internal map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a class model of `Kernel`}
+ *     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the length of the path, in the unit of the coordinates (or of `edge_length_map`), or
+ *         infinity if `target` cannot be reached, or not within `maximum_distance`, or the visitor
+ *         ended the run.
+ *
+ * \throws std::invalid_argument as `approximate_geodesic_distances()` does.
+ * \throws std::length_error likewise.
+ *
+ * Run time and memory are as for `approximate_geodesic_distances()`.
+ *
+ * \sa `approximate_geodesic_distances()`
+ * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
+ */
+template <typename TriangleMesh,
+          typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+double approximate_geodesic_path(
+    const TriangleMesh& tmesh,
+    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
+    OutputIterator points,
+    const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  Approximate_geodesics::internal::Mesh_query<TriangleMesh, NamedParameters> query(tmesh, np);
+  query.run(source, target);
+
+  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                          get_const_property_map(CGAL::vertex_point, tmesh));
+  for(const auto v : query.path(target))
+    *points++ = get(point_map, v);
+  return query.distance(target);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESIC_PATH_H
