@@ -282,7 +282,6 @@ private:
     {
       prefetch();
       const auto [key, node] = m_queue.extract_min();
-      counter.on_pop();
       const double distance = m_labels.distance(node);
       if(distance < key)
       {
@@ -292,6 +291,7 @@ private:
       m_labels.append_to_order(node);
       if(!watch.go_further())
         return discard_uncertain();
+      counter.on_expansion();
       expand(node, distance, limit, counter);
     }
     watch.finish();

@@ -22,7 +22,7 @@ struct Propagation_statistics
 {
   /// the number of nodes whose distance was found.
   std::size_t settled_nodes = 0;
-  /// the number of entries taken out of the queue.
+  /// the number of entries taken out of the queue and expanded or found stale.
   std::size_t pops = 0;
   /// the number of pops of a node that had been lowered since it was entered, which cost nothing.
   std::size_t stale_pops = 0;

@@ -17,16 +17,20 @@ namespace internal {
 // Counts nothing, and costs nothing.
 struct No_counter
 {
-  void on_pop() const {}
   void on_stale_pop() const {}
+  void on_expansion() const {}
   void on_relaxation() const {}
   void on_improvement() const {}
 };
 
 struct Counter
 {
-  void on_pop() const { ++statistics.pops; }
-  void on_stale_pop() const { ++statistics.stale_pops; }
+  void on_stale_pop() const
+  {
+    ++statistics.pops;
+    ++statistics.stale_pops;
+  }
+  void on_expansion() const { ++statistics.pops; }
   void on_relaxation() const { ++statistics.relaxations; }
   void on_improvement() const { ++statistics.improvements; }
 

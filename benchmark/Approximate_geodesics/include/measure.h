@@ -1,0 +1,75 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef BENCHMARK_MEASURE_H
+#define BENCHMARK_MEASURE_H
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+inline double median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Contestants that are to be compared take turns, so that a machine that slows down for a while
+// slows down all of them. Every round gives each of them the same task.
+class Contest
+{
+public:
+  using Contestant = std::function<void(std::size_t round)>;
+
+  // returns the number by which to ask for the result
+  std::size_t add(Contestant contestant)
+  {
+    m_contestants.push_back({std::move(contestant), {}});
+    return m_contestants.size() - 1;
+  }
+
+  void run(const std::size_t number_of_rounds, const std::size_t batch = 1)
+  {
+    for(std::size_t first = 0; first < number_of_rounds; first += batch)
+      for(Entry& entry : m_contestants)
+        for(std::size_t i = first; i < (std::min)(first + batch, number_of_rounds); ++i)
+          entry.seconds.push_back(seconds_of(entry.contestant, i));
+  }
+
+  double median_seconds(const std::size_t number) const
+  {
+    return median(m_contestants[number].seconds);
+  }
+
+  // how many times as long as the second the first one takes
+  double ratio(const std::size_t first, const std::size_t second) const
+  {
+    return median_seconds(first) / median_seconds(second);
+  }
+
+private:
+  static double seconds_of(const Contestant& contestant, const std::size_t round)
+  {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    contestant(round);
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  struct Entry
+  {
+    Contestant contestant;
+    std::vector<double> seconds;
+  };
+
+  std::vector<Entry> m_contestants;
+};
+
+#endif // BENCHMARK_MEASURE_H

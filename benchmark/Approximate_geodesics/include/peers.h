@@ -1,0 +1,109 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef BENCHMARK_PEERS_H
+#define BENCHMARK_PEERS_H
+
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+// What the package is compared with, on the same adjacency arrays. Each keeps its arrays from run
+// to run, as the package does.
+
+using CGAL::Approximate_geodesics::Intrinsic_triangulation;
+using Index = Intrinsic_triangulation::Index;
+
+// A floor: no search that looks at every arc can be much faster.
+class Breadth_first_search
+{
+public:
+  explicit Breadth_first_search(const Intrinsic_triangulation& triangulation)
+    : m_triangulation(triangulation),
+      m_level(triangulation.number_of_vertices()),
+      m_queue(triangulation.number_of_vertices())
+  {
+  }
+
+  void run(const Index source)
+  {
+    constexpr Index unseen = (std::numeric_limits<Index>::max)();
+    std::fill(m_level.begin(), m_level.end(), unseen);
+    std::size_t first = 0, beyond = 0;
+    m_level[source] = 0;
+    m_queue[beyond++] = source;
+    while(first < beyond)
+    {
+      const Index v = m_queue[first++];
+      const Index end = m_triangulation.beyond_halfedge(v);
+      for(Index h = m_triangulation.first_halfedge(v); h < end; ++h)
+      {
+        const Index w = m_triangulation.target(h);
+        if(m_level[w] == unseen)
+        {
+          m_level[w] = m_level[v] + 1;
+          m_queue[beyond++] = w;
+        }
+      }
+    }
+  }
+
+private:
+  const Intrinsic_triangulation& m_triangulation;
+  std::vector<Index> m_level;
+  std::vector<Index> m_queue;
+};
+
+// What most people write.
+class Priority_queue_dijkstra
+{
+public:
+  explicit Priority_queue_dijkstra(const Intrinsic_triangulation& triangulation)
+    : m_triangulation(triangulation), m_distance(triangulation.number_of_vertices())
+  {
+  }
+
+  void run(const Index source)
+  {
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::fill(m_distance.begin(), m_distance.end(), std::numeric_limits<double>::infinity());
+    m_distance[source] = 0;
+    queue.push({0, source});
+    while(!queue.empty())
+    {
+      const auto [distance, v] = queue.top();
+      queue.pop();
+      if(m_distance[v] < distance)
+        continue;
+      const Index end = m_triangulation.beyond_halfedge(v);
+      for(Index h = m_triangulation.first_halfedge(v); h < end; ++h)
+      {
+        const Index w = m_triangulation.target(h);
+        const double candidate = distance + m_triangulation.length(h);
+        if(candidate < m_distance[w])
+        {
+          m_distance[w] = candidate;
+          queue.push({candidate, w});
+        }
+      }
+    }
+  }
+
+  // in units of the triangulation
+  double distance(const Index v) const { return m_distance[v]; }
+
+private:
+  const Intrinsic_triangulation& m_triangulation;
+  std::vector<double> m_distance;
+};
+
+#endif // BENCHMARK_PEERS_H

@@ -1,0 +1,108 @@
+#ifndef GEODESIC_DISTANCES_OPTIONS_H
+#define GEODESIC_DISTANCES_OPTIONS_H
+
+#include <boost/program_options.hpp>
+
+#include <cstdint>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+struct Options
+{
+  std::string input;
+  std::vector<std::string> sources;
+  std::vector<std::string> targets;
+  double maximum_distance = std::numeric_limits<double>::infinity();
+  std::uint64_t seed = 0;
+  std::string output;
+  bool compares = false;
+  bool draws = false;
+  std::string view;
+  bool asks_for_help = false;
+};
+
+inline std::size_t to_number(const std::string& text)
+{
+  if(text.empty() || text.size() > 18 || text.find_first_not_of("0123456789") != std::string::npos)
+    throw std::invalid_argument("\"" + text + "\" is not a number of vertices, nor a vertex index");
+  return std::stoull(text);
+}
+
+inline boost::program_options::options_description describe_options(Options& options)
+{
+  namespace po = boost::program_options;
+  po::options_description description("Options");
+  po::options_description_easy_init add = description.add_options();
+  add("help,h", po::bool_switch(&options.asks_for_help), "print this text");
+  add("source,s", po::value(&options.sources)->multitoken()->value_name("V ..."),
+      "where to start: indices of vertices in the file, counted from 0, or random:K for K random "
+      "ones (default: 0)");
+  add("target,t", po::value(&options.targets)->multitoken()->value_name("V ..."),
+      "where paths from the nearest source shall lead to, given likewise");
+  add("maximum-distance,m", po::value(&options.maximum_distance)->value_name("D"),
+      "do not go farther than this, in the unit of the mesh's coordinates");
+  add("seed", po::value(&options.seed)->value_name("N"), "what random vertices depend on");
+  add("compare,c", po::bool_switch(&options.compares),
+      "compute the exact distances with CGAL's Surface_mesh_shortest_path too, and print the "
+      "errors; "
+      "takes some seconds and a gigabyte for 40,000 vertices, and grows fast");
+  add("output,o",
+      po::value(&options.output)->default_value("geodesic_distances")->value_name("NAME"),
+      "what the names of the files written begin with");
+  add("picture,p", po::bool_switch(&options.draws),
+      "draw the distances and the paths into NAME.png (needs xvfb-run and VTK for Python)");
+  add("view", po::value(&options.view)->default_value("0 0 y")->value_name("VIEW"),
+      "where the picture is seen from: azimuth and elevation in degrees, and the axis that points "
+      "up");
+  return description;
+}
+
+inline void print_help(const boost::program_options::options_description& description)
+{
+  std::cout
+      << "Usage: geodesic_distances MESH [options]\n\n"
+         "Finds the distance along the edges of a triangle mesh from the nearest of some source\n"
+         "vertices to all other vertices, and the shortest paths to some targets.\n\n"
+         "MESH is in any format that CGAL reads (OFF, PLY, OBJ, STL, ...). A table is printed: "
+         "the\n"
+         "size of the mesh, the time taken, what the search did, and the range of the distances.\n"
+         "Written are\n"
+         "  NAME.ply            the mesh, with a distance (-1: not reached) and a colour for "
+         "every\n"
+         "                      vertex, from blue (near) over green to red (far),\n"
+         "  NAME.polylines.txt  a path per line: the number of points, then their coordinates,\n"
+         "  NAME.vtk            all of it in one file, for ParaView and other viewers,\n"
+         "  NAME.png            if asked for: a picture of it, with an isoline every 5 % of the\n"
+         "                      largest distance.\n\n"
+      << description
+      << "\nExamples:\n"
+         "  geodesic_distances bunny.off --target 1000 --compare --picture\n"
+         "  geodesic_distances terrain.ply --source random:5 --seed 7 --maximum-distance 250\n";
+}
+
+inline Options parse_options(const int argc, char* argv[])
+{
+  namespace po = boost::program_options;
+  Options options;
+  const po::options_description description = describe_options(options);
+  po::options_description all;
+  all.add(description).add_options()("mesh", po::value(&options.input), "the mesh");
+  po::positional_options_description positions;
+  positions.add("mesh", 1);
+
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positions).run(), values);
+  po::notify(values);
+  if(options.sources.empty())
+    options.sources = {"0"};
+  if(options.asks_for_help)
+    print_help(description);
+  else if(options.input.empty())
+    throw std::invalid_argument("no mesh given; try --help");
+  return options;
+}
+
+#endif // GEODESIC_DISTANCES_OPTIONS_H

@@ -1,0 +1,220 @@
+#!/usr/bin/python3
+"""Draws distances on a mesh, and paths, into a PNG picture.
+
+Usage: draw_picture.py NAME [AZIMUTH ELEVATION UP]
+
+Reads NAME.vtk (triangles with a scalar "distance" per point, negative where there is none; lines are
+paths; single points are the sources), and writes NAME.png. The camera looks from AZIMUTH and
+ELEVATION, in degrees; UP is the axis that points up: x, y or z.
+
+Needs VTK (Debian: python3-vtk9), and a display or a substitute for one (Debian: xvfb).
+"""
+
+import sys
+
+import vtk
+
+SIZE = (1600, 1200)
+NUMBER_OF_ISOLINES = 20
+COLOURS = [  # near to far
+    (0.00, (0.16, 0.30, 0.92)),
+    (0.25, (0.10, 0.72, 0.90)),
+    (0.50, (0.36, 0.82, 0.36)),
+    (0.75, (1.00, 0.84, 0.18)),
+    (1.00, (0.90, 0.16, 0.12)),
+]
+GREY, DARK, WHITE = (0.72, 0.72, 0.72), (0.10, 0.10, 0.12), (1.0, 1.0, 1.0)
+
+
+def read(name):
+    reader = vtk.vtkPolyDataReader()
+    reader.SetFileName(name)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def colour_map(farthest):
+    """A finely sampled table, so that the bar beside the picture is smooth."""
+    function = vtk.vtkColorTransferFunction()
+    for position, colour in COLOURS:
+        function.AddRGBPoint(position * farthest, *colour)
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(1024)
+    table.SetRange(0, farthest)
+    for i in range(1024):
+        table.SetTableValue(i, *function.GetColor(farthest * i / 1023), 1)
+    table.SetUseBelowRangeColor(True)
+    table.SetBelowRangeColor(*GREY, 1)
+    return table
+
+
+def actor_of(source, colour=None):
+    """An actor for what `source`, a filter or a data set, yields."""
+    mapper = vtk.vtkPolyDataMapper()
+    if isinstance(source, vtk.vtkPolyData):
+        mapper.SetInputData(source)
+    else:
+        mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetInterpolationToPhong()
+    if colour:
+        mapper.ScalarVisibilityOff()
+        actor.GetProperty().SetColor(*colour)
+    return actor
+
+
+def surface_actor(scene, colours):
+    surface = vtk.vtkPolyData()
+    surface.SetPoints(scene.GetPoints())
+    surface.SetPolys(scene.GetPolys())
+    surface.GetPointData().SetScalars(scene.GetPointData().GetScalars())
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputData(surface)
+    normals.SetFeatureAngle(60)
+    actor = actor_of(normals)
+    actor.GetMapper().SetLookupTable(colours)
+    actor.GetMapper().SetUseLookupTableScalarRange(True)
+    actor.GetMapper().SetInterpolateScalarsBeforeMapping(True)
+    actor.GetProperty().SetAmbient(0.25)
+    actor.GetProperty().SetDiffuse(0.80)
+    actor.GetProperty().SetSpecular(0.12)
+    actor.GetProperty().SetSpecularPower(30)
+    return actor, surface
+
+
+def isoline_actor(surface, farthest, radius):
+    contours = vtk.vtkContourFilter()
+    contours.SetInputData(surface)
+    for i in range(1, NUMBER_OF_ISOLINES):
+        contours.SetValue(i - 1, farthest * i / NUMBER_OF_ISOLINES)
+    return actor_of(tubes(contours, radius), DARK)
+
+
+def tubes(lines, radius):
+    strips = vtk.vtkStripper()
+    strips.SetInputConnection(lines.GetOutputPort())
+    result = vtk.vtkTubeFilter()
+    result.SetInputConnection(strips.GetOutputPort())
+    result.SetRadius(radius)
+    result.SetNumberOfSides(12)
+    result.CappingOn()
+    return result
+
+
+def path_actor(scene, radius):
+    paths = vtk.vtkPolyData()
+    paths.SetPoints(scene.GetPoints())
+    paths.SetLines(scene.GetLines())
+    producer = vtk.vtkTrivialProducer()
+    producer.SetOutput(paths)
+    return actor_of(tubes(producer, radius), WHITE)
+
+
+def balls_actor(points, radius, colour):
+    data = vtk.vtkPolyData()
+    data.SetPoints(points)
+    ball = vtk.vtkSphereSource()
+    ball.SetRadius(radius)
+    ball.SetThetaResolution(32)
+    ball.SetPhiResolution(32)
+    glyphs = vtk.vtkGlyph3D()
+    glyphs.SetInputData(data)
+    glyphs.SetSourceConnection(ball.GetOutputPort())
+    glyphs.ScalingOff()
+    return actor_of(glyphs, colour)
+
+
+def selected_points(scene, cells, pick):
+    """The points that `pick` takes from the list of points of each cell."""
+    result = vtk.vtkPoints()
+    ids = vtk.vtkIdList()
+    cells.InitTraversal()
+    while cells.GetNextCell(ids):
+        result.InsertNextPoint(scene.GetPoint(ids.GetId(pick(ids.GetNumberOfIds()))))
+    return result
+
+
+def colour_bar(colours):
+    bar = vtk.vtkScalarBarActor()
+    bar.SetLookupTable(colours)
+    bar.SetTitle("distance\n")
+    bar.SetNumberOfLabels(6)
+    bar.SetLabelFormat("%-#.3g")
+    bar.SetMaximumNumberOfColors(512)
+    bar.SetDrawBelowRangeSwatch(False)
+    bar.SetPosition(0.90, 0.20)
+    bar.SetWidth(0.07)
+    bar.SetHeight(0.60)
+    bar.SetUnconstrainedFontSize(True)
+    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        text.SetColor(*DARK)
+        text.SetFontFamilyToArial()
+        text.SetFontSize(26)
+        text.ItalicOff()
+        text.BoldOff()
+        text.ShadowOff()
+    return bar
+
+
+def place_camera(renderer, azimuth, elevation, up):
+    camera = renderer.GetActiveCamera()
+    position, view_up = {
+        "x": ((0, 0, 1), (1, 0, 0)),
+        "y": ((0, 0, 1), (0, 1, 0)),
+        "z": ((0, -1, 0), (0, 0, 1)),
+    }[up]
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(*position)
+    camera.SetViewUp(*view_up)
+    camera.Azimuth(azimuth)
+    camera.Elevation(elevation)
+    camera.SetViewAngle(20)
+    renderer.ResetCamera()
+    camera.Zoom(1.35)
+    camera.SetWindowCenter(0.07, 0)  # leaves room for the bar
+    renderer.ResetCameraClippingRange()
+
+
+def make_renderer(scene):
+    farthest = scene.GetPointData().GetScalars().GetRange()[1] or 1
+    colours = colour_map(farthest)
+    surface, data = surface_actor(scene, colours)
+    unit = scene.GetLength()
+
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    renderer.AddActor(surface)
+    renderer.AddActor(isoline_actor(data, farthest, 0.0007 * unit))
+    renderer.AddActor(path_actor(scene, 0.0035 * unit))
+    ends = selected_points(scene, scene.GetLines(), lambda size: 0)
+    renderer.AddActor(balls_actor(ends, 0.008 * unit, WHITE))
+    sources = selected_points(scene, scene.GetVerts(), lambda size: 0)
+    renderer.AddActor(balls_actor(sources, 0.011 * unit, DARK))
+    renderer.AddActor2D(colour_bar(colours))
+    return renderer
+
+
+def main(name, azimuth="0", elevation="0", up="y"):
+    renderer = make_renderer(read(name + ".vtk"))
+    place_camera(renderer, float(azimuth), float(elevation), up)
+
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(8)
+    window.SetSize(*SIZE)
+    window.AddRenderer(renderer)
+    window.Render()
+
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    writer = vtk.vtkPNGWriter()
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetFileName(name + ".png")
+    writer.Write()
+
+
+if __name__ == "__main__":
+    if not 2 <= len(sys.argv) <= 5:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

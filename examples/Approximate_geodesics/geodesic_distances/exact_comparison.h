@@ -1,0 +1,61 @@
+#ifndef GEODESIC_DISTANCES_EXACT_COMPARISON_H
+#define GEODESIC_DISTANCES_EXACT_COMPARISON_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+// How distances differ from the exact ones, relative to these.
+struct Exact_comparison
+{
+  double seconds = 0;
+  double mean_error = 0;
+  double largest_error = 0;
+  double smallest_error = 0;
+  std::size_t number_below = 0;
+};
+
+template <typename Mesh, typename Vertices>
+Exact_comparison compare_with_exact_distances(const Mesh& mesh,
+                                              const Vertices& sources,
+                                              const std::vector<double>& distances)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+  constexpr double rounding = 1e-10; // the exact class computes with doubles too
+
+  const auto start = std::chrono::steady_clock::now();
+  CGAL::Surface_mesh_shortest_path<Traits> exact(mesh);
+  exact.add_source_points(sources.begin(), sources.end());
+  exact.build_sequence_tree();
+
+  Exact_comparison result;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.smallest_error = std::numeric_limits<double>::infinity();
+  std::size_t count = 0;
+  for(const auto v : vertices(mesh))
+  {
+    const double distance = exact.shortest_distance_to_source_points(v).first;
+    if(!(distance > 0) || !std::isfinite(distances[v]))
+      continue; // a source, or not reached
+    const double error = distances[v] / distance - 1;
+    result.mean_error += error;
+    result.largest_error = (std::max)(result.largest_error, error);
+    result.smallest_error = (std::min)(result.smallest_error, error);
+    result.number_below += error < -rounding ? 1 : 0;
+    ++count;
+  }
+  if(count > 0)
+    result.mean_error /= static_cast<double>(count);
+  else
+    result.smallest_error = 0;
+  return result;
+}
+
+#endif // GEODESIC_DISTANCES_EXACT_COMPARISON_H

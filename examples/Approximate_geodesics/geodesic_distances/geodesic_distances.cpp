@@ -1,0 +1,126 @@
+// Distances and shortest paths on a mesh, from the command line: see --help.
+
+#include "Options.h"
+#include "Report.h"
+#include "exact_comparison.h"
+#include "picture.h"
+#include "results.h"
+
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh>;
+
+namespace parameters = CGAL::parameters;
+
+Mesh read_mesh(const std::string& file)
+{
+  Mesh mesh;
+  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) || mesh.is_empty())
+    throw std::runtime_error("cannot read a mesh from " + file);
+  if(!CGAL::is_triangle_mesh(mesh))
+  {
+    std::cerr << "Some faces are not triangles: they are triangulated.\n";
+    CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  }
+  return mesh;
+}
+
+// A vertex is given by its index; `random:K` stands for K of them.
+std::vector<Vertex>
+select_vertices(const std::vector<std::string>& names, const Mesh& mesh, std::mt19937_64& random)
+{
+  const std::string prefix = "random:";
+  std::vector<Vertex> result;
+  for(const std::string& name : names)
+    if(name.compare(0, prefix.size(), prefix) == 0)
+    {
+      for(std::size_t k = to_number(name.substr(prefix.size())); k > 0; --k)
+        result.push_back(
+            Vertex(static_cast<Mesh::size_type>(random() % mesh.number_of_vertices())));
+    }
+    else
+    {
+      const std::size_t index = to_number(name);
+      if(index >= mesh.number_of_vertices())
+        throw std::invalid_argument("there is no vertex " + name + ": the mesh has " +
+                                    std::to_string(mesh.number_of_vertices()) + " vertices");
+      result.push_back(Vertex(static_cast<Mesh::size_type>(index)));
+    }
+  return result;
+}
+
+void run(const Options& options)
+{
+  const Mesh mesh = read_mesh(options.input);
+  std::mt19937_64 random(options.seed);
+  const std::vector<Vertex> sources = select_vertices(options.sources, mesh, random);
+  const std::vector<Vertex> targets = select_vertices(options.targets, mesh, random);
+  Report report;
+  report.add_mesh(mesh);
+
+  Stopwatch stopwatch;
+  Shortest_paths shortest_paths(mesh);
+  report.seconds_to_build = stopwatch.seconds();
+
+  shortest_paths.add_source_points(sources.begin(), sources.end());
+  Progress_bar progress;
+  stopwatch.restart();
+  shortest_paths.build_sequence_tree(
+      parameters::maximum_distance(options.maximum_distance).visitor(std::ref(progress)));
+  report.seconds_to_first_search = stopwatch.seconds();
+
+  stopwatch.restart();
+  shortest_paths.build_sequence_tree(parameters::maximum_distance(options.maximum_distance));
+  report.seconds_to_search = stopwatch.seconds();
+
+  shortest_paths.collect_statistics(true);
+  shortest_paths.build_sequence_tree(parameters::maximum_distance(options.maximum_distance));
+  report.add_search(shortest_paths.search());
+
+  const Results<Mesh> results(mesh, shortest_paths, targets);
+  report.add_distances(results.distances);
+  if(options.compares)
+  {
+    std::cerr << "Computing the exact distances ...\n";
+    report.comparison = compare_with_exact_distances(mesh, sources, results.distances);
+  }
+  report.print(std::cout);
+
+  write_distances(options.output + ".ply", mesh, results);
+  write_paths(options.output + ".polylines.txt", results.paths);
+  Scene_writer(mesh, sources, results).write(options.output + ".vtk");
+  if(options.draws)
+    draw_picture(options.output, options.view);
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    const Options options = parse_options(argc, argv);
+    if(!options.asks_for_help)
+      run(options);
+    return EXIT_SUCCESS;
+  }
+  catch(const std::exception& e)
+  {
+    std::cerr << "geodesic_distances: " << e.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}
