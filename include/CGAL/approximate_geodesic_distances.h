@@ -120,14 +120,15 @@ namespace CGAL {
  * \throws std::invalid_argument if the mesh is not as
  *         `CGAL::Approximate_geodesics::Intrinsic_triangulation` requires, if a source or target is
  *         not one of its vertices, or if `maximum_distance` is negative or not a number. The
- * message says what is wrong and where. If an exception leaves this function, nothing has been
- *         written to any property map.
+ *         message says what is wrong and where. If an exception leaves this function, nothing has
+ *         been written to any property map.
  * \throws std::length_error if `tmesh` has more halfedges than 32-bit numbers can tell apart.
  *
- * Run time is \cgalBigO{n} in practice and \cgalBigO{n \log n} in the worst case for `n` vertices;
- * memory is \cgalBigO{n}. The method is Dijkstra's algorithm \cgalCite{d-ntpcg-59} with
- * buckets in place of a heap. The mesh is read again by every call: if it is used more than once,
- * `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is several times as fast.
+ * Run time is \cgalBigO{n} in practice for `n` vertices, and \cgalBigO{n \log n} in the worst case
+ * if their degrees are bounded; memory is \cgalBigO{n}. The method is Dijkstra's algorithm
+ * \cgalCite{d-ntpcg-59} with buckets in place of a heap. The mesh is read again by every call: if
+ * it is used more than once, `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is several
+ * times as fast.
  *
  * \sa `approximate_geodesic_path()`
  * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`

@@ -13,6 +13,8 @@
 #include <CGAL/Approximate_geodesics/Bucket_statistics.h>
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -33,18 +35,21 @@ namespace Approximate_geodesics {
  *
  * All keys in the queue lie within one longest arc of the current bucket, so a small circle of
  * buckets is enough, and few enough entries share a bucket for their order not to matter: on
- * scanned models a node comes out 1.00 to 1.04 times on average. Two fallbacks bound the cost where
- * arc lengths differ by many orders of magnitude:
+ * scanned models a node comes out 1.00 to 1.04 times on average, stale entries aside. Two fallbacks
+ * bound the cost where arc lengths differ by many orders of magnitude:
  * - keys beyond the circle, whose length is limited, wait in a heap until the circle reaches them;
- * - a bucket that keeps growing while it is drained is made a heap, and drained smallest first.
+ * - a bucket that keeps growing while it is drained is made a heap, and drained smallest first; so
+ *   is every bucket after several times as many entries came out as there are nodes. A run
+ *   therefore expands \cgalBigO{n} nodes, for `n` of them, whatever the lengths.
  *
  * `push()` and `extract_min()` take constant time, and \cgalBigO{\log m} for the entries in
  * either heap, of which there are `m`. Memory is proportional to the largest number of entries
  * present at a time.
  *
- * The idea of adapting the buckets to the mesh from run to run is the published queue's; the
- * circle, draining in any order and the fallbacks are additions of this package.
- * Buckets drained in any order were introduced by Denardo and Fox \cgalCite{df-spmrp-79}.
+ * The idea of adapting the buckets to the mesh from run to run is that of Schwartz, de Rezende and
+ * Pedrini \cgalCite{srp-fasgp-15}; the circle, draining in any order and the fallbacks are
+ * additions of this package. Buckets drained in any order were introduced by Denardo and Fox
+ * \cgalCite{df-spmrp-79}.
  *
  * \tparam WidthPolicy a model of `BucketWidthPolicy`
  *
@@ -63,20 +68,33 @@ public:
   /// what comes out of the queue: a node, and the key that it was entered with.
   struct Entry
   {
+    /// the key.
     Key key;
+    /// the node.
     Node node;
   };
 
   /// an empty queue for a graph with the given arcs.
-  explicit Basic_adaptive_bucket_queue(std::size_t /* number_of_nodes */ = 0,
+  explicit Basic_adaptive_bucket_queue(const std::size_t number_of_nodes = 0,
                                        const Arc_lengths& arcs = Arc_lengths())
-    : m_longest_arc(arcs.longest), m_policy(arcs)
+    : m_number_of_nodes(number_of_nodes), m_longest_arc(arcs.longest), m_policy(arcs)
   {
     set_up_circle();
   }
 
+#ifndef DOXYGEN_RUNNING // the open bucket is pointed at: it moves along, but is not copied
+  Basic_adaptive_bucket_queue(const Basic_adaptive_bucket_queue&) = delete;
+  Basic_adaptive_bucket_queue& operator=(const Basic_adaptive_bucket_queue&) = delete;
+  Basic_adaptive_bucket_queue(Basic_adaptive_bucket_queue&&) = default;
+  Basic_adaptive_bucket_queue& operator=(Basic_adaptive_bucket_queue&&) = default;
+  ~Basic_adaptive_bucket_queue() = default;
+#endif
+
   /// returns whether no entry is left.
-  bool is_empty() const { return m_size == 0; }
+  bool is_empty() const
+  {
+    return m_next >= m_next_check && m_next == m_open->size() && m_size_but_drained == drained();
+  }
 
   /*!
    * enters `node` with `key`.
@@ -85,38 +103,35 @@ public:
   void push(const Node node, const Key key)
   {
     CGAL_precondition(!is_final(key));
-    const std::uint64_t index = bucket_index(key);
-    ++m_size;
-    if(index - m_current > m_mask)
-      push_far({key, node});
-    else
-    {
+    const Index index = bucket_index(key);
+    if(index - m_first_open_to_all < m_number_open_to_all)
       bucket(index).push_back({key, node});
-      if(m_open_is_heap && index == m_current)
-        std::push_heap(open().begin(), open().end(), Later{m_statistics.comparisons});
-    }
+    else
+      push_onto_heap({key, node}, index);
+    ++m_size_but_drained;
   }
 
   /*!
    * removes an entry of the first bucket that is not empty, and returns it. It may be stale:
-   * entered with a key larger than the node has by now. \pre `!is_empty()`
+   * entered with a key larger than the node has by now.
+   * \pre `!is_empty()`
    */
   Entry extract_min()
   {
     CGAL_precondition(!is_empty());
-    while(m_next == open().size())
-      open_next_bucket();
-    --m_size;
-    if(m_drained++ < m_patience)
-      return open()[m_next++];
-    return extract_from_heap();
+    if(m_next >= m_next_check)
+    {
+      prepare_extraction();
+      if(m_open_is_heap)
+        return extract_from_heap();
+    }
+    return (*m_open)[m_next++];
   }
 
   /// returns a node that will come out after `ahead` others, if that is known, and `no_node` else.
   Node upcoming(const std::size_t ahead) const
   {
-    const Bucket& b = m_buckets[m_current & m_mask];
-    return m_next + ahead < b.size() ? b[m_next + ahead].node : no_node;
+    return m_next + ahead < m_open->size() ? (*m_open)[m_next + ahead].node : no_node;
   }
 
   /// what `upcoming()` returns if it does not know.
@@ -142,7 +157,6 @@ public:
     for(Bucket& b : m_buckets)
       b.clear();
     m_far.clear();
-    m_size = 0;
     m_policy.update(statistics());
     set_up_circle();
   }
@@ -166,9 +180,10 @@ public:
 
 private:
   using Bucket = std::vector<Entry>;
+  using Index = std::uint64_t; // of a bucket, counted from key 0 on
 
-  static constexpr std::size_t LARGEST_CIRCLE = 1024; // arcs longer than 1023 widths are rare
-  static constexpr std::uint64_t LARGEST_INDEX = std::uint64_t(1) << 62;
+  static constexpr Index LARGEST_CIRCLE = 1024; // arcs longer than 1023 widths are rare
+  static constexpr Index LARGEST_INDEX = Index(1) << 62;
 
   struct Later // puts the smallest key on top of a heap
   {
@@ -181,70 +196,96 @@ private:
   };
 
   // Monotone in `key`, which is all that correctness needs of it.
-  std::uint64_t bucket_index(const Key key) const
+  Index bucket_index(const Key key) const
   {
     const double index = key * m_buckets_per_unit;
-    return index < double(LARGEST_INDEX) ? static_cast<std::uint64_t>(index) : LARGEST_INDEX;
+    return index < double(LARGEST_INDEX) ? static_cast<Index>(static_cast<std::int64_t>(index))
+                                         : LARGEST_INDEX;
   }
 
-  Bucket& bucket(const std::uint64_t index) { return m_buckets[index & m_mask]; }
-  Bucket& open() { return bucket(m_current); }
+  Bucket& bucket(const Index index) { return m_buckets[index & m_mask]; }
 
   void set_up_circle()
   {
     const double width = m_policy.width();
     const double needed = m_longest_arc / width + 2;
-    std::size_t size = 2;
+    Index size = 2;
     while(double(size) < needed && size < LARGEST_CIRCLE)
       size *= 2;
     m_buckets.resize(size);
     m_mask = size - 1;
     m_buckets_per_unit = 1 / width;
+    m_size_but_drained = 0;
     m_statistics = Bucket_statistics();
     m_statistics.width = width;
-    m_current = 0;
-    start_draining();
+    m_trust = 8 * m_number_of_nodes + 1024;
+    open_bucket(0);
   }
 
-  void start_draining()
+  void open_bucket(const Index index)
   {
-    m_next = 0;
-    m_drained = 0;
+    m_current = index;
+    m_open = &bucket(index);
     m_open_is_heap = false;
-    m_size_when_opened = open().size();
-    m_patience = 4 * m_size_when_opened + 256;
+    m_first_open_to_all = index;
+    m_number_open_to_all = m_mask + 1;
+    m_next = 0;
+    m_drained_before = 0;
+    m_size_when_opened = m_open->size();
+    m_patience = (std::min)(4 * m_size_when_opened + 256, m_trust);
+    m_next_check = (std::min)(m_size_when_opened, m_patience);
   }
 
-  void add_open_bucket(Bucket_statistics& statistics) const
+  // The entries that were there are through. Newer ones may have come, if only so many that
+  // draining them first-in first-out can be hoped to end soon.
+  BOOST_NOINLINE void prepare_extraction()
   {
-    if(m_drained == 0)
+    while(m_next == m_open->size())
+      open_next_bucket();
+    if(m_open_is_heap)
       return;
-    const double occupancy = static_cast<double>(m_drained);
-    statistics.visited_buckets += 1;
-    statistics.entries += m_drained;
-    statistics.late_entries += m_drained - (std::min)(m_drained, m_size_when_opened);
-    statistics.used_buckets += 1;
-    statistics.sum_of_squared_occupancies += occupancy * occupancy;
+    if(m_next < m_patience)
+      m_next_check = (std::min)(m_open->size(), m_patience);
+    else
+      make_open_bucket_a_heap();
   }
 
   // Goes on to the next bucket, which may be empty.
   void open_next_bucket()
   {
     add_open_bucket(m_statistics);
-    m_statistics.visited_buckets += m_drained == 0 ? 1 : 0;
-    open().clear();
+    m_statistics.visited_buckets += drained() == 0 ? 1 : 0;
+    m_size_but_drained -= drained();
+    m_trust -= (std::min)(m_trust, drained());
+    m_open->clear();
 
-    const bool circle_is_empty = m_size == m_far.size();
-    m_current = circle_is_empty ? bucket_index(m_far.front().key) : m_current + 1;
-    while(!m_far.empty() && bucket_index(m_far.front().key) - m_current <= m_mask)
+    const bool circle_is_empty = m_size_but_drained == m_far.size();
+    const Index next = circle_is_empty ? bucket_index(m_far.front().key) : m_current + 1;
+    while(!m_far.empty() && bucket_index(m_far.front().key) - next <= m_mask)
       move_nearest_into_circle();
-    start_draining();
+    open_bucket(next);
   }
 
-  void push_far(const Entry& e)
+  void add_open_bucket(Bucket_statistics& statistics) const
   {
-    m_far.push_back(e);
-    std::push_heap(m_far.begin(), m_far.end(), Later{m_statistics.comparisons});
+    if(drained() == 0)
+      return;
+    const double occupancy = static_cast<double>(drained());
+    statistics.visited_buckets += 1;
+    statistics.entries += drained();
+    statistics.late_entries += drained() - (std::min)(drained(), m_size_when_opened);
+    statistics.used_buckets += 1;
+    statistics.sum_of_squared_occupancies += occupancy * occupancy;
+  }
+
+  // the number of entries that came out of the open bucket
+  std::size_t drained() const { return m_drained_before + m_next; }
+
+  BOOST_NOINLINE void push_onto_heap(const Entry& e, const Index index)
+  {
+    Bucket& heap = m_open_is_heap && index == m_current ? *m_open : m_far;
+    heap.push_back(e);
+    std::push_heap(heap.begin(), heap.end(), Later{m_statistics.comparisons});
   }
 
   void move_nearest_into_circle()
@@ -254,36 +295,52 @@ private:
     m_far.pop_back();
   }
 
-  // Draining first-in first-out has not got the bucket empty: smallest first will.
-  Entry extract_from_heap()
+  // Pushing to it is special from now on.
+  void make_open_bucket_a_heap()
   {
-    const Later later{m_statistics.comparisons};
-    if(!m_open_is_heap)
-    {
-      open().erase(open().begin(), open().begin() + static_cast<std::ptrdiff_t>(m_next));
-      std::make_heap(open().begin(), open().end(), later);
-      m_next = 0;
-      m_open_is_heap = true;
-    }
-    std::pop_heap(open().begin(), open().end(), later);
-    const Entry result = open().back();
-    open().pop_back();
+    m_open->erase(m_open->begin(), m_open->begin() + static_cast<std::ptrdiff_t>(m_next));
+    std::make_heap(m_open->begin(), m_open->end(), Later{m_statistics.comparisons});
+    m_open_is_heap = true;
+    m_first_open_to_all = m_current + 1;
+    m_number_open_to_all = m_mask;
+    m_drained_before = m_next;
+    m_next = 0;
+    m_next_check = 0; // check always
+  }
+
+  BOOST_NOINLINE Entry extract_from_heap()
+  {
+    ++m_drained_before;
+    std::pop_heap(m_open->begin(), m_open->end(), Later{m_statistics.comparisons});
+    const Entry result = m_open->back();
+    m_open->pop_back();
     return result;
   }
 
   std::vector<Bucket> m_buckets; // a circle; their number is a power of two
   Bucket m_far;                  // a heap of the entries beyond the circle
-  std::size_t m_size = 0;        // number of entries, of both
-  std::uint64_t m_current = 0;   // index of the open bucket, not reduced to the circle
-  std::size_t m_mask = 0;
+  Index m_mask = 0;              // reduces an index to the circle
   double m_buckets_per_unit = 1;
 
-  std::size_t m_next = 0;    // entry of the open bucket that comes out next, if it is no heap
-  std::size_t m_drained = 0; // number of entries that came out of it
-  std::size_t m_patience = 0;
-  std::size_t m_size_when_opened = 0;
-  bool m_open_is_heap = false;
+  // buckets that entries are simply appended to
+  Index m_first_open_to_all = 0;
+  Index m_number_open_to_all = 0;
 
+  // the bucket that is being drained
+  Index m_current = 0;
+  Bucket* m_open = nullptr;
+  bool m_open_is_heap = false;
+  std::size_t m_next = 0;           // the entry that comes out next, if it is no heap
+  std::size_t m_next_check = 0;     // where draining stops to think
+  std::size_t m_drained_before = 0; // those that came out and are not in it any more
+  std::size_t m_size_when_opened = 0;
+  std::size_t m_size_but_drained = 0; // the number of entries, not reduced by those
+
+  // how many entries may come out before order is imposed: of the open bucket, and of all others
+  std::size_t m_patience = 0;
+  std::size_t m_trust = 0;
+
+  std::size_t m_number_of_nodes;
   double m_longest_arc;
   WidthPolicy m_policy;
   Bucket_statistics m_statistics;

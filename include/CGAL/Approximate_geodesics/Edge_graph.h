@@ -65,9 +65,11 @@ public:
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& /* labels */, F f) const
   {
+    const Node* target = m_triangulation.targets().data(); // `f` cannot change these pointers
+    const double* length = m_triangulation.lengths().data();
     const Node beyond = m_triangulation.beyond_halfedge(node);
     for(Node h = m_triangulation.first_halfedge(node); h < beyond; ++h)
-      f(m_triangulation.target(h), m_triangulation.length(h));
+      f(target[h], length[h]);
   }
 
   /// asks for the arcs of `node`, which will be needed soon.

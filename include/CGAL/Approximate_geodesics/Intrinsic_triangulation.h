@@ -108,6 +108,14 @@ public:
    *                    integer type as value type}
    *     \cgalParamDefault{an automatically indexed internal map}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{halfedge_index_map}
+   *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index
+   *                           between `0` and `num_halfedges(tmesh) - 1`}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
+   *                    integer type as value type}
+   *     \cgalParamDefault{an automatically indexed internal map}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{geom_traits}
    *     \cgalParamDescription{an instance of a geometric traits class}
    *     \cgalParamType{a class model of `Kernel`}
@@ -224,6 +232,9 @@ public:
 
   /// \name For Graphs
   /// @{
+
+  /// returns the targets of all halfedges, one after the other.
+  const std::vector<Index>& targets() const { return m_target; }
 
   /// returns the lengths of all halfedges, one after the other.
   const std::vector<double>& lengths() const { return m_length; }

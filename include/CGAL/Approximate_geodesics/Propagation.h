@@ -68,8 +68,11 @@ public:
   /// where a run starts: a node, its initial distance, and the index of the source it belongs to.
   struct Seed
   {
+    /// the node.
     Node node;
+    /// its initial distance, in the unit of the mesh: finite and not negative.
     double distance = 0;
+    /// the index of its source: what `source()` returns for the nodes nearest to this seed.
     std::size_t source = 0;
   };
 
@@ -253,8 +256,11 @@ private:
     for(Seed& seed : m_seeds)
     {
       seed.distance = to_graph_unit(seed.distance);
-      if(seed.distance <= limit && m_labels.improve(seed.node, seed.distance, null_node))
+      if(seed.distance < m_labels.distance(seed.node) && seed.distance <= limit)
+      {
+        m_labels.set(seed.node, seed.distance, null_node);
         m_queue.push(seed.node, seed.distance);
+      }
     }
   }
 
@@ -300,12 +306,14 @@ private:
   template <typename Counter>
   void expand(const Node node, const double distance, const double limit, Counter& counter)
   {
-    m_graph->for_each_arc(node, m_labels, [&](const Node target, const double length) {
+    const double* const distances = m_labels.distances(); // kept in a register
+    m_graph->for_each_arc(node, m_labels, [&, distances](const Node target, const double length) {
       counter.on_relaxation();
       const double candidate = distance + length;
-      if(candidate <= limit && m_labels.improve(target, candidate, node))
+      if(candidate < distances[target] && candidate <= limit)
       {
         counter.on_improvement();
+        m_labels.set(target, candidate, node);
         m_queue.push(target, candidate);
       }
     });

@@ -38,20 +38,17 @@ public:
   std::size_t number_of_nodes() const { return m_distance.size(); }
 
   // in units of the graph
+  const double* distances() const { return m_distance.data(); }
   double distance(const Node node) const { return m_distance[node]; }
   bool is_reached(const Node node) const { return m_distance[node] != infinity; }
 
   // of a node that was reached
   Node predecessor(const Node node) const { return m_predecessor[node]; }
 
-  // Takes the distance over if it is smaller than the one known, and returns whether it was.
-  bool improve(const Node node, const double distance, const Node predecessor)
+  void set(const Node node, const double distance, const Node predecessor)
   {
-    if(!(distance < m_distance[node]))
-      return false;
     m_distance[node] = distance;
     m_predecessor[node] = predecessor;
-    return true;
   }
 
   const std::vector<Node>& order() const { return m_order; }

@@ -1,0 +1,99 @@
+/*!
+\ingroup PkgApproximateGeodesicsConcepts
+\cgalConcept
+
+The concept `GeodesicGraph` describes a graph on a triangulated surface, whose nodes are points of
+the surface and whose arcs are paths between them, as searched by
+`CGAL::Approximate_geodesics::Propagation`.
+
+<b>Nodes</b> are numbered from `0` on without gaps. The first of them are the vertices of
+`triangulation()`, with the numbers that they have there; a graph may add nodes of its own after
+them.
+
+<b>Lengths</b> are finite, not negative, and in units of `triangulation().unit()`, which
+is called the unit of the graph.
+
+<b>Arcs</b> need not be stored. They are asked for when the search expands a node, and may be
+computed then. They may also depend on how the search got there: `for_each_arc()` is given the
+labels of the search.
+
+All member functions are `const`, and several threads may call them for the same object at the same
+time.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Approximate_geodesics::Edge_graph}
+\cgalHasModelsEnd
+
+\sa `CGAL::Approximate_geodesics::Propagation`
+*/
+class GeodesicGraph
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// the number of a node: `std::uint32_t`. The largest number stands for no node.
+  using Node = CGAL::Approximate_geodesics::Intrinsic_triangulation::Index;
+
+  /// @}
+
+  /// \name Creation
+  /// @{
+
+  /// builds the graph of `triangulation`. The search does not need this constructor;
+  /// `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` does.
+  explicit GeodesicGraph(CGAL::Approximate_geodesics::Intrinsic_triangulation triangulation);
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the triangulation that the graph was built on. It is the same object as long as the
+  /// graph exists.
+  const CGAL::Approximate_geodesics::Intrinsic_triangulation& triangulation() const;
+
+  /// returns the number of nodes, which is at least the number of vertices of `triangulation()`.
+  std::size_t number_of_nodes() const;
+
+  /// returns a summary of the lengths of all arcs that `for_each_arc()` may ever report. No arc is
+  /// longer than the member `longest` says. Queues set themselves up with it.
+  CGAL::Approximate_geodesics::Arc_lengths arc_lengths() const;
+
+  /*!
+  calls `f(target, length)` for every arc that starts from `node`, in any order.
+
+  The call may change the labels of `target`, and of no other node; whatever was read from
+  `labels` about other nodes stays valid.
+
+  \tparam Labels the type of the labels
+  \tparam F a function object called with a `Node` and a `double`
+
+  \param node the node that is being expanded. It may be expanded more than once in a run, each time
+              with a smaller distance than before.
+  \param labels what the search has found so far, to be read only:
+         - `labels.distance(n)` is the smallest distance of the node `n` found so far, in units of
+           the graph, or infinity if it was not reached. That of `node` is the one that it is being
+           expanded with. Others are upper bounds, which may still fall.
+         - `labels.is_reached(n)` is whether that distance is finite.
+         - `labels.predecessor(n)` is the node that `n` was reached from with this distance, and
+           thus says from which direction the path arrives; for a node that the search started from
+           it is the largest `Node`, which stands for none. It may be asked for if `n` was reached.
+         - `labels.number_of_nodes()` is the number of nodes.
+  \param f what to call
+
+  A graph that does not look at `labels` reports the same arcs whenever it is asked about a node.
+  One that does may leave out arcs that cannot shorten any path: an arc to a node `t` if
+  `labels.distance(node) + length >= labels.distance(t)`, or if the path that arrives at `node` is
+  such that `t` is reached at least as well in another way. Only then are distances independent of
+  the order in which nodes are expanded, and of the queue.
+  */
+  template <typename Labels, typename F>
+  void for_each_arc(Node node, const Labels& labels, F f) const;
+
+  /// is told that `node` will probably be expanded soon, and may ask the memory for what this
+  /// takes. It may just as well do nothing.
+  void prefetch(Node node) const;
+
+  /// @}
+};

@@ -1,0 +1,279 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "expect_message.h"
+#include "test_oracles.h"
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+// What the constructor of a triangulation refuses.
+
+namespace {
+
+using namespace geodesics_test;
+namespace parameters = CGAL::parameters;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+template <typename... Texts>
+void expect_rejection(const Mesh& mesh, const Texts&... texts)
+{
+  expect_message<std::invalid_argument>([&] { Triangulation{mesh}; }, texts...);
+}
+
+Mesh quiet_mesh() { return to_mesh(flat_grid(5, 4)); }
+
+TEST(Bad_mesh, face_that_is_no_triangle)
+{
+  Mesh mesh = quiet_mesh();
+  const Vertex a = mesh.add_vertex(Point(9, 9, 0)), b = mesh.add_vertex(Point(10, 9, 0)),
+               c = mesh.add_vertex(Point(10, 10, 0)), d = mesh.add_vertex(Point(9, 10, 0));
+  ASSERT_NE(mesh.add_face(a, b, c, d), Mesh::null_face());
+  expect_rejection(mesh, "face 24", "not a triangle", "vertex 2");
+}
+
+TEST(Bad_mesh, coordinate_that_is_no_finite_number)
+{
+  for(const double bad : {not_a_number, infinity, -infinity})
+    for(const std::size_t axis : {0, 1, 2})
+    {
+      Mesh mesh = quiet_mesh();
+      mesh.point(Vertex(13)) = Point(axis == 0 ? bad : 1, axis == 1 ? bad : 1, axis == 2 ? bad : 1);
+      expect_rejection(mesh, "vertex 13", "infinite or not a number");
+    }
+}
+
+TEST(Bad_mesh, length_that_no_double_holds)
+{
+  Mesh mesh = quiet_mesh();
+  for(const Vertex v : mesh.vertices())
+    mesh.point(v) = Point(v == Vertex(7) ? 1.5e308 : -1.5e308, 0, 0);
+  expect_rejection(mesh, "vertex 7", "does not fit a double");
+}
+
+TEST(Bad_mesh, length_given_that_is_no_length)
+{
+  const Mesh mesh = quiet_mesh();
+  for(const double bad : {-1., not_a_number, infinity, -infinity, -1e-300})
+  {
+    std::vector<double> lengths(mesh.num_edges(), 1);
+    const Edge e(17);
+    lengths[e.idx()] = bad;
+    const auto map =
+        boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh));
+    expect_message<std::invalid_argument>(
+        [&] { Triangulation(mesh, parameters::edge_length_map(map)); },
+        "vertex " + std::to_string(mesh.vertex(e, 0).idx()),
+        "vertex " + std::to_string(mesh.vertex(e, 1).idx()), "length", "not negative");
+  }
+}
+
+TEST(Bad_mesh, negative_zero_is_a_length)
+{
+  const Mesh mesh = quiet_mesh();
+  const std::vector<double> lengths(mesh.num_edges(), -0.0);
+  const auto map = boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh));
+  const Triangulation t(mesh, parameters::edge_length_map(map));
+  for(const double length : t.lengths())
+    EXPECT_FALSE(std::signbit(length));
+}
+
+template <typename Descriptor, typename Index>
+auto map_of(const std::vector<Index>& indices)
+{
+  return boost::make_function_property_map<Descriptor>(
+      [&indices](const Descriptor d) { return indices[d.idx()]; });
+}
+
+template <typename Index>
+std::vector<Index> numbers_up_to(const std::size_t n)
+{
+  std::vector<Index> result(n);
+  std::iota(result.begin(), result.end(), Index(0));
+  return result;
+}
+
+template <typename Index, typename... Texts>
+void expect_vertex_index_rejected(const Index bad, const Texts&... texts)
+{
+  const Mesh mesh = quiet_mesh();
+  std::vector<Index> indices = numbers_up_to<Index>(mesh.num_vertices());
+  EXPECT_NO_THROW(Triangulation(mesh, parameters::vertex_index_map(map_of<Vertex>(indices))));
+  indices[11] = bad;
+  expect_message<std::invalid_argument>(
+      [&] { Triangulation(mesh, parameters::vertex_index_map(map_of<Vertex>(indices))); },
+      "vertex index " + std::to_string(bad), texts...);
+}
+
+TEST(Bad_mesh, vertex_index_out_of_range_or_used_twice)
+{
+  expect_vertex_index_rejected<int>(20, "out of range", "20");
+  expect_vertex_index_rejected<int>(-1, "out of range");
+  expect_vertex_index_rejected<std::size_t>(std::size_t(1) << 32, "out of range");
+  expect_vertex_index_rejected<int>(5, "more than one vertex");
+  expect_vertex_index_rejected<int>(12, "more than one vertex"); // of a neighbour
+}
+
+template <typename Index, typename... Texts>
+void expect_halfedge_index_rejected(const Index bad, const Texts&... texts)
+{
+  const Mesh mesh = quiet_mesh();
+  std::vector<Index> indices = numbers_up_to<Index>(mesh.num_halfedges());
+  EXPECT_NO_THROW(Triangulation(mesh, parameters::halfedge_index_map(map_of<Halfedge>(indices))));
+  indices[11] = bad;
+  expect_message<std::invalid_argument>(
+      [&] { Triangulation(mesh, parameters::halfedge_index_map(map_of<Halfedge>(indices))); },
+      texts...);
+}
+
+TEST(Bad_mesh, halfedge_index_out_of_range)
+{
+  const int size = static_cast<int>(quiet_mesh().num_halfedges());
+  expect_halfedge_index_rejected<int>(size, "halfedge index " + std::to_string(size),
+                                      "out of range");
+  expect_halfedge_index_rejected<int>(-1, "halfedge index -1", "out of range");
+  expect_halfedge_index_rejected<std::size_t>(std::size_t(1) << 40, "out of range");
+}
+
+// Every pair of halfedges that `is_tested` picks is given one index in turn.
+void expect_equal_indices_rejected(const Mesh& mesh,
+                                   const std::function<bool(Halfedge, Halfedge)>& is_tested)
+{
+  std::size_t number_of_pairs = 0;
+  std::vector<std::size_t> indices = numbers_up_to<std::size_t>(mesh.num_halfedges());
+  for(const Halfedge h : mesh.halfedges())
+    for(const Halfedge g : mesh.halfedges())
+      if(h != g && is_tested(h, g))
+      {
+        ++number_of_pairs;
+        indices[h.idx()] = g.idx();
+        EXPECT_THROW(Triangulation(mesh, parameters::halfedge_index_map(map_of<Halfedge>(indices))),
+                     std::invalid_argument)
+            << h << " has the index of " << g;
+        indices[h.idx()] = h.idx();
+      }
+  EXPECT_GT(number_of_pairs, 0u);
+}
+
+TEST(Bad_mesh, halfedge_index_used_twice)
+{
+  const Mesh mesh = quiet_mesh();
+  expect_equal_indices_rejected(
+      mesh, [&](const Halfedge h, const Halfedge g) { return mesh.target(h) != mesh.target(g); });
+}
+
+TEST(Bad_mesh, DISABLED_halfedge_index_used_twice_around_a_vertex)
+{
+  for(const Mesh& mesh : {quiet_mesh(), necklace(3)})
+    expect_equal_indices_rejected(
+        mesh, [&](const Halfedge h, const Halfedge g) { return mesh.target(h) == mesh.target(g); });
+}
+
+TEST(Bad_mesh, vertex_with_two_cycles_of_halfedges)
+{
+  Mesh mesh = quiet_mesh();
+  const Vertex a = mesh.add_vertex(Point(9, 9, 0)), b = mesh.add_vertex(Point(10, 9, 0)),
+               c = mesh.add_vertex(Point(10, 10, 0));
+  ASSERT_NE(mesh.add_face(a, b, c), Mesh::null_face());
+  for(const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(a)))
+    mesh.set_target(h, Vertex(6)); // a fan of its own
+  mesh.remove_vertex(a);
+  expect_rejection(mesh, "vertex 6", "do not form one cycle");
+}
+
+TEST(Bad_mesh, halfedges_that_do_not_close_around_a_vertex)
+{
+  Mesh mesh = to_mesh(sphere(8, 4));
+  // the walk around vertex 5 gets into a cycle that does not contain where it started
+  const Halfedge h = mesh.opposite(mesh.halfedge(Vertex(5)));
+  const Halfedge second = mesh.opposite(mesh.prev(h));
+  const Halfedge third = mesh.opposite(mesh.prev(second));
+  mesh.set_next(mesh.opposite(second), third); // sets what is before `third`
+  mesh.set_next(mesh.opposite(third), third);
+  EXPECT_THROW(Triangulation{mesh}, std::invalid_argument);
+}
+
+TEST(Bad_mesh, faces_that_cannot_be_laid_out)
+{
+  const Mesh mesh = quiet_mesh();
+  std::vector<double> lengths(mesh.num_edges(), 1);
+  const auto map = boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh));
+  EXPECT_NO_THROW(
+      Triangulation(mesh, parameters::edge_length_map(map)).check_triangle_inequality());
+  const Halfedge h = mesh.halfedge(Vertex(0), Vertex(1));
+  ASSERT_TRUE(mesh.is_border(h) != mesh.is_border(mesh.opposite(h)));
+  lengths[mesh.edge(h).idx()] = 2; // a face without area
+  EXPECT_NO_THROW(
+      Triangulation(mesh, parameters::edge_length_map(map)).check_triangle_inequality());
+  lengths[mesh.edge(h).idx()] = 2.001;
+  expect_message<std::invalid_argument>(
+      [&] { Triangulation(mesh, parameters::edge_length_map(map)).check_triangle_inequality(); },
+      "triangle inequality", "0, ", "1, ", "6", "2.001");
+  lengths.assign(lengths.size(), 0);
+  EXPECT_NO_THROW(
+      Triangulation(mesh, parameters::edge_length_map(map)).check_triangle_inequality());
+}
+
+TEST(Good_mesh, can_be_laid_out)
+{
+  for(const auto& [name, mesh] : generated_meshes(test_seed()))
+    EXPECT_NO_THROW(Triangulation(mesh).check_triangle_inequality()) << name;
+}
+
+// A mesh that says it has more halfedges than there are numbers, and is otherwise not to be
+// touched: the iterators of its vertices and faces throw.
+struct Huge_mesh : Mesh
+{
+  using Mesh::Mesh;
+  std::size_t size = 0;
+};
+std::size_t num_halfedges(const Huge_mesh& mesh) { return mesh.size; }
+std::size_t num_vertices(const Huge_mesh& mesh) { return mesh.size / 6; }
+CGAL::Iterator_range<boost::graph_traits<Mesh>::face_iterator> faces(const Huge_mesh&)
+{
+  throw std::logic_error("faces were looked at before the size");
+}
+
+} // namespace
+
+namespace boost {
+template <>
+struct graph_traits<Huge_mesh> : graph_traits<Mesh>
+{
+};
+template <typename Tag>
+struct property_map<Huge_mesh, Tag> : property_map<Mesh, Tag>
+{
+};
+} // namespace boost
+template <typename Tag>
+struct CGAL::graph_has_property<Huge_mesh, Tag> : CGAL::graph_has_property<Mesh, Tag>
+{
+};
+
+namespace {
+
+TEST(Bad_mesh, more_halfedges_than_numbers)
+{
+  Huge_mesh mesh;
+  for(const std::size_t size : {(std::size_t(1) << 32) - 1, std::size_t(1) << 32})
+  {
+    mesh.size = size;
+    expect_message<std::length_error>([&] { Triangulation{mesh}; }, std::to_string(size), "32-bit");
+  }
+  mesh.size = (std::size_t(1) << 32) - 2;
+  EXPECT_THROW(Triangulation{mesh}, std::logic_error); // so it got as far as the faces
+}
+
+} // namespace

@@ -1,0 +1,263 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fixed_bucket_width.h"
+#include "test_random.h"
+
+#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace geodesics_test;
+using CGAL::Approximate_geodesics::Adaptive_bucket_queue;
+using CGAL::Approximate_geodesics::Arc_lengths;
+using CGAL::Approximate_geodesics::Basic_adaptive_bucket_queue;
+using Fixed_queue = Basic_adaptive_bucket_queue<Fixed_bucket_width>;
+using Node = Fixed_queue::Node;
+
+// A queue beside a sorted container that receives the same entries.
+template <typename Queue>
+class Checked_queue
+{
+public:
+  explicit Checked_queue(const Arc_lengths& arcs) : m_queue(0, arcs) {}
+
+  void push(const double key)
+  {
+    m_queue.push(m_number_of_nodes, key);
+    m_expected.emplace(key, m_number_of_nodes++);
+  }
+
+  // Takes an entry out of both, and returns its key.
+  double pop()
+  {
+    const double smallest = m_expected.begin()->first;
+    const auto [key, node] = m_queue.extract_min();
+    EXPECT_FALSE(m_queue.is_final(smallest)) << "a smaller key was left behind";
+    const double width = m_queue.statistics().width;
+    if(key / width < 0x1p61) // buckets that far away need not be told apart
+    {
+      // one bucket, and some rounding where buckets are as narrow as that
+      EXPECT_LE(key - smallest, width + 4 * std::abs(key) * 0x1p-52);
+    }
+    const auto [first, beyond] = m_expected.equal_range(key);
+    for(auto it = first; it != beyond; ++it)
+      if(it->second == node)
+      {
+        m_expected.erase(it);
+        return key;
+      }
+    ADD_FAILURE() << "node " << node << " was not entered with key " << key;
+    return key;
+  }
+
+  void clear()
+  {
+    m_queue.clear();
+    m_expected.clear();
+  }
+
+  void check_nodes() const
+  {
+    std::set<Node> nodes;
+    m_queue.for_each_node([&](const Node node) { nodes.insert(node); });
+    for(const auto& [key, node] : m_expected)
+      EXPECT_EQ(nodes.count(node), 1u) << "node " << node;
+    for(const Node node : nodes)
+      EXPECT_LT(node, m_number_of_nodes);
+  }
+
+  bool is_empty() const
+  {
+    EXPECT_EQ(m_queue.is_empty(), m_expected.empty());
+    return m_queue.is_empty();
+  }
+
+  Queue& queue() { return m_queue; }
+
+private:
+  Queue m_queue;
+  std::multimap<double, Node> m_expected;
+  Node m_number_of_nodes = 0;
+};
+
+// Keys between the last one extracted and one longest arc beyond it, as in a search: some equal,
+// some close by, some far away, some farther than any arc.
+double random_gap(const Arc_lengths& arcs, Random& random)
+{
+  switch(random.below(6))
+  {
+  case 0:
+    return 0;
+  case 1:
+    return arcs.shortest * random.between(0, 1);
+  case 2:
+    return arcs.longest;
+  case 3: // any order of magnitude
+    return arcs.longest * std::pow(2., -random.between(0, 60));
+  default:
+    return random.between(0, 2 * arcs.mean);
+  }
+}
+
+template <typename Queue>
+void run_random_program(Checked_queue<Queue>& queue, const Arc_lengths& arcs, Random& random)
+{
+  double last = 0;
+  std::size_t pushes_left = 3000;
+  for(std::size_t i = 0; i < 10; ++i, --pushes_left)
+    queue.push(random_gap(arcs, random));
+  while(!queue.is_empty())
+  {
+    last = queue.pop();
+    for(std::size_t i = random.below(3); i > 0 && pushes_left > 0; --i, --pushes_left)
+      queue.push(last + random_gap(arcs, random));
+    if(pushes_left % 500 == 0)
+      queue.check_nodes();
+    if(pushes_left < 1000 && random.below(1000) == 0)
+      return; // an early stop
+  }
+}
+
+template <typename Queue>
+void run_random_programs(const Arc_lengths& arcs)
+{
+  SCOPED_TRACE(testing::Message() << "arcs " << arcs.shortest << " .. " << arcs.longest);
+  Random random(test_seed());
+  Checked_queue<Queue> queue(arcs);
+  for(std::size_t run = 0; run < 12; ++run)
+  {
+    run_random_program(queue, arcs, random);
+    queue.clear();
+    EXPECT_TRUE(queue.is_empty());
+    queue.check_nodes();
+  }
+}
+
+const Arc_lengths arcs_of_many_kinds[] = {{1, 1, 1},           {0.5, 1, 3},      {0, 1e-3, 1},
+                                          {1e-12, 1e-9, 1},    {0, 0, 0},        {1, 1, 1000},
+                                          {1e-300, 1e-299, 2}, {1e-5, 1, 100000}};
+
+TEST(Queue, agrees_with_a_sorted_container)
+{
+  for(const Arc_lengths& arcs : arcs_of_many_kinds)
+    run_random_programs<Adaptive_bucket_queue>(arcs);
+}
+
+TEST(Queue, agrees_with_a_sorted_container_under_another_policy)
+{
+  for(const Arc_lengths& arcs : arcs_of_many_kinds)
+    if(arcs.mean > 0)
+      run_random_programs<Fixed_queue>(arcs);
+}
+
+TEST(Queue, takes_equal_keys)
+{
+  Checked_queue<Adaptive_bucket_queue> queue({1, 1, 1});
+  for(std::size_t i = 0; i < 1000; ++i)
+    queue.push(i % 2 == 0 ? 0.0 : 1.0);
+  for(std::size_t i = 0; i < 1000; ++i)
+    EXPECT_EQ(queue.pop(), i < 500 ? 0.0 : 1.0);
+  EXPECT_TRUE(queue.is_empty());
+}
+
+TEST(Queue, keeps_keys_beyond_the_circle)
+{
+  Checked_queue<Fixed_queue> queue({1, 1, 4}); // a circle of at most 8 buckets of width 1
+  for(const double key : {1e300, 1e6, 3.0, 1e6, 1e12, 0.0, 2e6})
+    queue.push(key);
+  queue.check_nodes();
+  for(const double key : {0.0, 3.0, 1e6, 1e6, 2e6, 1e12, 1e300})
+    EXPECT_EQ(queue.pop(), key);
+  EXPECT_TRUE(queue.is_empty());
+  EXPECT_LT(queue.queue().statistics().visited_buckets, 100u); // it does not step through the gap
+}
+
+// A bucket that is fed while it is drained becomes a heap; entries then come out in order.
+TEST(Queue, sorts_a_bucket_that_keeps_growing)
+{
+  Random random(test_seed());
+  Checked_queue<Fixed_queue> queue({1e-9, 1, 1});
+  queue.push(0);
+  double last = 0;
+  bool is_sorted = true;
+  for(std::size_t i = 0; i < 5000; ++i)
+  {
+    const double key = queue.pop();
+    is_sorted = is_sorted && (i < 1000 || key >= last);
+    last = key;
+    queue.push((std::min)(key + random.between(0, 1e-4), 0.999));
+    if(i % 3 == 0)
+      queue.push((std::min)(key + random.between(0, 1e-3), 0.999));
+  }
+  EXPECT_TRUE(is_sorted);
+  EXPECT_GT(queue.queue().statistics().comparisons, 0u);
+  queue.check_nodes();
+  while(!queue.is_empty())
+    queue.pop();
+}
+
+TEST(Queue, says_which_keys_are_final)
+{
+  Fixed_queue queue(0, {1, 1, 4});
+  queue.push(0, 0.5);
+  queue.push(1, 2.25);
+  EXPECT_FALSE(queue.is_final(0));
+  queue.extract_min();
+  EXPECT_FALSE(queue.is_final(0.5)); // a smaller one may still come into the bucket
+  EXPECT_FALSE(queue.is_final(0));
+  queue.extract_min();
+  EXPECT_TRUE(queue.is_final(0.5));
+  EXPECT_TRUE(queue.is_final(1.99));
+  EXPECT_FALSE(queue.is_final(2));
+  EXPECT_FALSE(queue.is_final(1e300));
+  queue.clear();
+  EXPECT_FALSE(queue.is_final(0));
+}
+
+TEST(Queue, knows_what_comes_next)
+{
+  Fixed_queue queue(0, {1, 1, 4});
+  EXPECT_EQ(queue.upcoming(0), Fixed_queue::no_node);
+  for(const Node node : {7u, 3u, 5u})
+    queue.push(node, 0.5);
+  queue.push(9, 1.5);
+  EXPECT_EQ(queue.upcoming(0), 7u);
+  EXPECT_EQ(queue.upcoming(2), 5u);
+  EXPECT_EQ(queue.upcoming(3), Fixed_queue::no_node);
+  for(const Node node : {7u, 3u, 5u})
+  {
+    EXPECT_EQ(queue.upcoming(0), node);
+    EXPECT_EQ(queue.extract_min().node, node);
+  }
+  EXPECT_EQ(queue.extract_min().node, 9u);
+}
+
+// Buckets beside a long arc of 1e12 of the others: neither their number nor the steps explode.
+TEST(Queue, has_a_limited_circle)
+{
+  Fixed_queue queue(0, {1, 1, 1e12});
+  const std::size_t memory_when_empty = queue.memory();
+  EXPECT_LT(memory_when_empty, 100000u); // 1024 buckets of three pointers are a quarter of that
+  for(Node node = 0; node < 1000; ++node)
+    queue.push(node, 1e9 * node);
+  for(Node node = 0; node < 1000; ++node)
+    ASSERT_EQ(queue.extract_min().node, node);
+  EXPECT_LE(queue.statistics().visited_buckets, 1000u);
+  // an array that grows by doubling takes up to twice its entries, and each bucket took one
+  EXPECT_LT(queue.memory(), memory_when_empty + 3 * 1000 * sizeof(Fixed_queue::Entry));
+}
+
+} // namespace
