@@ -93,7 +93,7 @@ public:
   /// returns whether no entry is left.
   bool is_empty() const
   {
-    return m_next >= m_next_check && m_next == m_open->size() && m_size_but_drained == drained();
+    return m_next == m_pause && number_left() == 0 && m_size_but_drained == drained();
   }
 
   /*!
@@ -104,10 +104,10 @@ public:
   {
     CGAL_precondition(!is_final(key));
     const Index index = bucket_index(key);
-    if(index - m_first_open_to_all < m_number_open_to_all)
+    if(index - (m_current + 1) < m_mask)
       bucket(index).push_back({key, node});
     else
-      push_onto_heap({key, node}, index);
+      push_late_or_far({key, node}, index);
     ++m_size_but_drained;
   }
 
@@ -119,19 +119,19 @@ public:
   Entry extract_min()
   {
     CGAL_precondition(!is_empty());
-    if(m_next >= m_next_check)
+    if(m_next == m_pause)
     {
-      prepare_extraction();
+      go_on();
       if(m_open_is_heap)
         return extract_from_heap();
     }
-    return (*m_open)[m_next++];
+    return *m_next++;
   }
 
   /// returns a node that will come out after `ahead` others, if that is known, and `no_node` else.
   Node upcoming(const std::size_t ahead) const
   {
-    return m_next + ahead < m_open->size() ? (*m_open)[m_next + ahead].node : no_node;
+    return static_cast<std::size_t>(m_pause - m_next) > ahead ? m_next[ahead].node : no_node;
   }
 
   /// what `upcoming()` returns if it does not know.
@@ -227,25 +227,23 @@ private:
     m_current = index;
     m_open = &bucket(index);
     m_open_is_heap = false;
-    m_first_open_to_all = index;
-    m_number_open_to_all = m_mask + 1;
-    m_next = 0;
     m_drained_before = 0;
     m_size_when_opened = m_open->size();
     m_patience = (std::min)(4 * m_size_when_opened + 256, m_trust);
-    m_next_check = (std::min)(m_size_when_opened, m_patience);
+    m_next = m_open->data();
+    m_pause = m_next + (std::min)(m_size_when_opened, m_patience);
   }
 
-  // The entries that were there are through. Newer ones may have come, if only so many that
+  // The entries up to the pause are through. Newer ones may have come, if only so many that
   // draining them first-in first-out can be hoped to end soon.
-  BOOST_NOINLINE void prepare_extraction()
+  BOOST_NOINLINE void go_on()
   {
-    while(m_next == m_open->size())
+    while(number_left() == 0)
       open_next_bucket();
     if(m_open_is_heap)
       return;
-    if(m_next < m_patience)
-      m_next_check = (std::min)(m_open->size(), m_patience);
+    if(drained() < m_patience)
+      m_pause = m_open->data() + (std::min)(m_open->size(), m_patience);
     else
       make_open_bucket_a_heap();
   }
@@ -278,12 +276,27 @@ private:
     statistics.sum_of_squared_occupancies += occupancy * occupancy;
   }
 
-  // the number of entries that came out of the open bucket
-  std::size_t drained() const { return m_drained_before + m_next; }
+  // the number of entries of the open bucket that came out, and that did not yet
+  std::size_t number_passed() const { return static_cast<std::size_t>(m_next - m_open->data()); }
+  std::size_t number_left() const { return m_open->size() - number_passed(); }
+  std::size_t drained() const { return m_drained_before + number_passed(); }
 
-  BOOST_NOINLINE void push_onto_heap(const Entry& e, const Index index)
+  BOOST_NOINLINE void push_late_or_far(const Entry& e, const Index index)
   {
-    Bucket& heap = m_open_is_heap && index == m_current ? *m_open : m_far;
+    if(index != m_current)
+      return push_onto_heap(m_far, e);
+    const std::size_t passed = number_passed();
+    const auto until_pause = m_pause - m_next;
+    if(m_open_is_heap)
+      push_onto_heap(*m_open, e);
+    else
+      m_open->push_back(e);
+    m_next = m_open->data() + passed; // the bucket may have moved
+    m_pause = m_next + until_pause;
+  }
+
+  void push_onto_heap(Bucket& heap, const Entry& e)
+  {
     heap.push_back(e);
     std::push_heap(heap.begin(), heap.end(), Later{m_statistics.comparisons});
   }
@@ -295,17 +308,14 @@ private:
     m_far.pop_back();
   }
 
-  // Pushing to it is special from now on.
   void make_open_bucket_a_heap()
   {
-    m_open->erase(m_open->begin(), m_open->begin() + static_cast<std::ptrdiff_t>(m_next));
+    m_drained_before = number_passed();
+    m_open->erase(m_open->begin(), m_open->begin() + (m_next - m_open->data()));
     std::make_heap(m_open->begin(), m_open->end(), Later{m_statistics.comparisons});
     m_open_is_heap = true;
-    m_first_open_to_all = m_current + 1;
-    m_number_open_to_all = m_mask;
-    m_drained_before = m_next;
-    m_next = 0;
-    m_next_check = 0; // check always
+    m_next = m_open->data();
+    m_pause = m_next; // every extraction is special
   }
 
   BOOST_NOINLINE Entry extract_from_heap()
@@ -322,17 +332,14 @@ private:
   Index m_mask = 0;              // reduces an index to the circle
   double m_buckets_per_unit = 1;
 
-  // buckets that entries are simply appended to
-  Index m_first_open_to_all = 0;
-  Index m_number_open_to_all = 0;
-
   // the bucket that is being drained
   Index m_current = 0;
   Bucket* m_open = nullptr;
   bool m_open_is_heap = false;
-  std::size_t m_next = 0;           // the entry that comes out next, if it is no heap
-  std::size_t m_next_check = 0;     // where draining stops to think
-  std::size_t m_drained_before = 0; // those that came out and are not in it any more
+  const Entry* m_next = nullptr;  // the entry that comes out next, if it is no heap
+  const Entry* m_pause = nullptr; // where draining stops to think
+  std::size_t m_drained_before =
+      0; // the number of entries that came out and are not in it any more
   std::size_t m_size_when_opened = 0;
   std::size_t m_size_but_drained = 0; // the number of entries, not reduced by those
 
