@@ -40,15 +40,14 @@ protected:
   template <typename Sources, typename... NamedParameters>
   void distances(const Sources& sources, const NamedParameters&... np)
   {
-    auto map = m_mesh.property_map<Vertex, double>("distance").first;
     try
     {
-      CGAL::approximate_geodesic_distances(m_mesh, map, sources, np...);
+      CGAL::approximate_geodesic_distances(m_mesh, m_distance, sources, np...);
     }
     catch(const std::exception&)
     {
       for(const Vertex v : m_mesh.vertices())
-        EXPECT_EQ(map[v], -5);
+        EXPECT_EQ(m_distance[v], -5);
       throw;
     }
   }
@@ -56,12 +55,13 @@ protected:
   static Mesh make_mesh()
   {
     Mesh result = to_mesh(flat_grid(6, 6));
-    result.add_property_map<Vertex, double>("distance", -5);
     result.remove_vertex(result.add_vertex(Point(7, 7, 7)));
     return result;
   }
 
   Mesh m_mesh = make_mesh();
+  const Mesh::Property_map<Vertex, double> m_distance =
+      m_mesh.add_property_map<Vertex, double>("distance", -5).first;
   const Vertex m_null = Mesh::null_vertex();
   const Vertex m_foreign = Vertex(1000);
   const Vertex m_removed = Vertex(36);

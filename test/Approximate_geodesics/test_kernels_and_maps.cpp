@@ -30,7 +30,7 @@ using All_kernels = testing::Types<CGAL::Simple_cartesian<float>,
                                    CGAL::Simple_cartesian<double>,
                                    CGAL::Exact_predicates_inexact_constructions_kernel,
                                    CGAL::Exact_predicates_exact_constructions_kernel>;
-TYPED_TEST_SUITE(Kernels, All_kernels);
+TYPED_TEST_SUITE(Kernels, All_kernels, );
 
 TYPED_TEST(Kernels, give_the_same_distances)
 {
@@ -132,7 +132,14 @@ TEST(Surface_mesh, with_garbage)
     if(!mesh.is_removed(h) && !mesh.is_border(h) && mesh.is_border(mesh.opposite(h)))
       CGAL::Euler::remove_face(h, mesh);
   }
-  ASSERT_LT(mesh.number_of_vertices(), mesh.num_vertices());
+  while(!mesh.is_removed(Vertex(5))) // at the border
+  {
+    Halfedge h = mesh.halfedge(Vertex(5));
+    while(mesh.is_border(h))
+      h = mesh.opposite(mesh.next(h));
+    CGAL::Euler::remove_face(h, mesh);
+  }
+  ASSERT_TRUE(mesh.has_garbage());
   ASSERT_TRUE(CGAL::is_triangle_mesh(mesh));
   const std::vector<double> lengths = edge_lengths(mesh);
   Mesh_search search(mesh);

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -127,7 +127,7 @@ TEST(Triangulation, skips_removed_elements)
 {
   Random random(test_seed());
   Mesh mesh = to_mesh(terrain(20, 20, random));
-  for(std::size_t i = 0; i < 100; ++i)
+  for(std::size_t i = 0; i < 2000; ++i)
   {
     const Halfedge h(static_cast<Mesh::size_type>(random.below(mesh.num_halfedges())));
     if(!mesh.is_removed(h) && !mesh.is_border(h) && mesh.is_border(mesh.opposite(h)))
