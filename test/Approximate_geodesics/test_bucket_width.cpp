@@ -141,7 +141,7 @@ TEST(Bucket_statistics, are_those_of_a_run_by_hand)
 }
 
 // What is in the first bucket before the run starts has not come while it was drained.
-TEST(Bucket_statistics, DISABLED_do_not_count_seeds_as_late)
+TEST(Bucket_statistics, do_not_count_seeds_as_late)
 {
   Basic_adaptive_bucket_queue<Fixed_bucket_width> queue(0, {1, 1, 10});
   for(unsigned node = 0; node < 1000; ++node)

@@ -112,6 +112,26 @@ TEST(Lengths, of_meshes_far_from_the_origin_are_right)
   EXPECT_EQ(lengths_of(far), lengths_of(flat_grid(20, 20))); // integers have no rounding errors
 }
 
+// An isolated vertex that marks "no point", as exporters write it, must not cost the others bits.
+TEST(Lengths, do_not_suffer_from_a_far_vertex)
+{
+  for(const double size : {1e-14, 1e-3, 1e3})
+  {
+    Mesh mesh = to_mesh(flat_grid(6, 5).transformed(
+        [size](const Point& p) { return Point(p.x() * size, p.y() * size, 0); }));
+    const std::vector<double> expected = edge_lengths(mesh);
+    mesh.add_vertex(Point(1.7e308, 0, -1.7e308));
+    const Triangulation triangulation(mesh);
+    for(const auto e : mesh.edges())
+    {
+      const auto v = triangulation.vertex(mesh.source(mesh.halfedge(e)).idx());
+      for(auto h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+        if(triangulation.index(triangulation.target(h)) == mesh.target(mesh.halfedge(e)).idx())
+          EXPECT_EQ(triangulation.length(h) * triangulation.unit(), expected[e.idx()]);
+    }
+  }
+}
+
 TEST(Lengths, may_be_zero)
 {
   const Mesh mesh =

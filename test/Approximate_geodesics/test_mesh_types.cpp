@@ -21,6 +21,7 @@
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
 
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <gtest/gtest.h>
@@ -88,6 +89,18 @@ TEST(Mesh_type, face_filtered_graph)
       vertices[copy.idx()] = v;
     expect_same_results(same_faces, filtered, vertices);
   }
+}
+
+// This mesh counts its elements whenever it is asked for their number: done at every halfedge, that
+// would take minutes here.
+TEST(Face_filtered_graph, is_read_in_linear_time)
+{
+  Mesh mesh;
+  CGAL::make_grid(600, 600, mesh, true);
+  const auto part = mesh.add_property_map<Face, int>("part", 1).first;
+  const CGAL::Face_filtered_graph<Mesh> filtered(mesh, 1, part);
+  const Triangulation triangulation(filtered);
+  EXPECT_EQ(triangulation.number_of_faces(), mesh.num_faces());
 }
 
 } // namespace

@@ -162,17 +162,48 @@ TEST(Seeds, may_start_with_a_distance)
 }
 
 // A mesh whose unit is tiny: a seed's distance there can be larger than any number of units.
-TEST(Seeds, DISABLED_may_start_beyond_all_units)
+TEST(Seeds, must_not_start_beyond_all_units)
 {
   const Mesh mesh = to_mesh(flat_grid(4, 4).transformed(
       [](const Point& p) { return Point(p.x() * 1e-300, p.y() * 1e-300, 0); }));
   Mesh_search search(mesh);
   search.search().run(Node(3));
   EXPECT_EQ(search.search().source(0), 0u);
-  search.search().run({{0, 0, 5}, {3, 1e300, 6}}, {1e-301, {}}); // does not reach node 3
-  EXPECT_EQ(search.search().source(0), 5u);
+  EXPECT_THROW(search.search().run({{0, 0, 5}, {3, 1e300, 6}}), std::invalid_argument);
   search.search().run({{0, 0, 5}});
   EXPECT_EQ(search.search().source(3), 5u);
+}
+
+// Asking for sources in the middle of a run is too early, but does no harm to what is asked later.
+TEST(Seeds, are_right_though_a_visitor_asked_too_early)
+{
+  struct Asker : CGAL::Approximate_geodesics::Geodesic_visitor_base
+  {
+    explicit Asker(const Mesh_search& a_search) : search(a_search) {}
+    void on_settled(const Node node, double) { search.search().source(node); }
+    bool go_further() { return --rounds > 0; }
+    const Mesh_search& search;
+    int rounds = 1 << 30;
+  };
+
+  const Mesh mesh = to_mesh(flat_grid(30, 30));
+  Mesh_search search(mesh), fresh(mesh);
+  const std::vector<Search::Seed> seeds{{0, 0, 10}, {60, 3, 11}, {500, 0, 12}};
+  fresh.search().run(seeds);
+  for(const int rounds : {3, 1 << 30})
+  {
+    Asker asker(search);
+    asker.rounds = rounds;
+    search.search().run(seeds, {}, asker);
+    for(Node n = 0; n < mesh.number_of_vertices(); ++n)
+    {
+      if(!search.search().is_reached(n))
+        continue;
+      EXPECT_EQ(search.search().source(n), fresh.search().source(n)) << "node " << n;
+    }
+  }
+  search.search().run({{700, 0, 77}});
+  EXPECT_EQ(search.search().source(500), 77u);
 }
 
 TEST(Free_function, writes_distances_labels_and_predecessors)

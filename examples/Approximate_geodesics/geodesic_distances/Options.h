@@ -38,8 +38,9 @@ inline boost::program_options::options_description describe_options(Options& opt
   po::options_description_easy_init add = description.add_options();
   add("help,h", po::bool_switch(&options.asks_for_help), "print this text");
   add("source,s", po::value(&options.sources)->multitoken()->value_name("V ..."),
-      "where to start: indices of vertices in the file, counted from 0, or random:K for K random "
-      "ones (default: 0)");
+      "where to start: indices of vertices, counted from 0 in the order of the file (unless the "
+      "file "
+      "had to be repaired), or random:K for K random ones (default: 0)");
   add("target,t", po::value(&options.targets)->multitoken()->value_name("V ..."),
       "where paths from the nearest source shall lead to, given likewise");
   add("maximum-distance,m", po::value(&options.maximum_distance)->value_name("D"),
@@ -101,7 +102,7 @@ inline Options parse_options(const int argc, char* argv[])
   if(options.asks_for_help)
     print_help(description);
   else if(options.input.empty())
-    throw std::invalid_argument("no mesh given; try --help");
+    throw std::invalid_argument("no mesh given (it comes before the options); try --help");
   return options;
 }
 

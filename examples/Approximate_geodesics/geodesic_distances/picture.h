@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -99,12 +100,14 @@ inline std::string quoted_for_shell(const std::string& text)
   return result + "'";
 }
 
-// Draws NAME.vtk into NAME.png with VTK, without a display.
+// Draws NAME.vtk into NAME.png with VTK, without a display. The view is the script's arguments.
 inline void draw_picture(const std::string& name, const std::string& view)
 {
-  const std::string command = "xvfb-run --auto-servernum /usr/bin/python3 " +
-                              quoted_for_shell(DRAW_PICTURE_SCRIPT) + ' ' + quoted_for_shell(name) +
-                              ' ' + view;
+  std::string command = "xvfb-run --auto-servernum /usr/bin/python3 " +
+                        quoted_for_shell(DRAW_PICTURE_SCRIPT) + ' ' + quoted_for_shell(name);
+  std::istringstream words(view);
+  for(std::string word; words >> word;)
+    command += ' ' + quoted_for_shell(word);
   if(std::system(command.c_str()) != 0)
     throw std::runtime_error("no picture was drawn: xvfb-run and VTK for Python are needed for it");
 }

@@ -39,12 +39,13 @@ namespace Approximate_geodesics {
  * bound the cost where arc lengths differ by many orders of magnitude:
  * - keys beyond the circle, whose length is limited, wait in a heap until the circle reaches them;
  * - a bucket that keeps growing while it is drained is made a heap, and drained smallest first; so
- *   is every bucket after several times as many entries came out as there are nodes. A run
- *   therefore expands \cgalBigO{n} nodes, for `n` of them, whatever the lengths.
+ *   is every bucket after several times as many entries came out, or while several times as many
+ *   wait, as there are nodes. A run therefore expands \cgalBigO{n} nodes, for `n` of them,
+ *   whatever the lengths.
  *
  * `push()` and `extract_min()` take constant time, and \cgalBigO{\log m} for the entries in
- * either heap, of which there are `m`. Memory is proportional to the largest number of entries
- * present at a time.
+ * either heap, of which there are `m`. Memory is that of the largest number of entries that each
+ * bucket of the circle had at a time; it is kept from run to run.
  *
  * The idea of adapting the buckets to the mesh from run to run is that of Schwartz, de Rezende and
  * Pedrini \cgalCite{srp-fasgp-15}; the circle, draining in any order and the fallbacks are
@@ -227,11 +228,15 @@ private:
     m_current = index;
     m_open = &bucket(index);
     m_open_is_heap = false;
+    m_size_when_opened = 0;
+    forget_open_bucket();
+  }
+
+  void forget_open_bucket()
+  {
     m_drained_before = 0;
-    m_size_when_opened = m_open->size();
-    m_patience = (std::min)(4 * m_size_when_opened + 256, m_trust);
     m_next = m_open->data();
-    m_pause = m_next + (std::min)(m_size_when_opened, m_patience);
+    m_pause = m_next; // the first extraction looks at what is there by then
   }
 
   // The entries up to the pause are through. Newer ones may have come, if only so many that
@@ -242,7 +247,13 @@ private:
       open_next_bucket();
     if(m_open_is_heap)
       return;
-    if(drained() < m_patience)
+    if(drained() == 0)
+    {
+      m_size_when_opened = m_open->size();
+      m_patience = (std::min)(4 * m_size_when_opened + 256, m_trust);
+    }
+    const bool few_wait = m_size_but_drained <= 8 * m_number_of_nodes + 1024;
+    if(drained() < m_patience && few_wait)
       m_pause = m_open->data() + (std::min)(m_open->size(), m_patience);
     else
       make_open_bucket_a_heap();
@@ -256,6 +267,7 @@ private:
     m_size_but_drained -= drained();
     m_trust -= (std::min)(m_trust, drained());
     m_open->clear();
+    forget_open_bucket(); // should an allocation fail below
 
     const bool circle_is_empty = m_size_but_drained == m_far.size();
     const Index next = circle_is_empty ? bucket_index(m_far.front().key) : m_current + 1;

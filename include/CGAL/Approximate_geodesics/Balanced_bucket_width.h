@@ -12,6 +12,8 @@
 #include <CGAL/Approximate_geodesics/Bucket_statistics.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -34,8 +36,8 @@ class Balanced_bucket_width
 public:
   /// chooses the width for the first run.
   explicit Balanced_bucket_width(const Arc_lengths& arcs = Arc_lengths())
-    : m_narrowest(arcs.longest * NARROWEST_PART),
-      m_widest(arcs.longest > 0 ? arcs.longest : 1),
+    : m_narrowest((std::max)(arcs.longest * NARROWEST_PART, SMALLEST_INVERTIBLE)),
+      m_widest((std::max)(arcs.longest, m_narrowest)),
       m_width(arcs.longest > 0 ? (std::clamp)(arcs.mean / 2, m_narrowest, m_widest) : 1)
   {
   }
@@ -58,6 +60,7 @@ private:
   static constexpr double STEP = 1.4142135623730951;
   static constexpr std::size_t SLACK = 16;       // one step must not lead to the opposite step
   static constexpr double NARROWEST_PART = 1e-9; // of the longest arc: bucket indices stay small
+  static constexpr double SMALLEST_INVERTIBLE = 4 / (std::numeric_limits<double>::max)();
   static constexpr std::size_t SMALLEST_SAMPLE = 1000; // smaller runs say little of the mesh
 
   double m_narrowest;

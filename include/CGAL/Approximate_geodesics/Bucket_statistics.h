@@ -33,7 +33,7 @@ struct Bucket_statistics
   std::size_t entries = 0;
   /// the number of entries among them that came into a bucket while it was being drained.
   std::size_t late_entries = 0;
-  /// the number of comparisons between entries of one bucket.
+  /// the number of comparisons between entries, of one bucket or beyond the circle.
   std::size_t comparisons = 0;
   /// the sum of the squared numbers of entries of the buckets.
   double sum_of_squared_occupancies = 0;

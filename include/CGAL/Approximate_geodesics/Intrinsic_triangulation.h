@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/internal/Twin_ranks.h>
+#include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/prefetch.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -43,9 +44,9 @@ class Triangulation_builder;
  * counterclockwise. So the groups are the adjacency arrays of the mesh's edges, and two halfedges
  * that follow each other in a group bound a face, unless the first of them is a border halfedge.
  *
- * <b>Lengths</b> are in units of `unit()`, a power of two near the mesh's extent: they neither
- * overflow nor vanish when squared, whatever the unit of the coordinates, and the conversion to and
- * from that unit is exact.
+ * <b>Lengths</b> are in units of `unit()`, a power of two that depends on the mesh's extent: they
+ * neither overflow nor vanish when squared, whatever the unit of the coordinates, and the
+ * conversion to and from that unit is exact.
  *
  * An object of this class never changes after its construction and may be used by several threads.
  * It takes 92 bytes per vertex on a closed mesh.
@@ -291,9 +292,10 @@ private:
 
 inline bool Intrinsic_triangulation::is_valid_halfedge(const Index h) const
 {
+  if(target(h) >= number_of_vertices() || opposite(h) >= number_of_halfedges())
+    return false;
   const Index twin = opposite(h);
-  if(target(h) >= number_of_vertices() || twin >= number_of_halfedges() || twin == h ||
-     opposite(twin) != h || length(twin) != length(h) || !(length(h) >= 0))
+  if(twin == h || opposite(twin) != h || length(twin) != length(h) || !(length(h) >= 0))
     return false;
   return is_border(h) || next(next(next(h))) == h;
 }
@@ -328,13 +330,12 @@ inline void Intrinsic_triangulation::check_triangle_inequality() const
     const Index g = next(h), k = next(g);
     const double rest = length(g) + length(k);
     if(length(h) > rest + tolerance * (length(h) + rest))
-      throw std::invalid_argument(
-          "Approximate_geodesics: the triangle inequality does not hold in the face with "
-          "vertices " +
-          std::to_string(index(target(k))) + ", " + std::to_string(index(target(h))) + ", " +
-          std::to_string(index(target(g))) + ": its edges have lengths " +
-          std::to_string(length(h) * unit()) + ", " + std::to_string(length(g) * unit()) + ", " +
-          std::to_string(length(k) * unit()));
+      internal::reject("the triangle inequality does not hold in the face with vertices " +
+                       std::to_string(index(target(k))) + ", " + std::to_string(index(target(h))) +
+                       ", " + std::to_string(index(target(g))) + ": its edges have lengths " +
+                       internal::text_of(length(h) * unit()) + ", " +
+                       internal::text_of(length(g) * unit()) + ", " +
+                       internal::text_of(length(k) * unit()));
   }
 }
 

@@ -15,11 +15,11 @@
 #include <CGAL/Approximate_geodesics/internal/Nearest_sources.h>
 #include <CGAL/Approximate_geodesics/internal/Progress_watch.h>
 #include <CGAL/Approximate_geodesics/internal/counters.h>
+#include <CGAL/Approximate_geodesics/internal/messages.h>
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -128,8 +128,8 @@ public:
    * \throws std::invalid_argument if a node does not exist, or a seed's distance or the maximum
    *         distance is negative or not a number.
    *
-   * Run time is \cgalBigO{m} for `m` arcs of the nodes reached, times the cost of an operation of
-   * the queue.
+   * Run time is \cgalBigO{m} in practice for `m` arcs of the nodes reached, times the cost of an
+   * operation of the queue.
    */
   template <typename Visitor = Geodesic_visitor_base>
   void run(const std::vector<Seed>& seeds, const Stop_rule& stop, Visitor&& visitor = Visitor())
@@ -144,9 +144,11 @@ public:
         propagate(stop, internal::No_watch(), internal::No_counter());
       else
         propagate(stop, watch(stop, visitor), internal::No_counter());
+      m_sources.forget_all(); // a visitor may have asked, too early
     }
     catch(...)
     {
+      m_sources.forget_all();
       m_labels.forget_all();
       throw;
     }
@@ -156,7 +158,11 @@ public:
   void run(const std::vector<Seed>& seeds) { run(seeds, Stop_rule()); }
 
   /// finds the distances from `node` to all nodes.
-  void run(const Node node) { run({Seed{node}}); }
+  template <typename Integer>
+  std::enable_if_t<std::is_integral_v<Integer>> run(const Integer node)
+  {
+    run(std::vector<Seed>{Seed{static_cast<Node>(node)}});
+  }
 
   /// says whether the runs to come shall count what they do; this makes them a bit slower.
   void collect_statistics(const bool counts) { m_counts = counts; }
@@ -211,32 +217,31 @@ public:
 private:
   static constexpr std::size_t PREFETCH_DISTANCE = 4; // 2 to 8 make no difference, 0 costs 15 %
 
-  [[noreturn]] static void reject(const std::string& reason)
-  {
-    throw std::invalid_argument("Approximate_geodesics: " + reason);
-  }
-
   void check(const std::vector<Seed>& seeds, const Stop_rule& stop) const
   {
     for(const Seed& seed : seeds)
     {
       check(seed.node, "source");
-      if(!(seed.distance >= 0) || std::isinf(seed.distance))
-        reject("the distance that source node " + std::to_string(seed.node) + " starts with is " +
-               std::to_string(seed.distance) + "; it must be a finite number that is not negative");
+      const double distance = to_graph_unit(seed.distance); // overflows if the mesh is tiny
+      if(!(distance >= 0) || std::isinf(distance))
+        internal::reject("the distance that source node " + std::to_string(seed.node) +
+                         " starts with is " + internal::text_of(seed.distance) +
+                         "; it must be a finite number that is not negative, nor out of proportion "
+                         "to the mesh");
     }
     for(const Node target : stop.targets)
       check(target, "target");
     if(!(stop.maximum_distance >= 0))
-      reject("the maximum distance is " + std::to_string(stop.maximum_distance) +
-             "; it must be a number that is not negative");
+      internal::reject("the maximum distance is " + internal::text_of(stop.maximum_distance) +
+                       "; it must be a number that is not negative");
   }
 
   void check(const Node node, const char* role) const
   {
     if(node >= m_graph->number_of_nodes())
-      reject(std::string(role) + " node " + std::to_string(node) + " does not exist: there are " +
-             std::to_string(m_graph->number_of_nodes()) + " nodes");
+      internal::reject(std::string(role) + " node " + std::to_string(node) +
+                       " does not exist: there are " + std::to_string(m_graph->number_of_nodes()) +
+                       " nodes");
   }
 
   double to_graph_unit(const double distance) const

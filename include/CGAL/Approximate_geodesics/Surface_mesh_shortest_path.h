@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/internal/Function_property_map.h>
 #include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
 #include <CGAL/Approximate_geodesics/internal/Source_list.h>
+#include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -129,7 +130,7 @@ public:
                                       const NamedParameters& np = parameters::default_values())
     : m_mesh(tmesh),
       m_graph(Intrinsic_triangulation(tmesh, np)),
-      m_vertices(tmesh, get_initialized_vertex_index_map(tmesh, np), m_graph.triangulation()),
+      m_vertices(tmesh, internal::vertex_index_map(tmesh, np), m_graph.triangulation()),
       m_point_map(
           parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                        get_const_property_map(vertex_point, tmesh))),

@@ -210,6 +210,7 @@ public:
   const Mesh& mesh() const { return m_mesh; }
   const Graph& graph() const { return m_graph; }
   Search& search() { return m_search; }
+  const Search& search() const { return m_search; }
 
 private:
   const Mesh& m_mesh;

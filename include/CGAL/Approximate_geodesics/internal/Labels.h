@@ -33,6 +33,7 @@ public:
   explicit Labels(const std::size_t number_of_nodes)
     : m_distance(number_of_nodes, infinity), m_predecessor(number_of_nodes)
   {
+    m_order.reserve(number_of_nodes + number_of_nodes / 16); // for those expanded twice
   }
 
   std::size_t number_of_nodes() const { return m_distance.size(); }

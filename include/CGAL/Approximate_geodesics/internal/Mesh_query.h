@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Propagation.h>
 #include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
+#include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,12 +33,9 @@ namespace internal {
 template <typename TriangleMesh, typename NamedParameters>
 class Mesh_query
 {
-  static_assert(!is_given<NamedParameters, internal_np::number_of_points_per_edge_t>,
-                "number_of_points_per_edge: the edge graph has no points on edges");
-
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using Vertex_index_map =
-      typename GetInitializedVertexIndexMap<TriangleMesh, NamedParameters>::const_type;
+  using Vertex_index_map = decltype(vertex_index_map(std::declval<const TriangleMesh&>(),
+                                                     std::declval<const NamedParameters&>()));
   using Vertices = Mesh_vertices<TriangleMesh, Vertex_index_map>;
   using Search = Propagation<Edge_graph>;
   using Node = typename Search::Node;
@@ -46,7 +45,7 @@ public:
     : m_mesh(tmesh),
       m_np(np),
       m_graph(Intrinsic_triangulation(tmesh, np)),
-      m_vertices(tmesh, get_initialized_vertex_index_map(tmesh, np), m_graph.triangulation()),
+      m_vertices(tmesh, vertex_index_map(tmesh, np), m_graph.triangulation()),
       m_search(m_graph)
   {
   }

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/internal/Labels.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -57,6 +58,14 @@ public:
     m_has_roots = false;
   }
 
+  // To be called when the labels have changed in any other way.
+  void forget_all()
+  {
+    if(m_has_roots)
+      std::fill(m_seed.begin(), m_seed.end(), UNKNOWN);
+    m_has_roots = false;
+  }
+
   std::size_t memory() const { return m_seed.capacity() * sizeof(Seed_index); }
 
 private:
@@ -69,7 +78,7 @@ private:
     for(std::size_t i = seeds.size(); i-- > 0;) // of equal seeds, the first wins
     {
       const Node node = seeds[i].node;
-      if(labels.predecessor(node) == Labels::null_node &&
+      if(labels.is_reached(node) && labels.predecessor(node) == Labels::null_node &&
          labels.distance(node) == seeds[i].distance)
         m_seed[node] = static_cast<Seed_index>(i);
     }

@@ -10,6 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -41,24 +43,28 @@ class Triangulation_builder
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using Index = Intrinsic_triangulation::Index;
-  using Vertex_index_map =
-      typename GetInitializedVertexIndexMap<TriangleMesh, NamedParameters>::const_type;
-  using Halfedge_index_map =
-      typename GetInitializedHalfedgeIndexMap<TriangleMesh, NamedParameters>::const_type;
+  using Vertex_index_map = decltype(vertex_index_map(std::declval<const TriangleMesh&>(),
+                                                     std::declval<const NamedParameters&>()));
+  using Halfedge_index_map = decltype(halfedge_index_map(std::declval<const TriangleMesh&>(),
+                                                         std::declval<const NamedParameters&>()));
+
+  static_assert(!is_given<NamedParameters, internal_np::number_of_points_per_edge_t>,
+                "number_of_points_per_edge: the edge graph has no points on edges");
 
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
-  static constexpr bool lengths_are_given =
-      !parameters::is_default_parameter<NamedParameters, internal_np::edge_length_t>::value;
+  static constexpr bool lengths_are_given = is_given<NamedParameters, internal_np::edge_length_t>;
 
 public:
   Triangulation_builder(Intrinsic_triangulation& triangulation,
                         const TriangleMesh& tmesh,
                         const NamedParameters& np)
-    : m(triangulation),
+    : m_result(triangulation),
       m_mesh(tmesh),
       m_np(np),
-      m_vertex_index_map(get_initialized_vertex_index_map(tmesh, np)),
-      m_halfedge_index_map(get_initialized_halfedge_index_map(tmesh, np))
+      m_number_of_vertices(num_vertices(tmesh)),
+      m_number_of_halfedges(num_halfedges(tmesh)),
+      m_vertex_index_map(vertex_index_map(tmesh, np)),
+      m_halfedge_index_map(halfedge_index_map(tmesh, np))
   {
   }
 
@@ -74,18 +80,14 @@ public:
   }
 
 private:
-  [[noreturn]] static void reject(const std::string& reason)
-  {
-    throw std::invalid_argument("Approximate_geodesics: " + reason);
-  }
-
   static std::string name(const Index i) { return "vertex " + std::to_string(i); }
 
   void check_size() const
   {
-    if(num_halfedges(m_mesh) >= null_index || num_vertices(m_mesh) >= null_index)
+    if(m_number_of_halfedges >= null_index || m_number_of_vertices >= null_index)
       throw std::length_error("Approximate_geodesics: the mesh has " +
-                              std::to_string(num_halfedges(m_mesh)) +
+                              std::to_string(m_number_of_vertices) + " vertices and " +
+                              std::to_string(m_number_of_halfedges) +
                               " halfedges, more than 32-bit numbers can tell apart");
   }
 
@@ -95,9 +97,10 @@ private:
     {
       const halfedge_descriptor h = halfedge(f, m_mesh);
       if(!is_triangle(h, m_mesh) || next(h, m_mesh) == h)
-        reject("face " + std::to_string(m.m_number_of_faces) + " (in the order of faces()), at " +
-               name(checked_index(target(h, m_mesh))) + ", is not a triangle");
-      ++m.m_number_of_faces;
+        reject("face " + std::to_string(m_result.m_number_of_faces) +
+               " (in the order of faces()), at " + name(checked_index(target(h, m_mesh))) +
+               ", is not a triangle");
+      ++m_result.m_number_of_faces;
     }
   }
 
@@ -105,12 +108,12 @@ private:
 
   Index checked_index(const vertex_descriptor v) const
   {
-    return checked_index(get(m_vertex_index_map, v), num_vertices(m_mesh), "vertex");
+    return checked_index(get(m_vertex_index_map, v), m_number_of_vertices, "vertex");
   }
 
   Index checked_index(const halfedge_descriptor h) const
   {
-    return checked_index(get(m_halfedge_index_map, h), num_halfedges(m_mesh), "halfedge");
+    return checked_index(get(m_halfedge_index_map, h), m_number_of_halfedges, "halfedge");
   }
 
   template <typename I>
@@ -124,38 +127,36 @@ private:
 
   void copy_connectivity()
   {
-    const std::size_t number_of_vertices = num_vertices(m_mesh);
-    const std::size_t number_of_halfedges = num_halfedges(m_mesh);
-    m.m_vertex_of_index.assign(number_of_vertices, null_index);
-    m.m_index_of_vertex.reserve(number_of_vertices);
-    m_vertices.reserve(number_of_vertices);
-    m_number_of_halfedge.assign(number_of_halfedges, null_index);
-    m_halfedges.reserve(number_of_halfedges);
-    m.m_first_halfedge.reserve(number_of_vertices + 1);
-    m.m_target.reserve(number_of_halfedges);
-    m.m_is_border.reserve(number_of_halfedges);
+    m_result.m_vertex_of_index.assign(m_number_of_vertices, null_index);
+    m_result.m_index_of_vertex.reserve(m_number_of_vertices);
+    m_vertices.reserve(m_number_of_vertices);
+    m_number_of_halfedge.assign(m_number_of_halfedges, null_index);
+    m_halfedges.reserve(m_number_of_halfedges);
+    m_result.m_first_halfedge.reserve(m_number_of_vertices + 1);
+    m_result.m_target.reserve(m_number_of_halfedges);
+    m_result.m_is_border.reserve(m_number_of_halfedges);
     if constexpr(lengths_are_given)
-      m.m_length.reserve(number_of_halfedges);
+      m_result.m_length.reserve(m_number_of_halfedges);
 
     for(const vertex_descriptor root : vertices(m_mesh))
     {
       if(m_vertices[number(root)] != root)
         reject("vertex index " + std::to_string(checked_index(root)) +
                " is given to more than one vertex");
-      while(m.number_of_vertices() < m_vertices.size())
-        copy_halfedges_around(m.number_of_vertices());
+      while(m_result.number_of_vertices() < m_vertices.size())
+        copy_halfedges_around(m_result.number_of_vertices());
     }
   }
 
   Index number(const vertex_descriptor v)
   {
     const Index i = checked_index(v);
-    Index& result = m.m_vertex_of_index[i];
+    Index& result = m_result.m_vertex_of_index[i];
     if(result == null_index)
     {
       result = static_cast<Index>(m_vertices.size());
       m_vertices.push_back(v);
-      m.m_index_of_vertex.push_back(i);
+      m_result.m_index_of_vertex.push_back(i);
     }
     return result;
   }
@@ -179,32 +180,34 @@ private:
       halfedge_descriptor h = first;
       do
       {
-        if(m.m_target.size() == num_halfedges(m_mesh))
-          reject("the halfedges around " + name(m.index(v)) + " do not form a cycle");
-        m_number_of_halfedge[checked_index(h)] = static_cast<Index>(m.m_target.size());
+        Index& number_of_h = m_number_of_halfedge[checked_index(h)];
+        if(number_of_h != null_index)
+          reject("the halfedges around " + name(m_result.index(v)) +
+                 " do not form one cycle, or their indices are not unique");
+        number_of_h = static_cast<Index>(m_result.m_target.size());
         m_halfedges.push_back(h);
-        m.m_target.push_back(number(target(h, m_mesh)));
-        m.m_is_border.push_back(is_border(h, m_mesh));
+        m_result.m_target.push_back(number(target(h, m_mesh)));
+        m_result.m_is_border.push_back(is_border(h, m_mesh));
         if constexpr(lengths_are_given)
-          m.m_length.push_back(checked_length(h));
+          m_result.m_length.push_back(checked_length(h));
         h = counterclockwise(h);
       } while(h != first);
     }
-    m.m_first_halfedge.push_back(static_cast<Index>(m.m_target.size()));
+    m_result.m_first_halfedge.push_back(static_cast<Index>(m_result.m_target.size()));
   }
 
   // Every halfedge was copied once, from the group of its source.
   void link_twins()
   {
-    m.m_twin.resize(m.m_target.size());
-    for(Index v = 0; v < m.number_of_vertices(); ++v)
-      for(Index h = m.first_halfedge(v); h < m.beyond_halfedge(v); ++h)
+    m_result.m_twin.resize(m_result.m_target.size());
+    for(Index v = 0; v < m_result.number_of_vertices(); ++v)
+      for(Index h = m_result.first_halfedge(v); h < m_result.beyond_halfedge(v); ++h)
       {
         const Index twin = m_number_of_halfedge[checked_index(opposite(m_halfedges[h], m_mesh))];
-        if(twin == null_index || m.target(twin) != v)
-          reject("the halfedges around " + name(m.index(m.target(h))) +
+        if(twin == null_index || m_result.target(twin) != v)
+          reject("the halfedges around " + name(m_result.index(m_result.target(h))) +
                  " do not form one cycle, or their indices are not unique");
-        m.m_twin.set(h, twin - m.first_halfedge(m.target(h)));
+        m_result.m_twin.set(h, twin - m_result.first_halfedge(m_result.target(h)));
       }
   }
 
@@ -216,7 +219,7 @@ private:
     const double length = CGAL::to_double(get(length_map, edge(h, m_mesh)));
     if(!(length >= 0) || std::isinf(length))
       reject("the edge between " + name(checked_index(source(h, m_mesh))) + " and " +
-             name(checked_index(target(h, m_mesh))) + " has length " + std::to_string(length) +
+             name(checked_index(target(h, m_mesh))) + " has length " + text_of(length) +
              "; it must be a finite number that is not negative");
     return length + 0.0; // turns a negative zero into a positive one
   }
@@ -224,23 +227,25 @@ private:
   void compute_lengths()
   {
     const std::vector<Point> points = scaled_points();
-    m.m_length.resize(m.number_of_halfedges());
+    m_result.m_length.resize(m_result.number_of_halfedges());
     double longest = 0;
-    for(Index v = 0; v < m.number_of_vertices(); ++v)
-      for(Index h = m.first_halfedge(v); h < m.beyond_halfedge(v); ++h)
+    for(Index v = 0; v < m_result.number_of_vertices(); ++v)
+      for(Index h = m_result.first_halfedge(v); h < m_result.beyond_halfedge(v); ++h)
       {
-        m.m_length[h] = distance(points[v], points[m.target(h)]);
-        longest = (std::max)(longest, m.m_length[h]);
+        m_result.m_length[h] = distance(points[v], points[m_result.target(h)]);
+        longest = (std::max)(longest, m_result.m_length[h]);
       }
-    if(std::isinf(longest * m.m_unit))
+    if(std::isinf(longest * m_result.m_unit))
       reject_longest_edge(longest);
   }
 
   [[noreturn]] void reject_longest_edge(const double longest) const
   {
-    const auto h = std::find(m.m_length.begin(), m.m_length.end(), longest) - m.m_length.begin();
-    reject("the length of the edge between " + name(m.index(m.source(static_cast<Index>(h)))) +
-           " and " + name(m.index(m.target(static_cast<Index>(h)))) + " does not fit a double");
+    const auto h = std::find(m_result.m_length.begin(), m_result.m_length.end(), longest) -
+                   m_result.m_length.begin();
+    reject("the length of the edge between " +
+           name(m_result.index(m_result.source(static_cast<Index>(h)))) + " and " +
+           name(m_result.index(m_result.target(static_cast<Index>(h)))) + " does not fit a double");
   }
 
   // Returns the points, in the order of the numbers of the vertices, in units of `m_unit`.
@@ -268,7 +273,7 @@ private:
     }
 
     const Scale scale(extent);
-    m.m_unit = scale.unit();
+    m_result.m_unit = scale.unit();
     for(Point& p : points)
       for(double& coordinate : p)
         coordinate = scale.reduce(coordinate);
@@ -289,18 +294,20 @@ private:
     if constexpr(lengths_are_given)
     {
       double extent = 0;
-      for(const double length : m.m_length)
+      for(const double length : m_result.m_length)
         extent = (std::max)(extent, length);
       const Scale scale(extent);
-      m.m_unit = scale.unit();
-      for(double& length : m.m_length)
+      m_result.m_unit = scale.unit();
+      for(double& length : m_result.m_length)
         length = scale.reduce(length);
     }
   }
 
-  Intrinsic_triangulation& m;
+  Intrinsic_triangulation& m_result;
   const TriangleMesh& m_mesh;
   const NamedParameters& m_np;
+  const std::size_t m_number_of_vertices; // kept, as some meshes count them at every call
+  const std::size_t m_number_of_halfedges;
   const Vertex_index_map m_vertex_index_map;
   const Halfedge_index_map m_halfedge_index_map;
   std::vector<vertex_descriptor> m_vertices; // in the order of their numbers

@@ -21,12 +21,13 @@ namespace internal {
 
 using Point = std::array<double, 3>;
 
-// A power of two that brings numbers up to `extent` into [-2, 2], exactly.
+// A power of two, and its inverse, that brings `extent` near 2^200 without rounding: products of
+// four lengths still fit a double, and lengths may be smaller than the extent by more than 1e300.
 class Scale
 {
 public:
   explicit Scale(const double extent)
-    : m_exponent(extent > 0 ? std::ilogb(extent) : 0),
+    : m_exponent(extent > 0 ? (std::max)(std::ilogb(extent) - 200, SMALLEST_EXPONENT) : 0),
       m_half_way(std::ldexp(1., -(m_exponent / 2))),
       m_rest(std::ldexp(1., -(m_exponent - m_exponent / 2)))
   {
@@ -38,6 +39,8 @@ public:
   double reduce(const double x) const { return x * m_half_way * m_rest; }
 
 private:
+  static constexpr int SMALLEST_EXPONENT = -1074; // of a double
+
   int m_exponent;
   double m_half_way;
   double m_rest;

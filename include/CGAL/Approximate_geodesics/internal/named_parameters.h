@@ -110,6 +110,9 @@ struct Named_parameters : Named_function_parameters<T, Tag, Base>
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
 };
 
+template <typename NamedParameters, typename Tag>
+constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+
 // Appends the links of `second`, innermost first, to `first`.
 template <typename First, typename T, typename Tag, typename Base>
 auto append_parameters(const First& first, const Named_function_parameters<T, Tag, Base>& second)

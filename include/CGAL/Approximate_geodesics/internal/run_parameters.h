@@ -18,9 +18,6 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-template <typename NamedParameters, typename Tag>
-constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
-
 // Reads the named parameters that say how far a run goes.
 template <typename Propagation, typename Vertices, typename NamedParameters>
 typename Propagation::Stop_rule stop_rule(const Vertices& vertices, const NamedParameters& np)
