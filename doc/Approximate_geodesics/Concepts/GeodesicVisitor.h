@@ -12,8 +12,8 @@ search has come to its end, there is one last group, for which `go_further()` is
 more; neither is it when all targets are settled.
 
 All calls come from the thread that runs the search. The functions must not run or change the object
-that calls them, and what that object answers is not certain before the run has ended. They may throw: the run ends, and the exception leaves the function that started
-it.
+that calls them, and what that object answers is not certain before the run has ended. They may
+throw: the run ends, and the exception leaves the function that started it.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Geodesic_visitor_base}
