@@ -96,7 +96,7 @@ TEST(Mesh_type, face_filtered_graph)
 TEST(Face_filtered_graph, is_read_in_linear_time)
 {
   Mesh mesh;
-  CGAL::make_grid(600, 600, mesh, true);
+  CGAL::make_grid(800, 800, mesh, true);
   const auto part = mesh.add_property_map<Face, int>("part", 1).first;
   const CGAL::Face_filtered_graph<Mesh> filtered(mesh, 1, part);
   const Triangulation triangulation(filtered);

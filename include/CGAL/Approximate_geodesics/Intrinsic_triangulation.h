@@ -49,7 +49,7 @@ class Triangulation_builder;
  * conversion to and from that unit is exact.
  *
  * An object of this class never changes after its construction and may be used by several threads.
- * It takes 92 bytes per vertex on a closed mesh.
+ * It takes about 91 bytes per vertex on a closed mesh.
  */
 class Intrinsic_triangulation
 {
