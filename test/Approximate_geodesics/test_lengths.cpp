@@ -125,9 +125,11 @@ TEST(Lengths, do_not_suffer_from_a_far_vertex)
     for(const auto e : mesh.edges())
     {
       const auto v = triangulation.vertex(mesh.source(mesh.halfedge(e)).idx());
-      for(auto h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-        if(triangulation.index(triangulation.target(h)) == mesh.target(mesh.halfedge(e)).idx())
-          EXPECT_EQ(triangulation.length(h) * triangulation.unit(), expected[e.idx()]);
+      const auto w = triangulation.vertex(mesh.target(mesh.halfedge(e)).idx());
+      auto h = triangulation.first_halfedge(v);
+      while(triangulation.target(h) != w)
+        ++h;
+      EXPECT_EQ(triangulation.length(h) * triangulation.unit(), expected[e.idx()]);
     }
   }
 }
