@@ -182,7 +182,7 @@ private:
       {
         Index& number_of_h = m_number_of_halfedge[checked_index(h)];
         if(number_of_h != null_index)
-          reject("the halfedges around " + name(m_result.index(v)) +
+          reject("the halfedges around " + name(checked_index(m_vertices[v])) +
                  " do not form one cycle, or their indices are not unique");
         number_of_h = static_cast<Index>(m_result.m_target.size());
         m_halfedges.push_back(h);
