@@ -10,11 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -36,27 +35,19 @@ public:
   using Node = std::uint32_t;
   using Key = double;
   using Entry = std::pair<Key, Node>;
-
-  static constexpr Node no_node = (std::numeric_limits<Node>::max)();
+  using Batch = std::array<Entry, 1>;
 
   Set_queue(std::size_t /* number_of_nodes */, const Arc_lengths&) {}
 
   bool is_empty() const { return m_entries.empty(); }
   void push(const Node node, const Key key) { m_entries.insert({key, node}); }
 
-  Entry extract_min()
+  Batch extract_min()
   {
     const Entry result = *m_entries.begin();
     m_entries.erase(m_entries.begin());
     m_last = result.first;
-    return result;
-  }
-
-  Node upcoming(const std::size_t ahead) const
-  {
-    return ahead < m_entries.size()
-               ? std::next(m_entries.begin(), static_cast<std::ptrdiff_t>(ahead))->second
-               : no_node;
+    return {result};
   }
 
   bool is_final(const Key key) const { return key < m_last; }
@@ -92,6 +83,7 @@ public:
 
   std::size_t number_of_nodes() const { return std::size_t(m_side) * m_side; }
   Arc_lengths arc_lengths() const { return {dx, (dx + dy) / 2, dy}; }
+  std::size_t maximum_degree() const { return 4; }
   void prefetch(Node) const {}
   const Triangulation& triangulation() const { return m_nothing; }
 

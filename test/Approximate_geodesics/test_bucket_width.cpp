@@ -115,7 +115,6 @@ TEST(Bucket_statistics, are_those_of_a_run_by_hand)
   queue.push(2, 3.5);
   queue.extract_min();
   queue.extract_min();
-  queue.extract_min();
   queue.push(3, 3.75);
   queue.push(4, 4.5);
   queue.extract_min();

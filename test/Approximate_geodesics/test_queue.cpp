@@ -44,25 +44,10 @@ public:
   // Takes an entry out of both, and returns its key.
   double pop()
   {
-    const double smallest = m_expected.begin()->first;
-    const Node foretold = m_queue.upcoming(0);
-    const auto [key, node] = m_queue.extract_min();
-    EXPECT_TRUE(foretold == Queue::no_node || foretold == node);
-    EXPECT_FALSE(m_queue.is_final(smallest)) << "a smaller key was left behind";
-    const double width = m_queue.statistics().width;
-    if(key / width < 0x1p61) // buckets that far away need not be told apart
-    {
-      // one bucket, and some rounding where buckets are as narrow as that
-      EXPECT_LE(key - smallest, width + 4 * std::abs(key) * 0x1p-52);
-    }
-    const auto [first, beyond] = m_expected.equal_range(key);
-    for(auto it = first; it != beyond; ++it)
-      if(it->second == node)
-      {
-        m_expected.erase(it);
-        return key;
-      }
-    ADD_FAILURE() << "node " << node << " was not entered with key " << key;
+    if(m_batch.empty())
+      extract();
+    const double key = m_batch.back();
+    m_batch.pop_back();
     return key;
   }
 
@@ -70,6 +55,7 @@ public:
   {
     m_queue.clear();
     m_expected.clear();
+    m_batch.clear();
   }
 
   void check_nodes() const
@@ -85,14 +71,46 @@ public:
   bool is_empty() const
   {
     EXPECT_EQ(m_queue.is_empty(), m_expected.empty());
-    return m_queue.is_empty();
+    return m_queue.is_empty() && m_batch.empty();
   }
 
   Queue& queue() { return m_queue; }
 
 private:
+  void extract()
+  {
+    const double smallest = m_expected.begin()->first;
+    const auto batch = m_queue.extract_min();
+    EXPECT_GT(batch.size(), 0u);
+    EXPECT_LE(batch.size(), Queue::LARGEST_BATCH);
+    EXPECT_FALSE(m_queue.is_final(smallest)) << "a smaller key was left behind";
+    const double width = m_queue.statistics().width;
+    for(const auto& [key, node] : batch)
+    {
+      if(key / width < 0x1p61) // buckets that far away need not be told apart
+      {
+        // one bucket, and some rounding where buckets are as narrow as that
+        EXPECT_LE(key - smallest, width + 4 * std::abs(key) * 0x1p-52);
+      }
+      erase(key, node);
+      m_batch.insert(m_batch.begin(), key);
+    }
+  }
+
+  void erase(const double key, const Node node)
+  {
+    const auto [first, beyond] = m_expected.equal_range(key);
+    const auto it =
+        std::find_if(first, beyond, [&](const auto& entry) { return entry.second == node; });
+    if(it != beyond)
+      m_expected.erase(it);
+    else
+      ADD_FAILURE() << "node " << node << " was not entered with key " << key;
+  }
+
   Queue m_queue;
   std::multimap<double, Node> m_expected;
+  std::vector<double> m_batch; // what came out and was not popped, the next one at the end
   Node m_number_of_nodes = 0;
 };
 
@@ -230,24 +248,38 @@ TEST(Queue, says_which_keys_are_final)
   EXPECT_FALSE(queue.is_final(0));
 }
 
-// At least of a bucket that was full when it was opened.
-TEST(Queue, knows_what_comes_next)
+std::vector<Node> nodes_of(const Fixed_queue::Batch& batch)
+{
+  std::vector<Node> result;
+  for(const auto& [key, node] : batch)
+    result.push_back(node);
+  return result;
+}
+
+// A batch comes from one bucket, and stays as it is while the search pushes.
+TEST(Queue, hands_out_batches)
 {
   Fixed_queue queue(0, {1, 1, 4});
-  EXPECT_EQ(queue.upcoming(0), Fixed_queue::no_node);
   for(const Node node : {7u, 3u, 5u, 4u})
     queue.push(node, 1.5);
   queue.push(9, 2.5);
-  EXPECT_EQ(queue.extract_min().node, 7u);
-  EXPECT_EQ(queue.upcoming(0), 3u);
-  EXPECT_EQ(queue.upcoming(2), 4u);
-  EXPECT_EQ(queue.upcoming(3), Fixed_queue::no_node);
-  for(const Node node : {3u, 5u, 4u})
-  {
-    EXPECT_EQ(queue.upcoming(0), node);
-    EXPECT_EQ(queue.extract_min().node, node);
-  }
-  EXPECT_EQ(queue.extract_min().node, 9u);
+  const Fixed_queue::Batch batch = queue.extract_min();
+  for(Node node = 100; node < 1000; ++node)
+    queue.push(node, 1.25);
+  EXPECT_EQ(nodes_of(batch), (std::vector<Node>{7, 3, 5, 4}));
+  EXPECT_EQ(queue.extract_min().size(), Fixed_queue::LARGEST_BATCH);
+}
+
+TEST(Queue, is_copied_with_its_entries)
+{
+  Fixed_queue queue(0, {1, 1, 4});
+  for(Node node = 0; node < 100; ++node)
+    queue.push(node, 1.5);
+  queue.extract_min();
+  Fixed_queue copy(queue);
+  const std::vector<Node> expected = nodes_of(queue.extract_min());
+  queue = Fixed_queue(0, {1, 1, 4});
+  EXPECT_EQ(nodes_of(copy.extract_min()), expected);
 }
 
 // Buckets beside a long arc of 1e12 of the others: neither their number nor the steps explode.
@@ -259,7 +291,7 @@ TEST(Queue, has_a_limited_circle)
   for(Node node = 0; node < 1000; ++node)
     queue.push(node, 1e9 * node);
   for(Node node = 0; node < 1000; ++node)
-    ASSERT_EQ(queue.extract_min().node, node);
+    ASSERT_EQ(queue.extract_min().begin()->node, node);
   EXPECT_LE(queue.statistics().visited_buckets, 1000u);
   // an array that grows by doubling takes up to twice its entries, and each bucket took one
   EXPECT_LT(queue.memory(), memory_when_empty + 3 * 1000 * sizeof(Fixed_queue::Entry));

@@ -60,11 +60,14 @@ public:
   /// longer than the member `longest` says. Queues set themselves up with it.
   CGAL::Approximate_geodesics::Arc_lengths arc_lengths() const;
 
+  /// returns an upper bound of the number of arcs that `for_each_arc()` reports of a node. The
+  /// search keeps room for so many.
+  std::size_t maximum_degree() const;
+
   /*!
   calls `f(target, length)` for every arc that starts from `node`, in any order.
 
-  The call may change the labels of `target`, and of no other node; whatever was read from
-  `labels` about other nodes stays valid.
+  No label changes while the member function is running.
 
   \tparam Labels the type of the labels
   \tparam F a function object called with a `Node` and a `double`

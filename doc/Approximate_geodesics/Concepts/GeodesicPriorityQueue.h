@@ -9,13 +9,16 @@ The search has one verb to insert and to lower: `push()`. If a queue can find th
 it lowers its key; if not, it leaves the old entry where it is, which has become <em>stale</em>. The
 search recognizes stale entries when they come out, and skips them.
 
-The queue need not return the smallest key. Distances are right in any case, as the search expands a
-node again whose distance has fallen since; the better the order, the less often this happens. What
-must be exact is `is_final()`: it decides when the search may stop, and what a visitor is told.
+Entries come out in batches. A queue that keeps its entries in order returns one at a time. One that
+does not care to order entries of similar keys returns some of those, and the search gains a lot:
+the fewer decisions it has to take between one node and the next, the faster it is. The queue need
+not return the smallest key either. Distances are right in any case, as the search expands a node
+again whose distance has fallen since; the better the order, the less often this happens. What must
+be exact is `is_final()`: it decides when the search may stop, and what a visitor is told.
 
 <b>Monotony.</b> Between two calls of `clear()`, the first keys are pushed in any order; after the
-first call of `extract_min()`, no key is pushed that is smaller than that of the entry extracted
-last.
+first call of `extract_min()`, no key is pushed that is smaller than the smallest of the batch
+extracted last.
 
 <b>Finality in steps.</b> When `extract_min()` makes the key of any entry that was extracted earlier
 final, it makes those of all entries that were extracted earlier final. (A queue that returns keys
@@ -44,10 +47,11 @@ public:
   using Key = unspecified_type;
 
   /// what comes out: a key and a node. A structured binding of two names gets them in this order.
+  /// `CGAL::Approximate_geodesics::Queue_entry` will do.
   using Entry = unspecified_type;
 
-  /// what `upcoming()` returns if it does not know: a number that no node has.
-  static constexpr Node no_node = unspecified_value;
+  /// a range of entries, with member functions `begin()`, `end()` and `size()`.
+  using Batch = unspecified_type;
 
   /// @}
 
@@ -64,12 +68,14 @@ public:
   /// @{
 
   /// enters `node` with `key`; if it is present with a larger key, that entry is replaced or
-  /// becomes stale. \pre `key` is not a NaN, not negative, and not smaller than the key extracted
-  /// last.
+  /// becomes stale. \pre `key` is not a NaN, not negative, and not smaller than the smallest
+  /// key of the batch extracted last.
   void push(Node node, Key key);
 
-  /// removes an entry, which may be stale, and returns it. \pre `!is_empty()`
-  Entry extract_min();
+  /// removes one or more entries, which may be stale, and returns them. The range is valid until
+  /// the next call of `extract_min()` or `clear()`; `push()` leaves it as it is. It does not hold
+  /// two entries of the same node and key. \pre `!is_empty()`
+  Batch extract_min();
 
   /// removes all entries, and prepares for a new run, whose keys may be as small as zero. It is
   /// called before each run, the first one included; a queue that learns from a run does so here.
@@ -87,10 +93,6 @@ public:
   /// still be pushed in this run: those are not smaller than the key extracted last. Once true,
   /// this stays true until `clear()` is called; if it is true of a key, so it is of smaller ones.
   bool is_final(Key key) const;
-
-  /// returns the node that will come out after `ahead` others, or `no_node` if it does not know. It
-  /// is a hint for prefetching: any existing node is a valid answer.
-  Node upcoming(std::size_t ahead) const;
 
   /// calls `f(node)` for the node of every entry that is present. It may do so more than once for
   /// a node, and for nodes whose entries were extracted before.

@@ -11,6 +11,8 @@
 #include <CGAL/Approximate_geodesics/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Balanced_bucket_width.h>
 #include <CGAL/Approximate_geodesics/Bucket_statistics.h>
+#include <CGAL/Approximate_geodesics/Queue_entry.h>
+#include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
 #include <boost/config.hpp>
@@ -20,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,23 +32,25 @@ namespace Approximate_geodesics {
  * \ingroup PkgApproximateGeodesicsClasses
  *
  * A monotone priority queue that sorts its entries into buckets by their keys, and does not sort
- * them further: the bucket of the smallest keys is drained first-in first-out. A node whose key is
- * lowered is entered again; the search skips the stale entry when it comes out. The width of the
- * buckets is chosen anew for every run from the figures of the last one.
+ * them further: the bucket of the smallest keys is drained in rounds. A round is what the bucket
+ * held when it started, and comes out in batches; what enters the bucket meanwhile makes the next
+ * round. A node whose key is lowered is entered again; the search skips the stale entry when it
+ * comes out. The width of the buckets is chosen anew for every run from the figures of the last
+ * one.
  *
  * All keys in the queue lie within one longest arc of the current bucket, so a small circle of
  * buckets is enough, and few enough entries share a bucket for their order not to matter: on
- * scanned models a node comes out 1.00 to 1.04 times on average, stale entries aside. Two fallbacks
- * bound the cost where arc lengths differ by many orders of magnitude:
+ * scanned models a node is expanded 1.00 to 1.04 times on average. Two fallbacks bound the cost
+ * where arc lengths differ by many orders of magnitude:
  * - keys beyond the circle, whose length is limited, wait in a heap until the circle reaches them;
- * - a bucket that keeps growing while it is drained is made a heap, and drained smallest first; so
- *   is every bucket after several times as many entries came out, or while several times as many
- *   wait, as there are nodes. A run therefore expands \cgalBigO{n} nodes, for `n` of them,
- *   whatever the lengths.
+ * - a bucket that keeps growing while it is drained moves to the heap, and comes out smallest
+ *   first; so does every bucket after several times as many entries came out, or while several
+ *   times as many wait, as there are nodes. A run therefore expands \cgalBigO{n} nodes, for `n` of
+ *   them, whatever the lengths.
  *
- * `push()` and `extract_min()` take constant time, and \cgalBigO{\log m} for the entries in
- * either heap, of which there are `m`. Memory is that of the largest number of entries that each
- * bucket of the circle had at a time; it is kept from run to run.
+ * `push()` and `extract_min()` take constant time per entry, and \cgalBigO{\log m} for the `m`
+ * entries on the heap. Memory is that of the largest number of entries that each bucket of the
+ * circle had at a time; it is kept from run to run.
  *
  * The idea of adapting the buckets to the mesh from run to run is that of Schwartz, de Rezende and
  * Pedrini \cgalCite{srp-fasgp-15}; the circle, draining in any order and the fallbacks are
@@ -66,14 +71,11 @@ public:
   /// a distance, in units of the graph.
   using Key = double;
 
-  /// what comes out of the queue: a node, and the key that it was entered with.
-  struct Entry
-  {
-    /// the key.
-    Key key;
-    /// the node.
-    Node node;
-  };
+  /// what comes out of the queue.
+  using Entry = Queue_entry;
+
+  /// several of them.
+  using Batch = Iterator_range<const Entry*>;
 
   /// an empty queue for a graph with the given arcs.
   explicit Basic_adaptive_bucket_queue(const std::size_t number_of_nodes = 0,
@@ -83,60 +85,44 @@ public:
     set_up_circle();
   }
 
-#ifndef DOXYGEN_RUNNING // the open bucket is pointed at: it moves along, but is not copied
-  Basic_adaptive_bucket_queue(const Basic_adaptive_bucket_queue&) = delete;
-  Basic_adaptive_bucket_queue& operator=(const Basic_adaptive_bucket_queue&) = delete;
-  Basic_adaptive_bucket_queue(Basic_adaptive_bucket_queue&&) = default;
-  Basic_adaptive_bucket_queue& operator=(Basic_adaptive_bucket_queue&&) = default;
-  ~Basic_adaptive_bucket_queue() = default;
-#endif
-
   /// returns whether no entry is left.
-  bool is_empty() const
-  {
-    return m_next == m_pause && number_left() == 0 && m_size_but_drained == drained();
-  }
+  bool is_empty() const { return m_size == 0; }
 
   /*!
    * enters `node` with `key`.
-   * \pre `key` is not below the start of the bucket of the entry extracted last, nor a NaN.
+   * \pre `key` is not below the start of the bucket that was drained last, nor a NaN.
    */
   void push(const Node node, const Key key)
   {
     CGAL_precondition(!is_final(key));
     const Index index = bucket_index(key);
-    if(index - (m_current + 1) < m_mask)
+    if(index - m_first_in_circle < m_number_in_circle)
       bucket(index).push_back({key, node});
     else
-      push_late_or_far({key, node}, index);
-    ++m_size_but_drained;
+      push_onto_heap({key, node});
+    ++m_size;
   }
 
   /*!
-   * removes an entry of the first bucket that is not empty, and returns it. It may be stale:
-   * entered with a key larger than the node has by now.
+   * removes up to `LARGEST_BATCH` entries of the first bucket that is not empty, and returns them.
+   * They may be stale: entered with a key larger than the node has by now. The range is valid until
+   * the next call of `extract_min()` or `clear()`.
    * \pre `!is_empty()`
    */
-  Entry extract_min()
+  Batch extract_min()
   {
     CGAL_precondition(!is_empty());
-    if(m_next == m_pause)
-    {
-      go_on();
-      if(m_open_is_heap)
-        return extract_from_heap();
-    }
-    return *m_next++;
+    if(m_next == m_round.size())
+      start_next_round();
+    const Entry* const first = m_round.data() + m_next;
+    const std::size_t size = (std::min)(m_round.size() - m_next, LARGEST_BATCH);
+    m_next += size;
+    m_size -= size;
+    return Batch(first, first + size);
   }
 
-  /// returns a node that will come out after `ahead` others, if that is known, and `no_node` else.
-  Node upcoming(const std::size_t ahead) const
-  {
-    return static_cast<std::size_t>(m_pause - m_next) > ahead ? m_next[ahead].node : no_node;
-  }
-
-  /// what `upcoming()` returns if it does not know.
-  static constexpr Node no_node = (std::numeric_limits<Node>::max)();
+  /// the largest number of entries that come out at a time.
+  static constexpr std::size_t LARGEST_BATCH = 32;
 
   /// returns whether `key` is smaller than any key in the queue and any that may still be pushed.
   bool is_final(const Key key) const { return bucket_index(key) < m_current; }
@@ -145,8 +131,9 @@ public:
   template <typename F>
   void for_each_node(F f) const
   {
-    for(const Entry& e : m_far)
-      f(e.node);
+    for(const Bucket* entries : {&m_round, &m_heap})
+      for(const Entry& e : *entries)
+        f(e.node);
     for(const Bucket& b : m_buckets)
       for(const Entry& e : b)
         f(e.node);
@@ -157,7 +144,7 @@ public:
   {
     for(Bucket& b : m_buckets)
       b.clear();
-    m_far.clear();
+    m_heap.clear();
     m_policy.update(statistics());
     set_up_circle();
   }
@@ -166,17 +153,17 @@ public:
   Bucket_statistics statistics() const
   {
     Bucket_statistics result = m_statistics;
-    add_open_bucket(result);
+    add_current_bucket(result);
     return result;
   }
 
   /// returns the number of bytes that the queue takes.
   std::size_t memory() const
   {
-    std::size_t result = m_buckets.capacity() * sizeof(Bucket) + m_far.capacity() * sizeof(Entry);
+    std::size_t entries = m_round.capacity() + m_heap.capacity();
     for(const Bucket& b : m_buckets)
-      result += b.capacity() * sizeof(Entry);
-    return result;
+      entries += b.capacity();
+    return m_buckets.capacity() * sizeof(Bucket) + entries * sizeof(Entry);
   }
 
 private:
@@ -210,154 +197,154 @@ private:
   {
     const double width = m_policy.width();
     const double needed = m_longest_arc / width + 2;
-    Index size = 2;
+    std::size_t size = 2;
     while(double(size) < needed && size < LARGEST_CIRCLE)
       size *= 2;
     m_buckets.resize(size);
     m_mask = size - 1;
     m_buckets_per_unit = 1 / width;
-    m_size_but_drained = 0;
+    m_size = 0;
     m_statistics = Bucket_statistics();
     m_statistics.width = width;
-    m_trust = 8 * m_number_of_nodes + 1024;
+    m_trust = waiting_room();
+    m_round.clear();
+    m_next = 0;
     open_bucket(0);
   }
+
+  // As many entries may wait, and come out in the order in which they came in, as a sensible run
+  // never needs.
+  std::size_t waiting_room() const { return 8 * m_number_of_nodes + 1024; }
 
   void open_bucket(const Index index)
   {
     m_current = index;
-    m_open = &bucket(index);
-    m_open_is_heap = false;
-    m_size_when_opened = 0;
-    forget_open_bucket();
+    m_is_in_order = false;
+    m_first_in_circle = index;
+    m_number_in_circle = m_buckets.size();
+    m_drained = 0;
+    m_first_round = 0;
   }
 
-  void forget_open_bucket()
-  {
-    m_drained_before = 0;
-    m_next = m_open->data();
-    m_pause = m_next; // the first extraction looks at what is there by then
-  }
+  // Entries of the current bucket, none of which is in the last round.
+  Bucket& current_bucket() { return bucket(m_current); }
 
-  // The entries up to the pause are through. Newer ones may have come, if only so many that
-  // draining them first-in first-out can be hoped to end soon.
-  BOOST_NOINLINE void go_on()
+  // A round is what the current bucket holds. What is pushed into it meanwhile makes the next one.
+  BOOST_NOINLINE void start_next_round()
   {
-    while(number_left() == 0)
-      open_next_bucket();
-    if(m_open_is_heap)
-      return;
-    if(drained() == 0)
+    m_round.clear();
+    m_next = 0;
+    while(m_round.empty())
     {
-      m_size_when_opened = m_open->size();
-      m_patience = (std::min)(4 * m_size_when_opened + 256, m_trust);
+      if(m_is_in_order && nearest_index() == m_current)
+        take_out_in_order();
+      else if(m_is_in_order || current_bucket().empty())
+        open_next_bucket();
+      else if(shall_be_put_in_order())
+        put_in_order();
+      else
+        std::swap(m_round, current_bucket());
     }
-    const bool few_wait = m_size_but_drained <= 8 * m_number_of_nodes + 1024;
-    if(drained() < m_patience && few_wait)
-      m_pause = m_open->data() + (std::min)(m_open->size(), m_patience);
-    else
-      make_open_bucket_a_heap();
+    m_drained += m_round.size();
+    if(m_first_round == 0)
+      m_first_round = m_drained;
   }
 
   // Goes on to the next bucket, which may be empty.
   void open_next_bucket()
   {
-    add_open_bucket(m_statistics);
-    m_statistics.visited_buckets += drained() == 0 ? 1 : 0;
-    m_size_but_drained -= drained();
-    m_trust -= (std::min)(m_trust, drained());
-    m_open->clear();
-    forget_open_bucket(); // should an allocation fail below
+    add_current_bucket(m_statistics);
+    m_statistics.visited_buckets += m_drained == 0 ? 1 : 0;
+    m_trust -= (std::min)(m_trust, m_drained);
 
-    const bool circle_is_empty = m_size_but_drained == m_far.size();
-    const Index next = circle_is_empty ? bucket_index(m_far.front().key) : m_current + 1;
-    while(!m_far.empty() && bucket_index(m_far.front().key) - next <= m_mask)
+    const bool circle_is_empty = m_size == m_heap.size();
+    open_bucket(circle_is_empty ? nearest_index() : m_current + 1);
+    while(nearest_index() - m_first_in_circle < m_number_in_circle)
       move_nearest_into_circle();
-    open_bucket(next);
   }
 
-  void add_open_bucket(Bucket_statistics& statistics) const
+  void add_current_bucket(Bucket_statistics& statistics) const
   {
-    if(drained() == 0)
+    const std::size_t drained = m_drained - (m_round.size() - m_next);
+    if(drained == 0)
       return;
-    const double occupancy = static_cast<double>(drained());
+    const double occupancy = static_cast<double>(drained);
     statistics.visited_buckets += 1;
-    statistics.entries += drained();
-    statistics.late_entries += drained() - (std::min)(drained(), m_size_when_opened);
+    statistics.entries += drained;
+    statistics.late_entries += drained - (std::min)(drained, m_first_round);
     statistics.used_buckets += 1;
     statistics.sum_of_squared_occupancies += occupancy * occupancy;
   }
 
-  // the number of entries of the open bucket that came out, and that did not yet
-  std::size_t number_passed() const { return static_cast<std::size_t>(m_next - m_open->data()); }
-  std::size_t number_left() const { return m_open->size() - number_passed(); }
-  std::size_t drained() const { return m_drained_before + number_passed(); }
-
-  BOOST_NOINLINE void push_late_or_far(const Entry& e, const Index index)
+  // Whether draining the bucket round by round cannot be hoped to end soon.
+  bool shall_be_put_in_order() const
   {
-    if(index != m_current)
-      return push_onto_heap(m_far, e);
-    const std::size_t passed = number_passed();
-    const auto until_pause = m_pause - m_next;
-    if(m_open_is_heap)
-      push_onto_heap(*m_open, e);
-    else
-      m_open->push_back(e);
-    m_next = m_open->data() + passed; // the bucket may have moved
-    m_pause = m_next + until_pause;
+    const std::size_t patience = (std::min)(4 * m_first_round + 256, m_trust);
+    return m_drained >= patience || m_size > waiting_room();
   }
 
-  void push_onto_heap(Bucket& heap, const Entry& e)
+  // From here on, entries of the current bucket wait in the heap.
+  void put_in_order()
   {
-    heap.push_back(e);
-    std::push_heap(heap.begin(), heap.end(), Later{m_statistics.comparisons});
+    m_is_in_order = true;
+    if(m_drained == 0)
+      m_first_round = current_bucket().size();
+    ++m_first_in_circle;
+    --m_number_in_circle;
+    for(const Entry& e : current_bucket())
+      push_onto_heap(e);
+    current_bucket().clear();
+  }
+
+  void take_out_in_order()
+  {
+    m_round.push_back(m_heap.front());
+    pop_from_heap();
   }
 
   void move_nearest_into_circle()
   {
-    std::pop_heap(m_far.begin(), m_far.end(), Later{m_statistics.comparisons});
-    bucket(bucket_index(m_far.back().key)).push_back(m_far.back());
-    m_far.pop_back();
+    bucket(nearest_index()).push_back(m_heap.front());
+    pop_from_heap();
   }
 
-  void make_open_bucket_a_heap()
+  // the index of the smallest key on the heap
+  Index nearest_index() const
   {
-    m_drained_before = number_passed();
-    m_open->erase(m_open->begin(), m_open->begin() + (m_next - m_open->data()));
-    std::make_heap(m_open->begin(), m_open->end(), Later{m_statistics.comparisons});
-    m_open_is_heap = true;
-    m_next = m_open->data();
-    m_pause = m_next; // every extraction is special
+    return m_heap.empty() ? (std::numeric_limits<Index>::max)() : bucket_index(m_heap.front().key);
   }
 
-  BOOST_NOINLINE Entry extract_from_heap()
+  BOOST_NOINLINE void push_onto_heap(const Entry& e)
   {
-    ++m_drained_before;
-    std::pop_heap(m_open->begin(), m_open->end(), Later{m_statistics.comparisons});
-    const Entry result = m_open->back();
-    m_open->pop_back();
-    return result;
+    m_heap.push_back(e);
+    std::push_heap(m_heap.begin(), m_heap.end(), Later{m_statistics.comparisons});
+  }
+
+  void pop_from_heap()
+  {
+    std::pop_heap(m_heap.begin(), m_heap.end(), Later{m_statistics.comparisons});
+    m_heap.pop_back();
   }
 
   std::vector<Bucket> m_buckets; // a circle; their number is a power of two
-  Bucket m_far;                  // a heap of the entries beyond the circle
+  Bucket m_heap;                 // what is beyond the circle, or shall come out in order
+  Bucket m_round;                // what was in the current bucket
+  std::size_t m_next = 0;        // the entry of the round that comes out next
+  std::size_t m_size = 0;        // the number of entries that did not come out
   Index m_mask = 0;              // reduces an index to the circle
   double m_buckets_per_unit = 1;
 
+  // which buckets are in the circle; all others' entries go to the heap
+  Index m_first_in_circle = 0;
+  Index m_number_in_circle = 0;
+
   // the bucket that is being drained
   Index m_current = 0;
-  Bucket* m_open = nullptr;
-  bool m_open_is_heap = false;
-  const Entry* m_next = nullptr;  // the entry that comes out next, if it is no heap
-  const Entry* m_pause = nullptr; // where draining stops to think
-  std::size_t m_drained_before =
-      0; // the number of entries that came out and are not in it any more
-  std::size_t m_size_when_opened = 0;
-  std::size_t m_size_but_drained = 0; // the number of entries, not reduced by those
+  bool m_is_in_order = false;
+  std::size_t m_drained = 0;     // the number of entries of its rounds
+  std::size_t m_first_round = 0; // that of the first round; further ones are late
 
-  // how many entries may come out before order is imposed: of the open bucket, and of all others
-  std::size_t m_patience = 0;
-  std::size_t m_trust = 0;
+  std::size_t m_trust = 0; // how many more entries may come out before order is imposed
 
   std::size_t m_number_of_nodes;
   double m_longest_arc;

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/internal/prefetch.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -46,6 +47,8 @@ public:
     : m_triangulation(std::move(triangulation)),
       m_arc_lengths(summarize_arc_lengths(m_triangulation.lengths()))
   {
+    for(Node v = 0; v < number_of_nodes(); ++v)
+      m_maximum_degree = (std::max)(m_maximum_degree, std::size_t(m_triangulation.degree(v)));
   }
 
   /// returns the triangulation that the graph was built on.
@@ -56,6 +59,9 @@ public:
 
   /// returns a summary of the lengths of the arcs.
   const Arc_lengths& arc_lengths() const { return m_arc_lengths; }
+
+  /// returns the largest number of arcs that start from a node.
+  std::size_t maximum_degree() const { return m_maximum_degree; }
 
   /*!
    * calls `f(target, length)` for every arc that starts from `node`.
@@ -87,6 +93,7 @@ public:
 private:
   Intrinsic_triangulation m_triangulation;
   Arc_lengths m_arc_lengths;
+  std::size_t m_maximum_degree = 0;
 };
 
 } // namespace Approximate_geodesics

@@ -215,7 +215,13 @@ public:
   }
 
 private:
-  static constexpr std::size_t PREFETCH_DISTANCE = 4; // 2 to 8 make no difference, 0 costs 15 %
+  // A path that ends with an arc just looked at.
+  struct Candidate
+  {
+    double distance;
+    Node node;
+    Node predecessor;
+  };
 
   void check(const std::vector<Seed>& seeds, const Stop_rule& stop) const
   {
@@ -283,58 +289,95 @@ private:
     m_statistics.settled_nodes = m_labels.order().size(); // a watched order has no repetitions
   }
 
-  // The algorithm. A node comes out of the queue with the key it was entered with; if its distance
-  // is smaller by then, it has been expanded with that one, or will be.
+  // The algorithm. A batch of entries is worked through in three loops, the longest of which has no
+  // branch that depends on a distance. Such branches are hard to predict, and mispredicting them
+  // takes more time than all else together: in one loop, the search takes twice as long.
   template <typename Watch, typename Counter>
   void propagate(const Stop_rule& stop, Watch watch, Counter counter)
   {
     const double limit = to_graph_unit(stop.maximum_distance);
     while(!m_queue.is_empty())
     {
-      prefetch();
-      const auto [key, node] = m_queue.extract_min();
-      const double distance = m_labels.distance(node);
-      if(distance < key)
-      {
-        counter.on_stale_pop();
-        continue;
-      }
-      m_labels.append_to_order(node);
-      if(!watch.go_further())
-        return discard_uncertain();
-      counter.on_expansion();
-      expand(node, distance, limit, counter);
+      const std::size_t size = append_to_order(m_queue.extract_min(), counter);
+      if(!watch.go_further(size))
+        return discard_uncertain(size);
+      find_candidates(size, counter);
+      take_candidates(limit, counter);
     }
     watch.finish();
   }
 
+  // An entry whose node has got a smaller distance since has been expanded with that, or will be.
+  // Returns the number of the others, whose nodes are now the last of the order.
   template <typename Counter>
-  void expand(const Node node, const double distance, const double limit, Counter& counter)
+  std::size_t append_to_order(const typename Queue::Batch& batch, Counter& counter)
   {
-    const double* const distances = m_labels.distances(); // kept in a register
-    m_graph->for_each_arc(node, m_labels, [&, distances](const Node target, const double length) {
-      counter.on_relaxation();
-      const double candidate = distance + length;
-      if(candidate < distances[target] && candidate <= limit)
-      {
-        counter.on_improvement();
-        m_labels.set(target, candidate, node);
-        m_queue.push(target, candidate);
-      }
-    });
+    auto& order = m_labels.order();
+    const std::size_t first = order.size();
+    order.resize(first + batch.size());
+    Node* end = order.data() + first;
+    for(const auto& [key, node] : batch)
+    {
+      m_graph->prefetch(node);
+      *end = node;
+      const bool is_stale = m_labels.distance(node) < key;
+      end += static_cast<std::ptrdiff_t>(!is_stale);
+      counter.on_stale_pops(is_stale ? 1 : 0);
+    }
+    order.resize(static_cast<std::size_t>(end - order.data()));
+    return order.size() - first;
   }
 
-  void prefetch() const
+  // Looks at the arcs of the last so many nodes of the order. Every arc is noted down; if it does
+  // not lead to a shorter path, the next one overwrites it.
+  template <typename Counter>
+  void find_candidates(const std::size_t number_of_nodes, Counter& counter)
   {
-    const Node soon = m_queue.upcoming(PREFETCH_DISTANCE);
-    if(soon != Queue::no_node)
-      m_graph->prefetch(soon);
+    const auto& order = m_labels.order();
+    const double* const distances = m_labels.distances(); // kept in a register
+    m_number_of_candidates = 0;
+    for(std::size_t i = order.size() - number_of_nodes; i < order.size(); ++i)
+    {
+      counter.on_expansion();
+      const Node node = order[i];
+      const double distance = distances[node];
+      Candidate* end = end_of_candidates(m_graph->maximum_degree());
+      m_graph->for_each_arc(node, m_labels, [&](const Node target, const double length) {
+        counter.on_relaxation();
+        *end = {distance + length, target, node};
+        end += static_cast<std::ptrdiff_t>(end->distance < distances[target]);
+      });
+      m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
+    }
+  }
+
+  // returns where the next candidates go; there is room for so many
+  Candidate* end_of_candidates(const std::size_t room)
+  {
+    if(m_candidates.size() < m_number_of_candidates + room)
+      m_candidates.resize(2 * (m_number_of_candidates + room));
+    return m_candidates.data() + m_number_of_candidates;
+  }
+
+  template <typename Counter>
+  void take_candidates(const double limit, Counter& counter)
+  {
+    for(std::size_t i = 0; i < m_number_of_candidates; ++i)
+    {
+      const Candidate c = m_candidates[i];
+      if(c.distance < m_labels.distance(c.node) && c.distance <= limit) // still, after the earlier
+      {
+        counter.on_improvement();
+        m_labels.set(c.node, c.distance, c.predecessor);
+        m_queue.push(c.node, c.distance);
+      }
+    }
   }
 
   // The run ends before the queue is empty: what is still in it, or came out last, is not final.
-  void discard_uncertain()
+  void discard_uncertain(const std::size_t size_of_batch)
   {
-    m_labels.discard_last_of_order();
+    m_labels.discard_last_of_order(size_of_batch);
     m_queue.for_each_node([this](const Node node) {
       if(m_labels.is_reached(node) && !m_queue.is_final(m_labels.distance(node)))
         m_labels.discard(node);
@@ -344,6 +387,8 @@ private:
   const Graph* m_graph;
   internal::Labels m_labels;
   Queue m_queue;
+  std::vector<Candidate> m_candidates; // of the current batch
+  std::size_t m_number_of_candidates = 0;
   mutable internal::Nearest_sources<Seed> m_sources; // found when first asked for
   std::vector<Seed> m_seeds; // of the last run, distances in units of the graph
   Propagation_statistics m_statistics;

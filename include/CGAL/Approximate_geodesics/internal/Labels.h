@@ -54,14 +54,16 @@ public:
 
   const std::vector<Node>& order() const { return m_order; }
   std::vector<Node>& order() { return m_order; }
-  void append_to_order(const Node node) { m_order.push_back(node); }
 
   void discard(const Node node) { m_distance[node] = infinity; }
 
-  void discard_last_of_order()
+  void discard_last_of_order(std::size_t number)
   {
-    discard(m_order.back());
-    m_order.pop_back();
+    for(; number > 0; --number)
+    {
+      discard(m_order.back());
+      m_order.pop_back();
+    }
   }
 
   // Takes back the labels of a run that ended normally.

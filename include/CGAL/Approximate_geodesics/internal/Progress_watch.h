@@ -27,7 +27,7 @@ constexpr bool is_idle_visitor = std::is_same_v<std::decay_t<Visitor>, Geodesic_
 // For runs that nobody watches and that have no targets.
 struct No_watch
 {
-  bool go_further() const { return true; }
+  bool go_further(std::size_t /* number_appended */) const { return true; }
   void finish() const {}
 };
 
@@ -36,7 +36,7 @@ struct No_watch
  *
  * A node that came out of the queue is settled when the queue says that its distance is final, not
  * before. The nodes expanded since the last time are final all at once: as soon as the queue
- * goes on to larger keys. The last one in the order is the one that just came out.
+ * goes on to larger keys. The last ones in the order are those that just came out.
  */
 template <typename Graph, typename Queue, typename Visitor>
 class Progress_watch
@@ -53,10 +53,10 @@ public:
   {
   }
 
-  // To be called after a node was appended to the order; returns whether it shall be expanded.
-  bool go_further()
+  // To be called after nodes were appended to the order; returns whether they shall be expanded.
+  bool go_further(const std::size_t number_appended)
   {
-    const std::size_t number_of_earlier = m_labels.order().size() - 1;
+    const std::size_t number_of_earlier = m_labels.order().size() - number_appended;
     if(m_number_settled == number_of_earlier ||
        !m_queue.is_final(m_labels.distance(m_labels.order()[m_number_settled])))
       return true;

@@ -10,6 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Propagation_statistics.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
@@ -17,7 +19,7 @@ namespace internal {
 // Counts nothing, and costs nothing.
 struct No_counter
 {
-  void on_stale_pop() const {}
+  void on_stale_pops(std::size_t /* number */) const {}
   void on_expansion() const {}
   void on_relaxation() const {}
   void on_improvement() const {}
@@ -25,10 +27,10 @@ struct No_counter
 
 struct Counter
 {
-  void on_stale_pop() const
+  void on_stale_pops(const std::size_t number) const
   {
-    ++statistics.pops;
-    ++statistics.stale_pops;
+    statistics.pops += number;
+    statistics.stale_pops += number;
   }
   void on_expansion() const { ++statistics.pops; }
   void on_relaxation() const { ++statistics.relaxations; }
