@@ -160,6 +160,22 @@ TEST(Triangulation, numbers_breadth_first_by_components)
   EXPECT_EQ(beyond, t.number_of_vertices());
 }
 
+// Large components are numbered patch by patch, from where earlier patches end.
+TEST(Triangulation, numbers_neighbours_of_what_is_numbered)
+{
+  const Mesh mesh = to_mesh(flat_grid(400, 300));
+  const Triangulation t(mesh);
+  expect_permutation(mesh, t);
+  expect_same_connectivity(mesh, t);
+  for(Index v = 1; v < t.number_of_vertices(); ++v)
+  {
+    Index nearest = v;
+    for(Index h = t.first_halfedge(v); h < t.beyond_halfedge(v); ++h)
+      nearest = (std::min)(nearest, t.target(h));
+    ASSERT_LT(nearest, v);
+  }
+}
+
 TEST(Triangulation, takes_the_memory_it_says)
 {
   const Mesh mesh = to_mesh(sphere(200, 100));

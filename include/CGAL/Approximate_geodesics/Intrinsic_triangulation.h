@@ -36,9 +36,9 @@ class Triangulation_builder;
  * A triangle mesh without coordinates: connectivity and edge lengths, checked, compact and in an
  * order that suits searches. Everything else in this package is built on it.
  *
- * <b>Vertices</b> are numbered breadth first from `0`, one connected component after the other, so
- * that neighbours are close in memory; `vertex()` and `index()` translate from and to
- * the indices that the mesh's vertex index map gives.
+ * <b>Vertices</b> are numbered breadth first from `0`, one connected component after the other, and
+ * large ones in patches, so that neighbours are close in memory; `vertex()` and `index()` translate
+ * from and to the indices that the mesh's vertex index map gives.
  *
  * <b>Halfedges</b> are grouped by the vertex they start from, and within a group follow each other
  * counterclockwise. So the groups are the adjacency arrays of the mesh's edges, and two halfedges
