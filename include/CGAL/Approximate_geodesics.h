@@ -12,13 +12,22 @@
 
 #include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Array_queue.h>
 #include <CGAL/Approximate_geodesics/Balanced_bucket_width.h>
+#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Bucket_statistics.h>
+#include <CGAL/Approximate_geodesics/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Fibonacci_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Pairing_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Propagation.h>
 #include <CGAL/Approximate_geodesics/Propagation_statistics.h>
+#include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Published_bucket_width.h>
+#include <CGAL/Approximate_geodesics/Queue_entry.h>
+#include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>

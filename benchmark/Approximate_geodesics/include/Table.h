@@ -34,14 +34,19 @@ public:
 
     Row& add(const double number, const int digits_after_point)
     {
-      std::ostringstream text;
-      text << std::fixed << std::setprecision(digits_after_point) << number;
-      return add(text.str());
+      return add(text_of(number, digits_after_point));
     }
 
   private:
     std::vector<std::string>& m_cells;
   };
+
+  static std::string text_of(const double number, const int digits_after_point)
+  {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(digits_after_point) << number;
+    return text.str();
+  }
 
   Row add_row()
   {

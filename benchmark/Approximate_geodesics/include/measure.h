@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,15 @@ inline double median(std::vector<double> values)
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+template <typename F>
+double seconds_of(F f)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  f();
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 // Contestants that are to be compared take turns, so that a machine that slows down for a while
@@ -40,12 +50,18 @@ public:
     for(std::size_t first = 0; first < number_of_rounds; first += batch)
       for(Entry& entry : m_contestants)
         for(std::size_t i = first; i < (std::min)(first + batch, number_of_rounds); ++i)
-          entry.seconds.push_back(seconds_of(entry.contestant, i));
+          entry.seconds.push_back(seconds_of([&] { entry.contestant(i); }));
   }
 
   double median_seconds(const std::size_t number) const
   {
     return median(m_contestants[number].seconds);
+  }
+
+  double mean_seconds(const std::size_t number) const
+  {
+    const std::vector<double>& seconds = m_contestants[number].seconds;
+    return std::accumulate(seconds.begin(), seconds.end(), 0.) / double(seconds.size());
   }
 
   // how many times as long as the second the first one takes
@@ -55,14 +71,6 @@ public:
   }
 
 private:
-  static double seconds_of(const Contestant& contestant, const std::size_t round)
-  {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
-    contestant(round);
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  }
-
   struct Entry
   {
     Contestant contestant;

@@ -24,10 +24,10 @@ namespace Approximate_geodesics {
  * The default policy for the width of the buckets of an adaptive bucket queue.
  *
  * Wide buckets lead to late entries: nodes that enter a bucket while it is being drained, and may
- * have to be expanded again. Narrow buckets have to be visited, and many are empty. Both cost about
- * as much as one entry, so the width is changed by a factor of \f$\sqrt 2\f$ after every run until
- * neither overhead is much larger than the other. The first width is half the mean arc length,
- * which is close to balanced on scanned models.
+ * have to be expanded again. Narrow buckets have to be visited, and many are empty; a visit costs
+ * as much as a few late entries. The width is changed by a factor of \f$\sqrt 2\f$ after every run
+ * until neither overhead is much larger than the other. The first width is half the mean arc
+ * length, which is close to balanced on scanned models.
  *
  * \cgalModels{BucketWidthPolicy}
  */
@@ -50,7 +50,7 @@ public:
   {
     if(last_run.entries < SMALLEST_SAMPLE)
       return;
-    if(last_run.late_entries > last_run.visited_buckets)
+    if(last_run.late_entries > COST_OF_VISIT * last_run.visited_buckets)
       m_width = (std::max)(m_width / STEP, m_narrowest);
     else if(SLACK * last_run.late_entries < last_run.visited_buckets)
       m_width = (std::min)(m_width * STEP, m_widest);
@@ -58,7 +58,8 @@ public:
 
 private:
   static constexpr double STEP = 1.4142135623730951;
-  static constexpr std::size_t SLACK = 16;       // one step must not lead to the opposite step
+  static constexpr std::size_t COST_OF_VISIT = 4; // in late entries, as measured
+  static constexpr std::size_t SLACK = 16; // between both: a step must not lead to its opposite
   static constexpr double NARROWEST_PART = 1e-9; // of the longest arc: bucket indices stay small
   static constexpr double SMALLEST_INVERTIBLE = 4 / (std::numeric_limits<double>::max)();
   static constexpr std::size_t SMALLEST_SAMPLE = 1000; // smaller runs say little of the mesh

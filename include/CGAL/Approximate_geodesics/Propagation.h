@@ -287,6 +287,9 @@ private:
   {
     propagate(stop, watch(stop, visitor), internal::Counter{m_statistics});
     m_statistics.settled_nodes = m_labels.order().size(); // a watched order has no repetitions
+    if constexpr(internal::counts_comparisons<Queue>)
+      m_statistics.queue_comparisons =
+          m_queue.statistics().visited_buckets + m_queue.statistics().comparisons;
   }
 
   // The algorithm. A batch of entries is worked through in three loops, the longest of which has no

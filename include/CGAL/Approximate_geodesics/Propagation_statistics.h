@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -30,9 +31,29 @@ struct Propagation_statistics
   std::size_t relaxations = 0;
   /// the number of arcs that lowered the distance of their target.
   std::size_t improvements = 0;
+  /// the number of comparisons inside the queue: of keys, and of the ends of buckets, one for each
+  /// bucket that was looked into. It is 0 if the queue does not count them.
+  std::size_t queue_comparisons = 0;
 
   /// returns the number of pops that expanded a node for the second time or later.
   std::size_t repeated_pops() const { return pops - stale_pops - settled_nodes; }
+
+  /// returns the number of edges looked at: both arcs of an edge count as one.
+  std::size_t edges() const { return relaxations / 2; }
+
+  /// returns the number of comparisons, as Schwartz, de Rezende and Pedrini count them
+  /// \cgalCite{srp-fasgp-15}: one for each vertex and each edge, and those inside the queue.
+  std::size_t comparisons() const { return settled_nodes + edges() + queue_comparisons; }
+
+  /// returns what that number would be if the queue took none, `E + V`.
+  std::size_t fewest_comparisons() const { return settled_nodes + edges(); }
+
+  /// returns the bound that a Fibonacci heap is given, \f$E + V \log_2 V\f$.
+  double heap_comparisons() const
+  {
+    const double v = static_cast<double>(settled_nodes);
+    return static_cast<double>(edges()) + (v > 0 ? v * std::log2(v) : 0);
+  }
 };
 
 } // namespace Approximate_geodesics

@@ -8,9 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Bucket_statistics.h>
 #include <CGAL/Approximate_geodesics/Propagation_statistics.h>
 
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -38,6 +41,16 @@ struct Counter
 
   Propagation_statistics& statistics;
 };
+
+template <typename Queue, typename = void>
+constexpr bool counts_comparisons = false;
+
+template <typename Queue>
+constexpr bool counts_comparisons<
+    Queue,
+    std::enable_if_t<
+        std::is_same_v<decltype(std::declval<const Queue&>().statistics()), Bucket_statistics>>> =
+    true;
 
 } // namespace internal
 } // namespace Approximate_geodesics

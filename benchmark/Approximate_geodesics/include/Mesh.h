@@ -1,0 +1,75 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef BENCHMARK_MESH_H
+#define BENCHMARK_MESH_H
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <cstddef>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+
+// A mesh is named as a file, or as one of CGAL's sample meshes without folder and extension; "+2"
+// after that stands for two steps of Loop subdivision. Scans have loose bits, and vertices that are
+// not manifold: what counts is the largest connected component of what CGAL makes of the file.
+inline std::string file_of(const std::string& name)
+{
+  const std::string file = name.substr(0, name.rfind('+'));
+  return std::ifstream(file) ? file : CGAL::data_file_path("meshes/" + file + ".off");
+}
+
+inline unsigned number_of_subdivisions(const std::string& name)
+{
+  const std::size_t plus = name.rfind('+');
+  return plus == std::string::npos ? 0 : static_cast<unsigned>(std::stoul(name.substr(plus + 1)));
+}
+
+// the name without folder and extension
+inline std::string short_name(const std::string& name)
+{
+  const std::size_t start = name.find_last_of('/') + 1;
+  const std::size_t plus = (std::min)(name.rfind('+'), name.size());
+  const std::size_t end = (std::min)(name.find('.', start), plus);
+  return name.substr(start, end - start) + name.substr(plus);
+}
+
+inline Mesh read_mesh(const std::string& name)
+{
+  std::cerr << "Reading " << name << " ...\n";
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Mesh mesh;
+  if(!PMP::IO::read_polygon_mesh(file_of(name), mesh) || mesh.is_empty())
+    throw std::runtime_error("cannot read a mesh from " + name);
+  PMP::keep_largest_connected_components(mesh, 1);
+  if(number_of_subdivisions(name) > 0)
+    CGAL::Subdivision_method_3::Loop_subdivision(
+        mesh, CGAL::parameters::number_of_iterations(number_of_subdivisions(name)));
+  mesh.collect_garbage();
+  return mesh;
+}
+
+inline std::vector<Vertex> random_sources(const Mesh& mesh, const std::size_t count)
+{
+  std::mt19937_64 random(1);
+  std::vector<Vertex> result;
+  while(result.size() < count)
+    result.push_back(Vertex(static_cast<Mesh::size_type>(random() % mesh.number_of_vertices())));
+  return result;
+}
+
+#endif // BENCHMARK_MESH_H
