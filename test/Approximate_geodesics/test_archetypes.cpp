@@ -7,6 +7,14 @@
 #include "test_oracles.h"
 
 #include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Array_queue.h>
+#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/D_ary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Pairing_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>
 
@@ -22,6 +30,7 @@
 
 namespace {
 
+namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
 using CGAL::Approximate_geodesics::Adaptive_bucket_queue;
 using CGAL::Approximate_geodesics::Arc_lengths;
@@ -116,8 +125,18 @@ template <typename Queue>
 class Queues : public testing::Test
 {
 };
-using All_queues = testing::
-    Types<Adaptive_bucket_queue, Basic_adaptive_bucket_queue<Fixed_bucket_width>, Set_queue>;
+using All_queues = testing::Types<Adaptive_bucket_queue,
+                                  Basic_adaptive_bucket_queue<Fixed_bucket_width>,
+                                  Set_queue,
+                                  AG::Array_queue,
+                                  AG::Binary_heap_queue,
+                                  AG::D_ary_heap_queue<4>,
+                                  AG::Fibonacci_heap_queue,
+                                  AG::Pairing_heap_queue,
+                                  AG::Radix_heap_queue,
+                                  AG::Published_bucket_queue,
+                                  AG::Basic_published_bucket_queue<Fixed_bucket_width>,
+                                  AG::Basic_adaptive_bucket_queue<AG::Published_bucket_width>>;
 TYPED_TEST_SUITE(Queues, All_queues, );
 
 TYPED_TEST(Queues, search_a_graph_of_implicit_arcs)
@@ -168,6 +187,24 @@ TYPED_TEST(Queues, give_the_same_distances)
       for(const Node n : stop.targets)
         EXPECT_EQ(search.distance(n), reference.search().distance(n));
     }
+  }
+}
+
+// The class takes any of them.
+TYPED_TEST(Queues, serve_the_class)
+{
+  const Mesh mesh = to_mesh(flat_grid(20, 30));
+  AG::Surface_mesh_shortest_path<Mesh> expected(mesh);
+  AG::Surface_mesh_shortest_path<Mesh, Graph, TypeParam> shortest_paths(mesh);
+  for(const Vertex source : {Vertex(0), Vertex(333)})
+  {
+    expected.remove_all_source_points();
+    shortest_paths.remove_all_source_points();
+    expected.add_source_point(source);
+    shortest_paths.add_source_point(source);
+    for(const Vertex v : mesh.vertices())
+      EXPECT_EQ(shortest_paths.shortest_distance_to_source_points(v).first,
+                expected.shortest_distance_to_source_points(v).first);
   }
 }
 
