@@ -195,7 +195,7 @@ int main(int argc, char* argv[])
                        "published : E + V", "ours : E + V", "E + V log2 V : E + V"});
     Table times({"mesh", "vertices", "preprocessing ms", "array ms", "Fibonacci heap ms",
                  "published ms", "ours ms", "Fibonacci heap : published", "Fibonacci heap : ours"});
-    Table histogram({"mesh", "queue", "vertices in the bucket, at least", "buckets"});
+    Table histogram({"mesh", "queue", "least vertices", "buckets"});
     for(const std::string& name : options.meshes)
     {
       const Published_benchmark benchmark(name, options.number_of_rounds);
