@@ -6,7 +6,7 @@ set xlabel 'vertices'
 set ylabel 'comparisons'
 set format '10^{%L}'
 file = data . 'table3.csv'
-plot file using 'vertices':'E + V log2 V' with linespoints linetype 3 title 'E + V log_2 V', \
-     file using 'vertices':'published' with linespoints linetype 4 title 'published queue', \
-     file using 'vertices':'ours' with linespoints linetype 1 title 'this package', \
-     file using 'vertices':'E + V' with linespoints linetype 2 title 'E + V'
+plot file using 'vertices':'E + V log2 V' with lines linetype 3 title 'E + V log_2 V', \
+     file using 'vertices':'E + V' with lines linetype 2 title 'E + V', \
+     file using 'vertices':'published' with points linetype 4 title 'published queue', \
+     file using 'vertices':'ours' with points linetype 1 title 'this package'

@@ -10,7 +10,7 @@ if (format eq 'svg') {
 }
 set border 3 linecolor '#666666'
 set tics nomirror
-set grid linecolor '#dddddd'
+set grid linecolor '#cccccc'
 set key outside right center reverse Left samplen 2
 array colour[9] = ['#d62728', '#7f7f7f', '#1f77b4', '#2ca02c', '#9467bd', '#ff7f0e', '#8c564b', \
                    '#e377c2', '#17becf']

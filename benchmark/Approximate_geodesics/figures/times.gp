@@ -14,4 +14,4 @@ type_of(i) = i == 10 ? 1 : i == 11 ? 2 : 3 + (i - 1) % 7
 dash_of(i) = i > 7 && i < 10 ? 2 : 1
 plot for [i = 1:words(names)] file \
   using (column('vertices')):(column(word(names, i)) * 1e6 / column('vertices')) \
-  with linespoints linetype type_of(i) dashtype dash_of(i) title word(names, i)
+  with linespoints linetype type_of(i) dashtype dash_of(i) title word(names, i) noenhanced

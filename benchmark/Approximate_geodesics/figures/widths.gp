@@ -6,6 +6,7 @@ set xlabel 'width of the buckets, in mean lengths of an edge'
 set ylabel 'time, in that with the adaptive width'
 set xtics ('1/64' 1. / 64, '1/16' 1. / 16, '1/4' 0.25, '1' 1, '4' 4, '16' 16)
 set ytics (0.8, 1, 1.5, 2, 3, 4, 6)
+set xrange [1. / 90:24]
 set yrange [0.8:*]
 file = data . 'widths.csv'
 meshes = system("tail -n +2 '" . file . "' | cut -d, -f1 | uniq | sed 's/.*/\"&\"/' | tr '\\n' ' '")
