@@ -20,7 +20,6 @@
 #include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -32,7 +31,8 @@ namespace AG = CGAL::Approximate_geodesics;
 // Adds up what the runs of one queue count.
 struct Sums
 {
-  double runs = 0, used_buckets = 0, occupancy = 0, deviation = 0, comparisons = 0;
+  double runs = 0, used_buckets = 0, occupancy = 0, deviation = 0;
+  double comparisons = 0, fewest = 0, of_heap = 0;
 
   template <typename Search>
   void add(const Search& search)
@@ -43,6 +43,8 @@ struct Sums
     occupancy += s.mean_occupancy();
     deviation += s.standard_deviation_of_occupancy();
     comparisons += double(search.statistics().comparisons());
+    fewest += double(search.statistics().fewest_comparisons());
+    of_heap += search.statistics().heap_comparisons();
   }
 };
 
@@ -79,8 +81,8 @@ public:
           .add(sums.occupancy / sums.runs, 1)
           .add(sums.deviation / sums.runs, 1);
 
-    const double fewest = vertices() + double(m_mesh.number_of_edges());
-    const double of_heap = double(m_mesh.number_of_edges()) + vertices() * std::log2(vertices());
+    const double fewest = published.fewest / published.runs;
+    const double of_heap = published.of_heap / published.runs;
     comparisons.add_row()
         .add(m_name)
         .add(vertices(), 0)

@@ -6,6 +6,10 @@
 #include "test_oracles.h"
 #include "test_recorder.h"
 
+#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
+#include <CGAL/boost/graph/generators.h>
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -18,6 +22,7 @@
 namespace {
 
 using namespace geodesics_test;
+using CGAL::Approximate_geodesics::Propagation;
 using CGAL::Approximate_geodesics::Propagation_statistics;
 
 class Workspace : public testing::Test
@@ -156,6 +161,31 @@ TEST(Statistics, fulfil_their_identities_and_change_nothing)
     counted.run({Vertex(0)});
     EXPECT_EQ(counted.search().statistics().pops, 0u);
   }
+}
+
+// A tetrahedron has 4 vertices and 6 edges.
+TEST(Statistics, count_comparisons_as_published)
+{
+  Mesh mesh;
+  CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), mesh);
+  const Graph graph{Triangulation(mesh)};
+  Propagation<Graph, CGAL::Approximate_geodesics::Published_bucket_queue> published(graph);
+  Propagation<Graph, CGAL::Approximate_geodesics::Binary_heap_queue> heap(graph);
+  published.collect_statistics(true);
+  heap.collect_statistics(true);
+  const auto right_angle = graph.triangulation().vertex(0);
+  published.run(right_angle);
+  heap.run(right_angle);
+  EXPECT_EQ(published.statistics().edges(), 6u);
+  EXPECT_EQ(published.statistics().fewest_comparisons(), 10u);
+  EXPECT_EQ(published.statistics().heap_comparisons(), 6 + 4 * 2.);
+  // bucket 0 has the source; then come empty ones, and one with three vertices at distance 1
+  const auto buckets = published.queue().statistics();
+  EXPECT_EQ(buckets.used_buckets, 2u);
+  EXPECT_EQ(buckets.comparisons, 2u + 1);
+  EXPECT_EQ(published.statistics().queue_comparisons, buckets.visited_buckets + 3);
+  EXPECT_EQ(published.statistics().comparisons(), 10 + buckets.visited_buckets + 3);
+  EXPECT_EQ(heap.statistics().queue_comparisons, 0u);
 }
 
 // The node that came out last before the run was ended was neither settled nor expanded.

@@ -42,10 +42,11 @@ struct Propagation_statistics
   std::size_t edges() const { return relaxations / 2; }
 
   /// returns the number of comparisons, as Schwartz, de Rezende and Pedrini count them
-  /// \cgalCite{srp-fasgp-15}: one for each vertex and each edge, and those inside the queue.
-  std::size_t comparisons() const { return settled_nodes + edges() + queue_comparisons; }
+  /// \cgalCite{srp-fasgp-15}: one for each entry that came out of the queue (for each vertex, if
+  /// none comes out twice), one for each edge, and those inside the queue.
+  std::size_t comparisons() const { return pops + edges() + queue_comparisons; }
 
-  /// returns what that number would be if the queue took none, `E + V`.
+  /// returns what that number is at least, `E + V`.
   std::size_t fewest_comparisons() const { return settled_nodes + edges(); }
 
   /// returns the bound that a Fibonacci heap is given, \f$E + V \log_2 V\f$.
