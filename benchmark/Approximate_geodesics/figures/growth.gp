@@ -5,6 +5,7 @@ set logscale x
 set xlabel 'vertices'
 set ylabel 'nanoseconds per vertex'
 set format x '10^{%L}'
+set autoscale xfix
 set yrange [0:*]
 set key inside left top
 file = data . 'growth.csv'

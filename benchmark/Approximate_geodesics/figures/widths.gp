@@ -14,7 +14,7 @@ row(mesh, kind, value) = strcol('mesh') eq mesh && strcol('kind') eq kind ? valu
 set datafile missing NaN
 plot for [i = 1:words(meshes)] file \
        using (row(word(meshes, i), 'fixed', column('width'))):(column('this : adaptive')) \
-       with linespoints linetype i title word(meshes, i), \
+       with linespoints linetype i title word(meshes, i) noenhanced, \
      for [i = 1:words(meshes)] file \
        using (row(word(meshes, i), 'adaptive', column('width'))):(column('this : adaptive')) \
        with points linetype i pointtype 2 pointsize 2 notitle, \

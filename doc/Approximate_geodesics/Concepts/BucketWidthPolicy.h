@@ -10,6 +10,7 @@ The choice has no influence on the distances, only on the time that it takes to 
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Balanced_bucket_width}
+\cgalHasModels{CGAL::Approximate_geodesics::Published_bucket_width}
 \cgalHasModelsEnd
 */
 class BucketWidthPolicy

@@ -30,6 +30,12 @@ If an exception leaves a member function, `clear()` makes the queue usable again
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Basic_adaptive_bucket_queue}
+\cgalHasModels{CGAL::Approximate_geodesics::Basic_published_bucket_queue}
+\cgalHasModels{CGAL::Approximate_geodesics::Radix_heap_queue}
+\cgalHasModels{CGAL::Approximate_geodesics::D_ary_heap_queue}
+\cgalHasModels{CGAL::Approximate_geodesics::Pairing_heap_queue}
+\cgalHasModels{CGAL::Approximate_geodesics::Fibonacci_heap_queue}
+\cgalHasModels{CGAL::Approximate_geodesics::Array_queue}
 \cgalHasModelsEnd
 
 \sa `CGAL::Approximate_geodesics::Propagation`

@@ -16,6 +16,7 @@
 #include <CGAL/Approximate_geodesics/internal/Progress_watch.h>
 #include <CGAL/Approximate_geodesics/internal/counters.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
+#include <CGAL/assertions.h>
 
 #include <cmath>
 #include <cstddef>
@@ -347,6 +348,7 @@ private:
       Candidate* end = end_of_candidates(m_graph->maximum_degree());
       m_graph->for_each_arc(node, m_labels, [&](const Node target, const double length) {
         counter.on_relaxation();
+        CGAL_assertion(end < m_candidates.data() + m_candidates.size());
         *end = {distance + length, target, node};
         end += static_cast<std::ptrdiff_t>(end->distance < distances[target]);
       });
