@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/internal/Mesh_query.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 
@@ -24,6 +25,8 @@ namespace CGAL {
  * are in the unit of the coordinates. Vertices that no source reaches, or that are not certain when
  * the run ends early, get infinity, and so does every vertex if there is no source.
  *
+ * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all; it makes no
+ *         difference but to the time
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexDistanceMap a model of `WritablePropertyMap` with
  *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type that
@@ -133,7 +136,8 @@ namespace CGAL {
  * \sa `approximate_geodesic_path()`
  * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
  */
-template <typename TriangleMesh,
+template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
+          typename TriangleMesh,
           typename VertexDistanceMap,
           typename Sources,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -145,7 +149,7 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
   using parameters::get_parameter;
   namespace AG = Approximate_geodesics;
 
-  AG::internal::Mesh_query<TriangleMesh, NamedParameters> query(tmesh, np);
+  AG::internal::Mesh_query<PriorityQueue, TriangleMesh, NamedParameters> query(tmesh, np);
   query.run(sources);
 
   query.write_distances(vertex_distance_map);

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/internal/Mesh_query.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 
@@ -21,6 +22,8 @@ namespace CGAL {
  * The run ends when the distance to `target` is certain. The length is never below the distance
  * along the surface; there is no bound for how much it is above.
  *
+ * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all; among paths
+ *         of the same length, it may decide which one is found
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -98,7 +101,8 @@ namespace CGAL {
  * \sa `approximate_geodesic_distances()`
  * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
  */
-template <typename TriangleMesh,
+template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
+          typename TriangleMesh,
           typename OutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
 double approximate_geodesic_path(
@@ -111,7 +115,8 @@ double approximate_geodesic_path(
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  Approximate_geodesics::internal::Mesh_query<TriangleMesh, NamedParameters> query(tmesh, np);
+  Approximate_geodesics::internal::Mesh_query<PriorityQueue, TriangleMesh, NamedParameters> query(
+      tmesh, np);
   query.run(source, target);
 
   const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),

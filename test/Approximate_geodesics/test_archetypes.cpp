@@ -15,6 +15,8 @@
 #include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/approximate_geodesic_path.h>
 
 #include <gtest/gtest.h>
 
@@ -22,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
@@ -190,21 +193,31 @@ TYPED_TEST(Queues, give_the_same_distances)
   }
 }
 
-// The class takes any of them.
-TYPED_TEST(Queues, serve_the_class)
+// So do the class and the functions.
+TYPED_TEST(Queues, serve_the_class_and_the_functions)
 {
-  const Mesh mesh = to_mesh(flat_grid(20, 30));
+  Mesh mesh = to_mesh(flat_grid(20, 30));
   AG::Surface_mesh_shortest_path<Mesh> expected(mesh);
   AG::Surface_mesh_shortest_path<Mesh, Graph, TypeParam> shortest_paths(mesh);
+  const auto distance = mesh.add_property_map<Vertex, double>("distance").first;
   for(const Vertex source : {Vertex(0), Vertex(333)})
   {
     expected.remove_all_source_points();
     shortest_paths.remove_all_source_points();
     expected.add_source_point(source);
     shortest_paths.add_source_point(source);
+    CGAL::approximate_geodesic_distances<TypeParam>(mesh, distance, source);
     for(const Vertex v : mesh.vertices())
-      EXPECT_EQ(shortest_paths.shortest_distance_to_source_points(v).first,
-                expected.shortest_distance_to_source_points(v).first);
+    {
+      const double d = expected.shortest_distance_to_source_points(v).first;
+      EXPECT_EQ(shortest_paths.shortest_distance_to_source_points(v).first, d);
+      EXPECT_EQ(distance[v], d);
+    }
+    std::vector<Point> path;
+    EXPECT_EQ(CGAL::approximate_geodesic_path<TypeParam>(mesh, source, Vertex(77),
+                                                         std::back_inserter(path)),
+              distance[Vertex(77)]);
+    EXPECT_GT(path.size(), 1u);
   }
 }
 

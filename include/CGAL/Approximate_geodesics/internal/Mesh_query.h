@@ -30,14 +30,14 @@ namespace internal {
 /*
  * One run on a mesh that is not seen again: what the free functions have in common.
  */
-template <typename TriangleMesh, typename NamedParameters>
+template <typename PriorityQueue, typename TriangleMesh, typename NamedParameters>
 class Mesh_query
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using Vertex_index_map = decltype(vertex_index_map(std::declval<const TriangleMesh&>(),
                                                      std::declval<const NamedParameters&>()));
   using Vertices = Mesh_vertices<TriangleMesh, Vertex_index_map>;
-  using Search = Propagation<Edge_graph>;
+  using Search = Propagation<Edge_graph, PriorityQueue>;
   using Node = typename Search::Node;
 
 public:
@@ -62,7 +62,7 @@ public:
   void run(const Sources& sources, const vertex_descriptor target)
   {
     auto stop = stop_rule<Search>(m_vertices, m_np);
-    stop.targets = {m_vertices.node(target)};
+    stop.targets.assign(1, m_vertices.node(target));
     run(sources, stop);
   }
 
