@@ -53,5 +53,5 @@ int main(int argc, char* argv[])
                      std::to_string(options.number_of_rounds) + " sources)",
                  table);
   };
-  return run_benchmark(argc, argv, "bench_single_call", {usual_meshes(), 101, ""}, compare_all);
+  return run_benchmark(argc, argv, "bench_single_call", {usual_meshes(), 31, ""}, compare_all);
 }

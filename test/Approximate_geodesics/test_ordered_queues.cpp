@@ -321,8 +321,8 @@ TEST(Published_bucket_width, has_a_bound)
       policy.update(run);
     return policy.width();
   };
-  EXPECT_EQ(narrowest({0.03, 1, 10}), 0.03);
-  EXPECT_EQ(narrowest({5, 6, 10}), 0.1); // the first width
+  EXPECT_EQ(narrowest({0.03, 1, 10}), 0.0003);
+  EXPECT_EQ(narrowest({10, 10, 10}), 0.1); // the first width
   EXPECT_EQ(narrowest({0, 1, 10}), 10 * 1e-6);
   EXPECT_GT(narrowest({0, 0, 0}), 0);
   EXPECT_TRUE(std::isfinite(1 / narrowest({0, 0, 5e-324})));

@@ -297,4 +297,24 @@ TEST(Queue, has_a_limited_circle)
   EXPECT_LT(queue.memory(), memory_when_empty + 3 * 1000 * sizeof(Fixed_queue::Entry));
 }
 
+// Every run fills another bucket of the circle; none keeps the memory of all of them.
+TEST(Queue, takes_no_more_memory_from_run_to_run)
+{
+  Fixed_queue queue(2000, {1, 1, 60});
+  const auto run = [&](const Node where) {
+    for(Node node = 0; node < 2000; ++node)
+      queue.push(node, 5.5);
+    for(Node node = 0; node < 40; ++node)
+      queue.push(node, 10.5 + (node + where) % 40);
+    while(!queue.is_empty())
+      queue.extract_min();
+    queue.clear();
+  };
+  run(0);
+  const std::size_t memory = queue.memory();
+  for(Node i = 0; i < 300; ++i)
+    run(i);
+  EXPECT_LT(queue.memory(), 2 * memory);
+}
+
 } // namespace

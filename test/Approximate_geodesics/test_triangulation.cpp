@@ -174,6 +174,24 @@ TEST(Triangulation, numbers_neighbours_of_what_is_numbered)
       nearest = (std::min)(nearest, t.target(h));
     ASSERT_LT(nearest, v);
   }
+
+  std::vector<Index> breadth_first(t.number_of_vertices(), Triangulation::null_index);
+  std::vector<Index> met{0};
+  breadth_first[0] = 0;
+  for(std::size_t i = 0; i < met.size(); ++i)
+    for(Index h = t.first_halfedge(met[i]); h < t.beyond_halfedge(met[i]); ++h)
+      if(Index& number = breadth_first[t.target(h)]; number == Triangulation::null_index)
+      {
+        number = static_cast<Index>(met.size());
+        met.push_back(t.target(h));
+      }
+  const std::size_t size_of_patch = 32768;
+  for(Index v = 0; v < size_of_patch; ++v)
+    ASSERT_EQ(breadth_first[v], v);
+  std::size_t number_that_differ = 0;
+  for(Index v = size_of_patch; v < t.number_of_vertices(); ++v)
+    number_that_differ += breadth_first[v] != v ? 1 : 0;
+  EXPECT_GT(number_that_differ, t.number_of_vertices() / 2);
 }
 
 TEST(Triangulation, takes_the_memory_it_says)

@@ -61,7 +61,7 @@ public:
   CGAL::Approximate_geodesics::Arc_lengths arc_lengths() const;
 
   /// returns an upper bound of the number of arcs that `for_each_arc()` reports of a node. The
-  /// search keeps room for so many.
+  /// search keeps room for so many; if there are more, its behaviour is undefined.
   std::size_t maximum_degree() const;
 
   /*!

@@ -26,7 +26,11 @@ in their order fulfils this, if it calls those final that are smaller than the l
 queue that empties one bucket after the other, if it calls those final that belong to earlier
 buckets.)
 
-If an exception leaves a member function, `clear()` makes the queue usable again.
+If an exception leaves a member function, `clear()` makes the queue usable again. A queue that was
+moved from may only be destroyed or assigned to.
+
+A queue that counts may have a member function `statistics()` that returns a
+`CGAL::Approximate_geodesics::Bucket_statistics`; the search then knows the number of comparisons.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Basic_adaptive_bucket_queue}

@@ -18,7 +18,6 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -255,6 +254,8 @@ private:
   {
     add_current_bucket(m_statistics);
     m_statistics.visited_buckets += m_drained == 0 ? 1 : 0;
+    if(m_round.capacity() > current_bucket().capacity())
+      std::swap(m_round, current_bucket()); // or each bucket would get the memory of the largest
     m_trust -= (std::min)(m_trust, m_drained);
 
     const bool circle_is_empty = m_size == m_heap.size();

@@ -24,8 +24,9 @@ namespace Approximate_geodesics {
  * A priority queue on a pairing heap \cgalCite{fsst-phnfs-86}, from the library Boost.Heap: simpler
  * than a Fibonacci heap, and often faster. Keys are lowered in place.
  *
- * `push()` takes constant time where it enters a node, and \cgalBigO{\log m} amortized where it
- * lowers a key, as `extract_min()` does, for `m` entries. Memory is \cgalBigO{n} for `n` nodes.
+ * `push()` takes constant time where it enters a node, and amortized \cgalBigO{\log m}, as Boost
+ * states, where it lowers a key, as `extract_min()` does, for `m` entries. Memory is \cgalBigO{n}
+ * for `n` nodes.
  *
  * Objects can be moved, but not copied.
  *

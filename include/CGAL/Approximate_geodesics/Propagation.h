@@ -212,7 +212,7 @@ public:
   std::size_t memory() const
   {
     return m_labels.memory() + m_queue.memory() + m_sources.memory() +
-           m_seeds.capacity() * sizeof(Seed);
+           m_seeds.capacity() * sizeof(Seed) + m_candidates.capacity() * sizeof(Candidate);
   }
 
 private:
@@ -294,8 +294,8 @@ private:
   }
 
   // The algorithm. A batch of entries is worked through in three loops, the longest of which has no
-  // branch that depends on a distance. Such branches are hard to predict, and mispredicting them
-  // takes more time than all else together: in one loop, the search takes twice as long.
+  // branch that depends on a distance. Such branches are hard to predict, and in one loop most of
+  // the time would go into wrong predictions.
   template <typename Watch, typename Counter>
   void propagate(const Stop_rule& stop, Watch watch, Counter counter)
   {

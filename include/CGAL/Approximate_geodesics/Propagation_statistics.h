@@ -43,7 +43,8 @@ struct Propagation_statistics
 
   /// returns the number of comparisons, as Schwartz, de Rezende and Pedrini count them
   /// \cgalCite{srp-fasgp-15}: one for each entry that came out of the queue (for each vertex, if
-  /// none comes out twice), one for each edge, and those inside the queue.
+  /// none comes out twice), one for each edge, and those inside the queue. It says nothing if the
+  /// queue does not count them.
   std::size_t comparisons() const { return pops + edges() + queue_comparisons; }
 
   /// returns what that number is at least, `E + V`.

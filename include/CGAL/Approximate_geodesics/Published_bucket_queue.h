@@ -36,8 +36,8 @@ namespace Approximate_geodesics {
  * beyond, so that a key of any size does no harm but to the time.
  *
  * `push()` takes constant time; `extract_min()` takes time in proportion to the number of entries
- * of the bucket, and of empty buckets passed. Memory is that of the largest number of entries each
- * bucket had.
+ * of the bucket, and of empty buckets passed. Memory is that of the
+ * buckets, of the largest number of entries each of them had, and of a place for each node.
  *
  * \tparam WidthPolicy a model of `BucketWidthPolicy`
  *
@@ -157,7 +157,7 @@ private:
   {
     m_statistics = Bucket_statistics();
     m_statistics.width = m_policy.width();
-    m_buckets_per_unit = 1 / m_policy.width();
+    m_buckets_per_unit = 1 / m_statistics.width;
     m_current = 0;
     m_beyond_used = 0;
     m_size = 0;

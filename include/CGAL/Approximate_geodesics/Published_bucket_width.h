@@ -25,8 +25,8 @@ namespace Approximate_geodesics {
  * 100 after every run whose buckets held more than 64 entries on average, empty ones not counted.
  *
  * The width has a lower bound that depends on the mesh, which the publication leaves open. Here it
- * is the length of the shortest arc, unless that is out of proportion: not more than the first
- * width, and not less than a millionth of the longest arc.
+ * is a hundredth of the shortest arc, and at least a millionth of the longest one: on scanned
+ * models it is never reached.
  *
  * \cgalModels{BucketWidthPolicy}
  */
@@ -36,8 +36,8 @@ public:
   /// chooses the width for the first run.
   explicit Published_bucket_width(const Arc_lengths& arcs = Arc_lengths())
     : m_longest_arc(arcs.longest > 0 ? arcs.longest : 1),
-      m_narrowest((std::max)({(std::min)(arcs.shortest, m_longest_arc / STEP),
-                              m_longest_arc * NARROWEST_PART, SMALLEST_INVERTIBLE}))
+      m_narrowest(
+          (std::max)({arcs.shortest / 100, m_longest_arc * NARROWEST_PART, SMALLEST_INVERTIBLE}))
   {
   }
 

@@ -48,9 +48,8 @@ constexpr bool counts_comparisons = false;
 template <typename Queue>
 constexpr bool counts_comparisons<
     Queue,
-    std::enable_if_t<
-        std::is_same_v<decltype(std::declval<const Queue&>().statistics()), Bucket_statistics>>> =
-    true;
+    std::enable_if_t<std::is_convertible_v<decltype(std::declval<const Queue&>().statistics()),
+                                           Bucket_statistics>>> = true;
 
 } // namespace internal
 } // namespace Approximate_geodesics
