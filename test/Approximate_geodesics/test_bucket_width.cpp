@@ -46,7 +46,7 @@ TEST(Balanced_bucket_width, narrows_when_many_entries_are_late)
 {
   Balanced_bucket_width policy({1, 4, 8});
   const double width = policy.width();
-  policy.update(figures(100, 401));
+  policy.update(figures(100, 801));
   EXPECT_LT(policy.width(), width);
 }
 

@@ -58,7 +58,7 @@ public:
 
 private:
   static constexpr double STEP = 1.4142135623730951;
-  static constexpr std::size_t COST_OF_VISIT = 4; // in late entries, or a bit more
+  static constexpr std::size_t COST_OF_VISIT = 8; // in late entries, or less
   static constexpr std::size_t SLACK = 2; // further apart: a step must not lead to its opposite
   static constexpr double NARROWEST_PART = 1e-9; // of the longest arc: bucket indices stay small
   static constexpr double SMALLEST_INVERTIBLE = 4 / (std::numeric_limits<double>::max)();
