@@ -215,6 +215,13 @@ public:
     return twin == first_halfedge(v) ? beyond_halfedge(v) - 1 : twin - 1;
   }
 
+  /// returns the halfedge that follows `h` counterclockwise among those that start from `v`.
+  /// \pre `h` starts from `v`.
+  Index counterclockwise(const Index v, const Index h) const
+  {
+    return h + 1 == beyond_halfedge(v) ? first_halfedge(v) : h + 1;
+  }
+
   /// returns whether there is no face to the left of `h`.
   bool is_border(const Index h) const { return m_is_border[h]; }
 

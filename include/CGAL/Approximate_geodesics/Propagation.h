@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/internal/Nearest_sources.h>
 #include <CGAL/Approximate_geodesics/internal/Progress_watch.h>
 #include <CGAL/Approximate_geodesics/internal/counters.h>
+#include <CGAL/Approximate_geodesics/internal/has_maximum_degree.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/assertions.h>
 
@@ -345,9 +346,11 @@ private:
       counter.on_expansion();
       const Node node = order[i];
       const double distance = distances[node];
-      Candidate* end = end_of_candidates(m_graph->maximum_degree());
+      Candidate* end = end_of_candidates();
       m_graph->for_each_arc(node, m_labels, [&](const Node target, const double length) {
         counter.on_relaxation();
+        if constexpr(!internal::has_maximum_degree<Graph>)
+          end = with_room_at(end);
         CGAL_assertion(end < m_candidates.data() + m_candidates.size());
         *end = {distance + length, target, node};
         end += static_cast<std::ptrdiff_t>(end->distance < distances[target]);
@@ -356,12 +359,23 @@ private:
     }
   }
 
-  // returns where the next candidates go; there is room for so many
-  Candidate* end_of_candidates(const std::size_t room)
+  // Returns where the next candidates go. There is room for those of a node, if the graph says how
+  // many these may be.
+  Candidate* end_of_candidates()
   {
+    std::size_t room = 1;
+    if constexpr(internal::has_maximum_degree<Graph>)
+      room = m_graph->maximum_degree();
     if(m_candidates.size() < m_number_of_candidates + room)
       m_candidates.resize(2 * (m_number_of_candidates + room));
     return m_candidates.data() + m_number_of_candidates;
+  }
+
+  // Makes room for one more, which may move those that are there.
+  Candidate* with_room_at(const Candidate* end)
+  {
+    m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
+    return end_of_candidates();
   }
 
   template <typename Counter>

@@ -1,0 +1,212 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_LAZY_DISCRETE_GEODESIC_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_LAZY_DISCRETE_GEODESIC_GRAPH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/internal/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/internal/Kept_arcs.h>
+#include <CGAL/Approximate_geodesics/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/internal/epsilon.h>
+#include <CGAL/Approximate_geodesics/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/internal/stored_arcs.h>
+#include <CGAL/Approximate_geodesics/internal/trace_arc.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * A discrete geodesic graph whose arcs are not computed before a search asks for them.
+ *
+ * It has the same bound as `Discrete_geodesic_graph`, and is for searches that reach a small part of
+ * a large mesh, and for meshes that are searched once or a few times: on scanned models, a search is
+ * about ten times as slow as in the built graph, and building that takes as long as five to ten such
+ * searches. `approximate_geodesic_distances()` and `approximate_geodesic_path()` use it.
+ *
+ * When a node is expanded, the distances found so far tell which arcs are of no use, and these are
+ * never computed; which ones that are depends on the order in which nodes are expanded. So
+ * distances may differ between queues, and from those in the built graph, always within the bound.
+ * If arcs are to be kept, all arcs of a node are computed when it is expanded for the first time,
+ * and those are the arcs, and the distances, of `Discrete_geodesic_graph`.
+ *
+ * An object of this class may be used by several threads at the same time.
+ *
+ * \cgalModels{GeodesicGraph}
+ */
+class Lazy_discrete_geodesic_graph
+{
+public:
+  /// the number of a node; that of the vertex it stands for.
+  using Node = Intrinsic_triangulation::Index;
+
+  /// what becomes of arcs once they are computed.
+  enum class Arcs
+  {
+    FORGOTTEN, ///< they are computed again when they are needed again
+    KEPT       ///< they take memory as in `Discrete_geodesic_graph`, for the nodes expanded so far
+  };
+
+  /// \name Creation
+  /// @{
+
+  /// the graph of an empty mesh.
+  Lazy_discrete_geodesic_graph() : Lazy_discrete_geodesic_graph(Intrinsic_triangulation()) {}
+
+  /*!
+   * prepares the graph of `triangulation`.
+   *
+   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * \param triangulation the triangulation
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+   *           listed below
+   * \param arcs whether arcs are kept
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{epsilon}
+   *     \cgalParamDescription{paths in the graph are at most \f$1 + \varepsilon\f$ times as long as
+   *                           the shortest ones on the surface}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{`0.1`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, or if a face
+   *         breaks the triangle inequality.
+   *
+   * Run time and memory are \cgalBigO{n}: 192 bytes per vertex, in addition to the triangulation.
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Lazy_discrete_geodesic_graph(Intrinsic_triangulation triangulation,
+                                        const NamedParameters& np = parameters::default_values(),
+                                        const Arcs arcs = Arcs::FORGOTTEN)
+    : m_triangulation(std::move(triangulation)),
+      m_unfolding(m_triangulation),
+      m_epsilon(internal::checked_epsilon(np)),
+      m_edge_lengths(summarize_arc_lengths(m_triangulation.lengths())),
+      m_unit(internal::unit_of_arcs(m_triangulation))
+  {
+    m_triangulation.check_triangle_inequality();
+    if(arcs == Arcs::KEPT)
+      m_kept_arcs = internal::Kept_arcs(number_of_nodes());
+  }
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the triangulation that the graph was built on.
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+
+  /// returns the bound that holds in the graph.
+  double epsilon() const { return m_epsilon; }
+
+  /// returns the number of nodes.
+  std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
+
+  /// returns a summary of the lengths of the mesh's edges. Arcs can be longer.
+  const Arc_lengths& arc_lengths() const { return m_edge_lengths; }
+
+  /*!
+   * calls `f(target, length)` for arcs that start from `node`: for all of them if arcs are kept,
+   * else for those that may be of use to a search with these labels.
+   */
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    const internal::Cone_expansion<internal::Unfolding> expansion(m_triangulation, m_unfolding,
+                                                                  m_epsilon);
+    if(!m_kept_arcs.are_wanted())
+    {
+      const auto report = [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); };
+      expansion.expand(node, report,
+                       Label_filter<Labels>{m_triangulation, labels, labels.distance(node),
+                                            1 + m_epsilon});
+      return;
+    }
+    const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
+      internal::find_stored_arcs(expansion, node, m_unit, arcs);
+    };
+    for(const internal::Stored_arc& arc : m_kept_arcs.arcs(node, find))
+      f(arc.target, static_cast<double>(arc.length) * m_unit);
+  }
+
+  /*!
+   * calls `f(h, t)` for every edge that the arc of the given length from `source` to `target`
+   * crosses, in this order: at the point that is at the part `t` of the way from the source to the
+   * target of the halfedge `h`.
+   * \pre There is such an arc.
+   */
+  template <typename F>
+  void for_each_crossing(const Node source, const Node target, const double length, F f) const
+  {
+    internal::trace_arc(m_triangulation, m_epsilon, source, target, length, f);
+  }
+
+  /// asks for what it takes to find the first arcs of `node`, which will be needed soon.
+  void prefetch(const Node node) const
+  {
+    m_triangulation.prefetch(m_triangulation.first_halfedge(node));
+  }
+
+  /// returns the number of bytes that the graph takes, its triangulation and the arcs that were kept
+  /// included.
+  std::size_t memory() const
+  {
+    return m_triangulation.memory() + m_unfolding.memory() + m_kept_arcs.memory();
+  }
+
+  /// returns whether the triangulation is valid.
+  bool is_valid() const { return m_triangulation.is_valid(); }
+
+  /// @}
+
+private:
+  // Drops a cone if all that lies behind its window is reached well enough over an end of the
+  // window's edge, going by the labels: if, for every point x of the window,
+  //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.
+  // The difference of the lengths is smallest at the other end of the edge.
+  template <typename Labels>
+  struct Label_filter
+  {
+    static constexpr bool wants_distances = true;
+    static constexpr bool leaves_out_arcs = false;
+
+    bool operator()(const internal::Cone& cone) const
+    {
+      const double edge = triangulation.length(cone.halfedge);
+      return labels.distance(cone.left_end) - label_of_tip < factor * (cone.right_distance - edge) ||
+             labels.distance(cone.right_end) - label_of_tip < factor * (cone.left_distance - edge);
+    }
+
+    const Intrinsic_triangulation& triangulation;
+    const Labels& labels;
+    double label_of_tip;
+    double factor;
+  };
+
+  Intrinsic_triangulation m_triangulation;
+  internal::Unfolding m_unfolding;
+  double m_epsilon;
+  Arc_lengths m_edge_lengths;
+  double m_unit;                          // of kept arcs
+  mutable internal::Kept_arcs m_kept_arcs; // may be added to by several threads at the same time
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_LAZY_DISCRETE_GEODESIC_GRAPH_H

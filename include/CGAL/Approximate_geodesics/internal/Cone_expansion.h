@@ -1,0 +1,333 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_CONE_EXPANSION_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_CONE_EXPANSION_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/internal/Unfolding.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// A straight line from one vertex to another, across the faces that it meets.
+struct Straight_arc
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  Index target;
+  double length;
+  Plane_vector position; // of the target, where the source is the origin and `start` lies along x
+  Index start;           // the halfedge that starts from the source, to the right of the line
+};
+
+/*
+ * One boundary ray of a cone: through a vertex that can be reached from the tip. A point x that is
+ * seen from the tip and from the vertex is *served* by the vertex if the way over it is good enough,
+ * which is the case if it saves enough of the rest of the way: |tip x| - |vertex x| >= saving. Such
+ * points are the inside of a branch of a hyperbola, which is convex, and with x it contains all
+ * that lies behind it, seen from the tip.
+ */
+struct Cone_side
+{
+  Plane_vector direction; // of length 1
+  double distance;        // of the vertex
+  double saving;          // at which the cone may end
+  double large_saving;    // at which a vertex needs no arc
+
+  Plane_vector vertex() const { return distance * direction; }
+
+  bool serves(const Plane_vector x, const double distance_of_x, const double wanted) const
+  {
+    return distance * dot(direction, x) - (distance - wanted) * (distance + wanted) / 2 >=
+           wanted * distance_of_x;
+  }
+
+  // How far along `ray`, a vector of the given length, x has to be in order to be served.
+  double start_of_service(const Plane_vector ray, const double length_of_ray) const
+  {
+    const double gain = distance * dot(direction, ray) - saving * length_of_ray;
+    return gain > 0 ? (distance - saving) * (distance + saving) / 2 / gain
+                    : std::numeric_limits<double>::infinity();
+  }
+};
+
+/*
+ * What is seen from the tip through a window: the part of an edge between two rays.
+ */
+struct Cone
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  Index halfedge; // the edge of the window; the face ahead is to its left
+  Index left_end, right_end; // its source and target, ...
+  Plane_vector left_position, right_position;
+  double left_distance, right_distance; // ... and their distances, if the filter wants them
+  Cone_side left, right;
+  Plane_vector middle;     // somewhere between the two rays
+  double end_of_interest;  // in multiples of `middle`: both sides serve what lies behind
+  std::uint32_t depth;     // the number of faces on the way
+  Index landmark;          // one of the halfedges on the way
+
+  void find_middle()
+  {
+    middle = left.direction + right.direction;
+    const double length_of_middle = length(middle);
+    end_of_interest = (std::max)(left.start_of_service(middle, length_of_middle),
+                                 right.start_of_service(middle, length_of_middle));
+  }
+};
+
+// Follows all cones to their end, and leaves out arcs that a detour replaces well enough.
+struct No_filter
+{
+  static constexpr bool wants_distances = false;
+  static constexpr bool leaves_out_arcs = true;
+  bool operator()(const Cone& /* cone */) const { return false; }
+};
+
+/*
+ * Finds the arcs of a vertex in a discrete geodesic graph: unfolds the faces around it outwards and
+ * follows the cones of straight lines through them. See the user manual for why this gives the
+ * error bound.
+ */
+template <typename Unfolding>
+class Cone_expansion
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Stack = boost::container::small_vector<Cone, 32>;
+
+  static constexpr Index null_index = Intrinsic_triangulation::null_index;
+
+  // The share of epsilon that a detour may take which makes an arc dispensable. A larger one means
+  // fewer arcs and larger errors; this one keeps the mean error about where it is without.
+  static constexpr double SHARE_OF_DETOURS = 0.08;
+
+public:
+  Cone_expansion(const Intrinsic_triangulation& triangulation,
+                 const Unfolding& unfolding,
+                 const double epsilon)
+    : m_triangulation(triangulation),
+      m_unfolding(unfolding),
+      m_part_saved(1 / (1 + epsilon)),
+      m_large_part_saved(1 / (1 + SHARE_OF_DETOURS * epsilon))
+  {
+  }
+
+  // Calls `f` with the arcs that start from `source`; there may be several to the same vertex.
+  // Cones for which `is_dispensable(cone)` is true are not followed.
+  template <typename F, typename Filter = No_filter>
+  void expand(const Index source, F f, const Filter is_dispensable = Filter()) const
+  {
+    Stack cones;
+    for(Index h = m_triangulation.first_halfedge(source);
+        h < m_triangulation.beyond_halfedge(source); ++h)
+    {
+      const double distance = m_triangulation.length(h);
+      f(Straight_arc{m_triangulation.target(h), distance, {distance, 0}, h});
+      if(!m_triangulation.is_border(h))
+        push_first_cone(cones, source, h);
+      while(!cones.empty())
+      {
+        Cone cone = cones.back();
+        cones.pop_back();
+        while(advance(cone, cones, source, h, f, is_dispensable))
+          ;
+      }
+    }
+  }
+
+private:
+  Cone_side side(const Plane_vector position, const double distance) const
+  {
+    return {1 / distance * position, distance, m_part_saved * distance,
+            m_large_part_saved * distance};
+  }
+
+  // The face to the left of `h`, seen from its source.
+  void push_first_cone(Stack& cones, const Index source, const Index h) const
+  {
+    const Unfolded_face& face = m_unfolding.face(h);
+    const double distance = m_triangulation.length(h);
+    const Index left = m_triangulation.counterclockwise(source, h);
+    const Plane_vector right_position{distance, 0};
+    const Plane_vector left_position{distance * face.along, distance * face.across};
+    if(face.right == null_index || !(cross(right_position, left_position) > 0))
+      return; // nothing, or nothing but other vertices' views, behind
+
+    Cone cone;
+    cone.halfedge = face.right;
+    cone.left_end = face.apex;
+    cone.right_end = m_triangulation.target(h);
+    cone.left_position = left_position;
+    cone.right_position = right_position;
+    cone.left_distance = m_triangulation.length(left);
+    cone.right_distance = distance;
+    cone.left = side(left_position, cone.left_distance);
+    cone.right = side(right_position, distance);
+    cone.depth = 0;
+    cone.landmark = null_index;
+    cone.find_middle();
+    cones.push_back(cone);
+  }
+
+  // Takes `cone` across the face ahead of it. Returns whether something is left of it; a second
+  // part of it goes onto the stack.
+  template <typename F, typename Filter>
+  bool advance(Cone& cone,
+               Stack& cones,
+               const Index source,
+               const Index start,
+               F& f,
+               const Filter& is_dispensable) const
+  {
+    if(has_ended(cone) || is_dispensable(cone))
+      return false;
+    const Unfolded_face& face = m_unfolding.face(cone.halfedge);
+    if(face.apex == source)
+      return false; // a shortest path does not come back to a face that it has left
+    const Plane_vector apex = face.position_of_apex(cone.left_position, cone.right_position);
+    if(cross(cone.left.direction, apex) >= 0)
+      return go_right<Filter>(cone, face, apex);
+    if(cross(cone.right.direction, apex) <= 0)
+      return go_left<Filter>(cone, face, apex);
+
+    const double distance = length(apex);
+    if constexpr(Filter::leaves_out_arcs)
+    {
+      const bool left = cone.left.serves(apex, distance, cone.left.large_saving);
+      const bool right = cone.right.serves(apex, distance, cone.right.large_saving);
+      if(left && right)
+        return false;
+      if(left)
+        return pass_left<Filter>(cone, face, apex, distance);
+      if(right)
+        return pass_right<Filter>(cone, face, apex, distance);
+    }
+    f(Straight_arc{face.apex, distance, apex, start});
+    return split<Filter>(cone, cones, face, apex, distance);
+  }
+
+  // Whether nothing that lies behind the window is of interest.
+  static bool has_ended(Cone& cone)
+  {
+    const Plane_vector edge = cone.left_position - cone.right_position;
+    const double area = cross(cone.right_position, cone.left_position);
+    const double slope = cross(cone.middle, edge);
+    if(!(area > 0 && slope > 0))
+      return true; // no more than rounding errors
+    if(area >= cone.end_of_interest * slope)
+      return true;
+    return is_back(cone);
+  }
+
+  // A shortest path meets a face only once. Straight lines may do so often, where they wind round a
+  // spike. To notice that they have come round again, they remember one halfedge that they met, a
+  // later one each time that the way is twice as long (R. P. Brent, 1980, for cycles of functions).
+  static bool is_back(Cone& cone)
+  {
+    if(cone.halfedge == cone.landmark)
+      return true;
+    if((cone.depth & (cone.depth + 1)) == 0)
+      cone.landmark = cone.halfedge;
+    ++cone.depth;
+    return false;
+  }
+
+  template <typename Filter>
+  static double distance_of_end(const Plane_vector position)
+  {
+    return Filter::wants_distances ? length(position) : 0;
+  }
+
+  // The window becomes part of the edge between the apex and the right end.
+  template <typename Filter>
+  static bool go_right(Cone& cone, const Unfolded_face& face, const Plane_vector apex)
+  {
+    cone.halfedge = face.right;
+    cone.left_end = face.apex;
+    cone.left_position = apex;
+    cone.left_distance = distance_of_end<Filter>(apex);
+    return face.right != null_index;
+  }
+
+  template <typename Filter>
+  static bool go_left(Cone& cone, const Unfolded_face& face, const Plane_vector apex)
+  {
+    cone.halfedge = face.left;
+    cone.right_end = face.apex;
+    cone.right_position = apex;
+    cone.right_distance = distance_of_end<Filter>(apex);
+    return face.left != null_index;
+  }
+
+  // The vertex is reached over `side`, and takes its place: the ray goes through it from now on.
+  static void replace(Cone_side& side, const Plane_vector position, const double distance)
+  {
+    const double way = length(position - side.vertex());
+    side = {1 / distance * position, distance, (std::min)(side.saving + way, distance),
+            (std::min)(side.large_saving + way, distance)};
+  }
+
+  // The left side serves all that is seen to the left of the apex.
+  template <typename Filter>
+  static bool
+  pass_left(Cone& cone, const Unfolded_face& face, const Plane_vector apex, const double distance)
+  {
+    replace(cone.left, apex, distance);
+    cone.find_middle();
+    return go_right<Filter>(cone, face, apex);
+  }
+
+  template <typename Filter>
+  static bool
+  pass_right(Cone& cone, const Unfolded_face& face, const Plane_vector apex, const double distance)
+  {
+    replace(cone.right, apex, distance);
+    cone.find_middle();
+    return go_left<Filter>(cone, face, apex);
+  }
+
+  template <typename Filter>
+  bool split(Cone& cone,
+             Stack& cones,
+             const Unfolded_face& face,
+             const Plane_vector apex,
+             const double distance) const
+  {
+    const Cone_side between = side(apex, distance);
+    if(face.right != null_index)
+    {
+      cones.push_back(cone);
+      Cone& right = cones.back();
+      right.left = between;
+      go_right<Filter>(right, face, apex);
+      right.find_middle();
+    }
+    cone.right = between;
+    cone.find_middle();
+    return go_left<Filter>(cone, face, apex);
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Unfolding& m_unfolding;
+  double m_part_saved;
+  double m_large_part_saved;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_CONE_EXPANSION_H

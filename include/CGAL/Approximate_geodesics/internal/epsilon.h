@@ -1,0 +1,37 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_EPSILON_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_EPSILON_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/internal/messages.h>
+#include <CGAL/Approximate_geodesics/internal/named_parameters.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Reads the named parameter `epsilon`.
+template <typename NamedParameters>
+double checked_epsilon(const NamedParameters& np)
+{
+  constexpr double by_default = 0.1;
+  const double epsilon = CGAL::to_double(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::epsilon), by_default));
+  if(!(epsilon > 0) || std::isinf(epsilon))
+    reject("epsilon is " + text_of(epsilon) + "; it must be a finite number larger than 0");
+  return epsilon;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_EPSILON_H
