@@ -38,14 +38,14 @@ namespace Approximate_geodesics {
  * most \f$1 + \varepsilon\f$.
  *
  * Its nodes are the vertices of the mesh, and its arcs are straight lines across the faces that lie
- * between them, laid out in the plane. From every vertex, all directions are followed for as long as
- * they lead to something that cannot be reached well enough over another vertex; section
- * \ref AG_discrete_geodesic_graph of the user manual describes how that is decided, and proves the
+ * between them, laid out in the plane. From every vertex, all directions are followed for as long
+ * as they lead to something that cannot be reached well enough over another vertex; section \ref
+ * AG_discrete_geodesic_graph of the user manual describes how that is decided, and proves the
  * bound. On scanned models the mean error is about \f$\varepsilon / 80\f$, and the largest one
  * below \f$\varepsilon / 5\f$.
  *
- * Lengths are stored in single precision and rounded up, which makes them too long by a factor of at
- * most \f$1 + 2^{-23}\f$. An arc takes 6 bytes, which is about 250 bytes per vertex for
+ * Lengths are stored in single precision and rounded up, which makes them too long by a factor of
+ * at most \f$1 + 2^{-23}\f$. An arc takes 6 bytes, which is about 250 bytes per vertex for
  * \f$\varepsilon = 0.1\f$, in addition to the triangulation.
  *
  * An object of this class never changes after its construction and may be used by several threads.
@@ -207,7 +207,8 @@ private:
   {
     const internal::Unfolding unfolding(m_triangulation);
     const Node number_of_vertices = m_triangulation.number_of_vertices();
-    std::vector<internal::Arc_rows> blocks((number_of_vertices + SIZE_OF_BLOCK - 1) / SIZE_OF_BLOCK);
+    std::vector<internal::Arc_rows> blocks((number_of_vertices + SIZE_OF_BLOCK - 1) /
+                                           SIZE_OF_BLOCK);
     const double unit = internal::unit_of_arcs(m_triangulation);
     internal::for_each_block<ConcurrencyTag>(blocks.size(), [&](const std::size_t i) {
       const Node first = static_cast<Node>(i) * SIZE_OF_BLOCK;

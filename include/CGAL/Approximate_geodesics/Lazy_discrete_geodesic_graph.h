@@ -30,10 +30,11 @@ namespace Approximate_geodesics {
  *
  * A discrete geodesic graph whose arcs are not computed before a search asks for them.
  *
- * It has the same bound as `Discrete_geodesic_graph`, and is for searches that reach a small part of
- * a large mesh, and for meshes that are searched once or a few times: on scanned models, a search is
- * about ten times as slow as in the built graph, and building that takes as long as five to ten such
- * searches. `approximate_geodesic_distances()` and `approximate_geodesic_path()` use it.
+ * It has the same bound as `Discrete_geodesic_graph`, and is for searches that reach a small part
+ * of a large mesh, and for meshes that are searched once or a few times: on scanned models, a
+ * search is about ten times as slow as in the built graph, and building that takes as long as five
+ * to ten such searches. `approximate_geodesic_distances()` and `approximate_geodesic_path()` use
+ * it.
  *
  * When a node is expanded, the distances found so far tell which arcs are of no use, and these are
  * never computed; which ones that are depends on the order in which nodes are expanded. So
@@ -132,9 +133,9 @@ public:
     if(!m_kept_arcs.are_wanted())
     {
       const auto report = [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); };
-      expansion.expand(node, report,
-                       Label_filter<Labels>{m_triangulation, labels, labels.distance(node),
-                                            1 + m_epsilon});
+      expansion.expand(
+          node, report,
+          Label_filter<Labels>{m_triangulation, labels, labels.distance(node), 1 + m_epsilon});
       return;
     }
     const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
@@ -162,8 +163,8 @@ public:
     m_triangulation.prefetch(m_triangulation.first_halfedge(node));
   }
 
-  /// returns the number of bytes that the graph takes, its triangulation and the arcs that were kept
-  /// included.
+  /// returns the number of bytes that the graph takes, its triangulation and the arcs that were
+  /// kept included.
   std::size_t memory() const
   {
     return m_triangulation.memory() + m_unfolding.memory() + m_kept_arcs.memory();
@@ -175,7 +176,7 @@ public:
   /// @}
 
 private:
-  // Drops a cone if all that lies behind its window is reached well enough over an end of the
+  // Does without a window if all that lies behind it is reached well enough over an end of the
   // window's edge, going by the labels: if, for every point x of the window,
   //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.
   // The difference of the lengths is smallest at the other end of the edge.
@@ -185,11 +186,11 @@ private:
     static constexpr bool wants_distances = true;
     static constexpr bool leaves_out_arcs = false;
 
-    bool operator()(const internal::Cone& cone) const
+    bool operator()(const internal::Window& w) const
     {
-      const double edge = triangulation.length(cone.halfedge);
-      return labels.distance(cone.left_end) - label_of_tip < factor * (cone.right_distance - edge) ||
-             labels.distance(cone.right_end) - label_of_tip < factor * (cone.left_distance - edge);
+      const double edge = triangulation.length(w.halfedge);
+      return labels.distance(w.left_end) - label_of_tip < factor * (w.right_distance - edge) ||
+             labels.distance(w.right_end) - label_of_tip < factor * (w.left_distance - edge);
     }
 
     const Intrinsic_triangulation& triangulation;
@@ -202,7 +203,7 @@ private:
   internal::Unfolding m_unfolding;
   double m_epsilon;
   Arc_lengths m_edge_lengths;
-  double m_unit;                          // of kept arcs
+  double m_unit;                           // of kept arcs
   mutable internal::Kept_arcs m_kept_arcs; // may be added to by several threads at the same time
 };
 

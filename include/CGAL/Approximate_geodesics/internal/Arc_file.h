@@ -63,8 +63,10 @@ public:
   }
 
   // Reads what was written for the same triangulation.
-  static void
-  load(std::istream& in, const Intrinsic_triangulation& triangulation, double& epsilon, Arc_rows& rows)
+  static void load(std::istream& in,
+                   const Intrinsic_triangulation& triangulation,
+                   double& epsilon,
+                   Arc_rows& rows)
   {
     Binary_reader reader(in);
     check_header(reader, triangulation);
@@ -115,8 +117,8 @@ private:
   {
     const auto size = reader.read<std::uint32_t>();
     if(size != expected)
-      reject("the file of the graph belongs to another mesh: that has " + std::to_string(size) + " " +
-             kind + ", this one has " + std::to_string(expected));
+      reject("the file of the graph belongs to another mesh: that has " + std::to_string(size) +
+             " " + kind + ", this one has " + std::to_string(expected));
   }
 
   static void read_arcs(Binary_reader& reader,

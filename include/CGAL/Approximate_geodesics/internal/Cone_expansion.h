@@ -34,10 +34,10 @@ struct Straight_arc
 
 /*
  * One boundary ray of a cone: through a vertex that can be reached from the tip. A point x that is
- * seen from the tip and from the vertex is *served* by the vertex if the way over it is good enough,
- * which is the case if it saves enough of the rest of the way: |tip x| - |vertex x| >= saving. Such
- * points are the inside of a branch of a hyperbola, which is convex, and with x it contains all
- * that lies behind it, seen from the tip.
+ * seen from the tip and from the vertex is *served* by the vertex if the way over it is good
+ * enough, which is the case if it saves enough of the rest of the way: |tip x| - |vertex x| >=
+ * saving. Such points are the inside of a branch of a hyperbola, which is convex, and with x it
+ * contains all that lies behind it, seen from the tip.
  */
 struct Cone_side
 {
@@ -64,24 +64,36 @@ struct Cone_side
 };
 
 /*
- * What is seen from the tip through a window: the part of an edge between two rays.
+ * A part of an edge that is seen from the tip.
  */
-struct Cone
+struct Window
 {
   using Index = Intrinsic_triangulation::Index;
 
-  Index halfedge; // the edge of the window; the face ahead is to its left
-  Index left_end, right_end; // its source and target, ...
+  Index halfedge;            // its edge; the face ahead is to its left
+  Index left_end, right_end; // source and target of the halfedge, ...
   Plane_vector left_position, right_position;
   double left_distance, right_distance; // ... and their distances, if the filter wants them
+};
+
+/*
+ * What is seen through a window, between two rays.
+ */
+struct Cone
+{
+  using Index = Window::Index;
+
+  Window window;
   Cone_side left, right;
-  Plane_vector middle;     // somewhere between the two rays
-  double end_of_interest;  // in multiples of `middle`: both sides serve what lies behind
-  std::uint32_t depth;     // the number of faces on the way
-  Index landmark;          // one of the halfedges on the way
+  std::uint32_t depth;          // the number of faces on the way
+  Index landmark;               // one of the halfedges on the way
+  bool has_middle = false;      // whether the next two are known
+  Plane_vector middle = {0, 0}; // somewhere between the two rays
+  double end_of_interest = 0;   // in multiples of `middle`: both sides serve what lies behind
 
   void find_middle()
   {
+    has_middle = true;
     middle = left.direction + right.direction;
     const double length_of_middle = length(middle);
     end_of_interest = (std::max)(left.start_of_service(middle, length_of_middle),
@@ -94,7 +106,7 @@ struct No_filter
 {
   static constexpr bool wants_distances = false;
   static constexpr bool leaves_out_arcs = true;
-  bool operator()(const Cone& /* cone */) const { return false; }
+  bool operator()(const Window& /* window */) const { return false; }
 };
 
 /*
@@ -126,64 +138,66 @@ public:
   }
 
   // Calls `f` with the arcs that start from `source`; there may be several to the same vertex.
-  // Cones for which `is_dispensable(cone)` is true are not followed.
+  // Windows for which `is_dispensable(window)` is true are not looked through.
   template <typename F, typename Filter = No_filter>
   void expand(const Index source, F f, const Filter is_dispensable = Filter()) const
   {
     Stack cones;
+    Cone cone;
     for(Index h = m_triangulation.first_halfedge(source);
         h < m_triangulation.beyond_halfedge(source); ++h)
     {
       const double distance = m_triangulation.length(h);
       f(Straight_arc{m_triangulation.target(h), distance, {distance, 0}, h});
-      if(!m_triangulation.is_border(h))
-        push_first_cone(cones, source, h);
-      while(!cones.empty())
-      {
-        Cone cone = cones.back();
-        cones.pop_back();
-        while(advance(cone, cones, source, h, f, is_dispensable))
-          ;
-      }
+      bool is_open = open_first_cone(cone, source, h, is_dispensable);
+      while(is_open || pop(cones, cone))
+        is_open = advance(cone, cones, source, h, f, is_dispensable);
     }
   }
 
 private:
+  static bool pop(Stack& cones, Cone& cone)
+  {
+    if(cones.empty())
+      return false;
+    cone = cones.back();
+    cones.pop_back();
+    return true;
+  }
+
   Cone_side side(const Plane_vector position, const double distance) const
   {
     return {1 / distance * position, distance, m_part_saved * distance,
             m_large_part_saved * distance};
   }
 
-  // The face to the left of `h`, seen from its source.
-  void push_first_cone(Stack& cones, const Index source, const Index h) const
+  // What is seen across the face to the left of `h`, from its source. All functions that open a
+  // cone or change its window return whether there is something to be seen.
+  template <typename Filter>
+  bool
+  open_first_cone(Cone& cone, const Index source, const Index h, const Filter& is_dispensable) const
   {
     const Unfolded_face& face = m_unfolding.face(h);
+    if(face.apex == null_index || face.right == null_index)
+      return false;
     const double distance = m_triangulation.length(h);
-    const Index left = m_triangulation.counterclockwise(source, h);
-    const Plane_vector right_position{distance, 0};
-    const Plane_vector left_position{distance * face.along, distance * face.across};
-    if(face.right == null_index || !(cross(right_position, left_position) > 0))
-      return; // nothing, or nothing but other vertices' views, behind
-
-    Cone cone;
-    cone.halfedge = face.right;
-    cone.left_end = face.apex;
-    cone.right_end = m_triangulation.target(h);
-    cone.left_position = left_position;
-    cone.right_position = right_position;
-    cone.left_distance = m_triangulation.length(left);
-    cone.right_distance = distance;
-    cone.left = side(left_position, cone.left_distance);
-    cone.right = side(right_position, distance);
+    const double distance_of_apex =
+        m_triangulation.length(m_triangulation.counterclockwise(source, h));
+    const Plane_vector right{distance, 0};
+    const Plane_vector left{distance * face.along, distance * face.across};
+    cone.window = {face.right,       face.apex, m_triangulation.target(h), left, right,
+                   distance_of_apex, distance};
+    if(!(cross(right, left) > 0) || is_dispensable(cone.window))
+      return false;
+    cone.left = side(left, distance_of_apex);
+    cone.right = side(right, distance);
+    cone.has_middle = false;
     cone.depth = 0;
     cone.landmark = null_index;
-    cone.find_middle();
-    cones.push_back(cone);
+    return true;
   }
 
-  // Takes `cone` across the face ahead of it. Returns whether something is left of it; a second
-  // part of it goes onto the stack.
+  // Takes `cone` across the face ahead of it; a second part of it goes onto the stack.
   template <typename F, typename Filter>
   bool advance(Cone& cone,
                Stack& cones,
@@ -192,84 +206,84 @@ private:
                F& f,
                const Filter& is_dispensable) const
   {
-    if(has_ended(cone) || is_dispensable(cone))
+    if(has_ended(cone))
       return false;
-    const Unfolded_face& face = m_unfolding.face(cone.halfedge);
+    const Unfolded_face& face = m_unfolding.face(cone.window.halfedge);
     if(face.apex == source)
       return false; // a shortest path does not come back to a face that it has left
-    const Plane_vector apex = face.position_of_apex(cone.left_position, cone.right_position);
+    const Plane_vector apex =
+        face.position_of_apex(cone.window.left_position, cone.window.right_position);
     if(cross(cone.left.direction, apex) >= 0)
-      return go_right<Filter>(cone, face, apex);
+      return go_right(cone.window, face, apex, is_dispensable);
     if(cross(cone.right.direction, apex) <= 0)
-      return go_left<Filter>(cone, face, apex);
+      return go_left(cone.window, face, apex, is_dispensable);
 
     const double distance = length(apex);
     if constexpr(Filter::leaves_out_arcs)
     {
       const bool left = cone.left.serves(apex, distance, cone.left.large_saving);
       const bool right = cone.right.serves(apex, distance, cone.right.large_saving);
-      if(left && right)
-        return false;
-      if(left)
-        return pass_left<Filter>(cone, face, apex, distance);
-      if(right)
-        return pass_right<Filter>(cone, face, apex, distance);
+      if(left || right)
+        return !(left && right) && pass(cone, face, apex, distance, left, is_dispensable);
     }
     f(Straight_arc{face.apex, distance, apex, start});
-    return split<Filter>(cone, cones, face, apex, distance);
+    return split(cone, cones, face, apex, distance, is_dispensable);
   }
 
   // Whether nothing that lies behind the window is of interest.
   static bool has_ended(Cone& cone)
   {
-    const Plane_vector edge = cone.left_position - cone.right_position;
-    const double area = cross(cone.right_position, cone.left_position);
+    if(!cone.has_middle)
+      cone.find_middle();
+    const Plane_vector edge = cone.window.left_position - cone.window.right_position;
+    const double area = cross(cone.window.right_position, cone.window.left_position);
     const double slope = cross(cone.middle, edge);
     if(!(area > 0 && slope > 0))
       return true; // no more than rounding errors
-    if(area >= cone.end_of_interest * slope)
-      return true;
-    return is_back(cone);
+    return area >= cone.end_of_interest * slope || is_back(cone);
   }
 
   // A shortest path meets a face only once. Straight lines may do so often, where they wind round a
   // spike. To notice that they have come round again, they remember one halfedge that they met, a
-  // later one each time that the way is twice as long (R. P. Brent, 1980, for cycles of functions).
+  // later one each time that the way is twice as long, as Brent does to find a cycle (R. P. Brent,
+  // An improved Monte Carlo factorization algorithm, 1980).
   static bool is_back(Cone& cone)
   {
-    if(cone.halfedge == cone.landmark)
+    if(cone.window.halfedge == cone.landmark)
       return true;
     if((cone.depth & (cone.depth + 1)) == 0)
-      cone.landmark = cone.halfedge;
+      cone.landmark = cone.window.halfedge;
     ++cone.depth;
     return false;
   }
 
-  template <typename Filter>
-  static double distance_of_end(const Plane_vector position)
-  {
-    return Filter::wants_distances ? length(position) : 0;
-  }
-
   // The window becomes part of the edge between the apex and the right end.
   template <typename Filter>
-  static bool go_right(Cone& cone, const Unfolded_face& face, const Plane_vector apex)
+  static bool go_right(Window& window,
+                       const Unfolded_face& face,
+                       const Plane_vector apex,
+                       const Filter& is_dispensable)
   {
-    cone.halfedge = face.right;
-    cone.left_end = face.apex;
-    cone.left_position = apex;
-    cone.left_distance = distance_of_end<Filter>(apex);
-    return face.right != null_index;
+    window.halfedge = face.right;
+    window.left_end = face.apex;
+    window.left_position = apex;
+    if(Filter::wants_distances)
+      window.left_distance = length(apex);
+    return face.right != null_index && !is_dispensable(window);
   }
 
   template <typename Filter>
-  static bool go_left(Cone& cone, const Unfolded_face& face, const Plane_vector apex)
+  static bool go_left(Window& window,
+                      const Unfolded_face& face,
+                      const Plane_vector apex,
+                      const Filter& is_dispensable)
   {
-    cone.halfedge = face.left;
-    cone.right_end = face.apex;
-    cone.right_position = apex;
-    cone.right_distance = distance_of_end<Filter>(apex);
-    return face.left != null_index;
+    window.halfedge = face.left;
+    window.right_end = face.apex;
+    window.right_position = apex;
+    if(Filter::wants_distances)
+      window.right_distance = length(apex);
+    return face.left != null_index && !is_dispensable(window);
   }
 
   // The vertex is reached over `side`, and takes its place: the ray goes through it from now on.
@@ -280,23 +294,19 @@ private:
             (std::min)(side.large_saving + way, distance)};
   }
 
-  // The left side serves all that is seen to the left of the apex.
+  // One of the sides serves the apex, and so all that is seen between the two.
   template <typename Filter>
-  static bool
-  pass_left(Cone& cone, const Unfolded_face& face, const Plane_vector apex, const double distance)
+  static bool pass(Cone& cone,
+                   const Unfolded_face& face,
+                   const Plane_vector apex,
+                   const double distance,
+                   const bool left,
+                   const Filter& is_dispensable)
   {
-    replace(cone.left, apex, distance);
-    cone.find_middle();
-    return go_right<Filter>(cone, face, apex);
-  }
-
-  template <typename Filter>
-  static bool
-  pass_right(Cone& cone, const Unfolded_face& face, const Plane_vector apex, const double distance)
-  {
-    replace(cone.right, apex, distance);
-    cone.find_middle();
-    return go_left<Filter>(cone, face, apex);
+    replace(left ? cone.left : cone.right, apex, distance);
+    cone.has_middle = false;
+    return left ? go_right(cone.window, face, apex, is_dispensable)
+                : go_left(cone.window, face, apex, is_dispensable);
   }
 
   template <typename Filter>
@@ -304,20 +314,16 @@ private:
              Stack& cones,
              const Unfolded_face& face,
              const Plane_vector apex,
-             const double distance) const
+             const double distance,
+             const Filter& is_dispensable) const
   {
     const Cone_side between = side(apex, distance);
-    if(face.right != null_index)
-    {
-      cones.push_back(cone);
-      Cone& right = cones.back();
-      right.left = between;
-      go_right<Filter>(right, face, apex);
-      right.find_middle();
-    }
+    cone.has_middle = false;
+    Window window = cone.window;
+    if(go_right(window, face, apex, is_dispensable))
+      cones.push_back({window, between, cone.right, cone.depth, cone.landmark});
     cone.right = between;
-    cone.find_middle();
-    return go_left<Filter>(cone, face, apex);
+    return go_left(cone.window, face, apex, is_dispensable);
   }
 
   const Intrinsic_triangulation& m_triangulation;

@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -49,9 +48,9 @@ inline double length(const Plane_vector a) { return std::sqrt(dot(a, a)); }
 // accurate for needles too (W. Kahan, Miscalculating area and angles of a needle-like triangle).
 inline double area_of_triangle(const double a, const double b, const double c)
 {
-  std::array<double, 3> side{a, b, c};
-  std::sort(side.begin(), side.end());
-  const auto [z, y, x] = side;
+  const double smaller = (std::min)(a, b), larger = (std::max)(a, b);
+  const double x = (std::max)(larger, c), z = (std::min)(smaller, c);
+  const double y = (std::max)(smaller, (std::min)(larger, c));
   const double product = (x + (y + z)) * (z - (x - y)) * (z + (x - y)) * (x + (y - z));
   return product > 0 ? std::sqrt(product) / 4 : 0; // rounded lengths can be too long for a triangle
 }
@@ -63,9 +62,9 @@ struct Unfolded_face
 {
   using Index = Intrinsic_triangulation::Index;
 
-  Index apex; // the third vertex, or null_index if the halfedge is a border halfedge
-  Index left; // the halfedge from the source to the apex, or null_index if there is no face beyond
-  Index right;          // likewise, the one from the apex to the target
+  Index apex;  // the third vertex, or null_index if the halfedge is a border halfedge
+  Index left;  // the halfedge from the source to the apex, or null_index if there is no face beyond
+  Index right; // likewise, the one from the apex to the target
   double along, across; // the apex is so far along the halfedge and to its left, in its lengths
 
   Plane_vector position_of_apex(const Plane_vector source, const Plane_vector target) const

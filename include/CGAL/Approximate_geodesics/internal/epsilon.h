@@ -23,8 +23,8 @@ template <typename NamedParameters>
 double checked_epsilon(const NamedParameters& np)
 {
   constexpr double by_default = 0.1;
-  const double epsilon = CGAL::to_double(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::epsilon), by_default));
+  const double epsilon = CGAL::to_double(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::epsilon), by_default));
   if(!(epsilon > 0) || std::isinf(epsilon))
     reject("epsilon is " + text_of(epsilon) + "; it must be a finite number larger than 0");
   return epsilon;

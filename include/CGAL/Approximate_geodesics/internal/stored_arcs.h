@@ -45,9 +45,9 @@ void find_stored_arcs(const Cone_expansion<Unfolding>& expansion,
   std::sort(arcs.begin(), arcs.end(), [](const Stored_arc& a, const Stored_arc& b) {
     return std::tie(a.target, a.length) < std::tie(b.target, b.length);
   });
-  const auto end = std::unique(
-      arcs.begin(), arcs.end(),
-      [](const Stored_arc& a, const Stored_arc& b) { return a.target == b.target; });
+  const auto end =
+      std::unique(arcs.begin(), arcs.end(),
+                  [](const Stored_arc& a, const Stored_arc& b) { return a.target == b.target; });
   arcs.erase(end, arcs.end());
 }
 

@@ -26,7 +26,7 @@ struct Leave_out_nothing
 {
   static constexpr bool wants_distances = false;
   static constexpr bool leaves_out_arcs = false;
-  bool operator()(const Cone& /* cone */) const { return false; }
+  bool operator()(const Window& /* window */) const { return false; }
 };
 
 // Of the straight lines from one vertex to another that the graph has, the one of the given length.
