@@ -112,17 +112,10 @@ double approximate_geodesic_path(
     OutputIterator points,
     const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
   Approximate_geodesics::internal::Mesh_query<PriorityQueue, TriangleMesh, NamedParameters> query(
       tmesh, np);
   query.run(source, target);
-
-  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                          get_const_property_map(CGAL::vertex_point, tmesh));
-  for(const auto v : query.path(target))
-    *points++ = get(point_map, v);
+  query.write_path(target, points);
   return query.distance(target);
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/internal/prefetch.h>
 
 #include <algorithm>
@@ -42,11 +43,16 @@ public:
   /// the graph of an empty mesh.
   Edge_graph() = default;
 
-  /// the graph of the edges of `triangulation`. Run time is \cgalBigO{n}.
-  explicit Edge_graph(Intrinsic_triangulation triangulation)
+  /// the graph of the edges of `triangulation`. It has no parameters of its own; the named ones are
+  /// looked at only to refuse `epsilon`, which this graph cannot give. Run time is \cgalBigO{n}.
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Edge_graph(Intrinsic_triangulation triangulation,
+                      const NamedParameters& /* np */ = parameters::default_values())
     : m_triangulation(std::move(triangulation)),
       m_arc_lengths(summarize_arc_lengths(m_triangulation.lengths()))
   {
+    static_assert(!internal::is_given<NamedParameters, internal_np::epsilon_t>,
+                  "epsilon: the edge graph has no error bound; use Discrete_geodesic_graph");
     for(Node v = 0; v < number_of_nodes(); ++v)
       m_maximum_degree = (std::max)(m_maximum_degree, std::size_t(m_triangulation.degree(v)));
   }
@@ -76,6 +82,12 @@ public:
     const Node beyond = m_triangulation.beyond_halfedge(node);
     for(Node h = m_triangulation.first_halfedge(node); h < beyond; ++h)
       f(target[h], length[h]);
+  }
+
+  /// does nothing: the arcs are edges, and cross none.
+  template <typename F>
+  void for_each_crossing(Node /* source */, Node /* target */, double /* length */, F /* f */) const
+  {
   }
 
   /// asks for the arcs of `node`, which will be needed soon.

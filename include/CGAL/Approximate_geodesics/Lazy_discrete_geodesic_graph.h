@@ -154,7 +154,12 @@ public:
   template <typename F>
   void for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
-    internal::trace_arc(m_triangulation, m_epsilon, source, target, length, f);
+    if(m_kept_arcs.are_wanted())
+      internal::trace_arc(m_triangulation, m_epsilon, internal::Leave_out_detours(), source, target,
+                          length, f);
+    else
+      internal::trace_arc(m_triangulation, m_epsilon, internal::Leave_out_nothing(), source, target,
+                          length, f);
   }
 
   /// asks for what it takes to find the first arcs of `node`, which will be needed soon.

@@ -16,13 +16,18 @@
 #include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
 #include <CGAL/Approximate_geodesics/internal/Source_list.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/internal/messages.h>
+#include <CGAL/Approximate_geodesics/internal/path_points.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -119,23 +124,49 @@ public:
    *
    * \param tmesh the triangle mesh
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the
-   *           constructor of `Intrinsic_triangulation`, which it is passed to
+   *           constructor of `Intrinsic_triangulation` and those of the constructor of the graph,
+   *           which it is passed to: `epsilon` and `concurrency_tag` in the case of
+   *           `Discrete_geodesic_graph`
    *
    * \warning `tmesh` is referred to, and must neither change nor go away before this object does.
    *
-   * \throws std::invalid_argument and std::length_error as `Intrinsic_triangulation` does.
+   * \throws std::invalid_argument and std::length_error as `Intrinsic_triangulation` and the graph
+   * do.
    */
-  template <typename NamedParameters = parameters::Default_named_parameters>
+  template <typename NamedParameters = parameters::Default_named_parameters,
+            typename = std::enable_if_t<!std::is_same_v<NamedParameters, Graph>>>
   explicit Surface_mesh_shortest_path(const Triangle_mesh& tmesh,
                                       const NamedParameters& np = parameters::default_values())
+    : Surface_mesh_shortest_path(tmesh, Graph(Intrinsic_triangulation(tmesh, np), np), np)
+  {
+  }
+
+  /*!
+   * takes a graph that was built before, or read from a file.
+   *
+   * \param tmesh the triangle mesh
+   * \param graph a graph of `tmesh`
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
+   *           `vertex_index_map`, if one was given for the triangulation of `graph`, and
+   *           `vertex_point_map`
+   *
+   * \warning `tmesh` is referred to, and must neither change nor go away before this object does.
+   *
+   * \throws std::invalid_argument if `graph` is that of a mesh of another size.
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  Surface_mesh_shortest_path(const Triangle_mesh& tmesh,
+                             Graph graph,
+                             const NamedParameters& np = parameters::default_values())
     : m_mesh(tmesh),
-      m_graph(Intrinsic_triangulation(tmesh, np)),
+      m_graph(std::move(graph)),
       m_vertices(tmesh, internal::vertex_index_map(tmesh, np), m_graph.triangulation()),
       m_point_map(
           parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                        get_const_property_map(vertex_point, tmesh))),
       m_search(m_graph)
   {
+    check_size();
   }
 
   /// not copyable: sources are referred to by iterators, and the graph by the search.
@@ -283,7 +314,8 @@ public:
 
   /*!
    * writes the points of a shortest path from `v` to the nearest source to `points`, and returns
-   * its length and that source. Nothing is written if no source reaches `v`.
+   * its length and that source. Nothing is written if no source reaches `v`. The points are those
+   * of the vertices on the path, and those where it crosses edges.
    *
    * \tparam OutputIterator a model of `OutputIterator` that takes values of type `Point_3`
    */
@@ -292,14 +324,15 @@ public:
                                                              OutputIterator points)
   {
     const Shortest_path_result result = shortest_distance_to_source_points(v);
-    for_each_vertex_of_path(v, [&](const vertex_descriptor u) { *points++ = point(u); });
+    for(const internal::Path_point& p : internal::path_points(m_search, m_vertices.node(v)))
+      *points++ = m_vertices.point(p, m_point_map, Kernel());
     return result;
   }
 
   /*!
-   * tells `visitor` the sequence of simplices that a shortest path from `v` to the nearest source
-   * goes through, and returns its length and that source. The visitor is not called if no source
-   * reaches `v`.
+   * tells `visitor` the sequence of vertices and edges that a shortest path from `v` to the nearest
+   * source goes through, and returns its length and that source. The visitor is not called if no
+   * source reaches `v`.
    *
    * \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
    */
@@ -308,7 +341,11 @@ public:
                                                                Visitor& visitor)
   {
     const Shortest_path_result result = shortest_distance_to_source_points(v);
-    for_each_vertex_of_path(v, [&](const vertex_descriptor u) { visitor(u); });
+    for(const internal::Path_point& p : internal::path_points(m_search, m_vertices.node(v)))
+      if(p.halfedge == Intrinsic_triangulation::null_index)
+        visitor(m_vertices.vertex(p.vertex));
+      else
+        visitor(m_vertices.halfedge(p.halfedge), p.t);
     return result;
   }
 
@@ -369,14 +406,18 @@ private:
   using Node = typename Search::Node;
   using Index_function = internal::Function_property_map<vertex_descriptor, std::size_t>;
 
-  template <typename F>
-  void for_each_vertex_of_path(const vertex_descriptor v, F f) const
+  using Kernel = typename Kernel_traits<Point_3>::Kernel;
+
+  void check_size() const
   {
-    Node node = m_vertices.node(v);
-    if(!m_search.is_reached(node))
-      return;
-    for(; node != Search::null_node; node = m_search.predecessor(node))
-      f(m_vertices.vertex(node));
+    const Intrinsic_triangulation& t = m_graph.triangulation();
+    if(num_vertices(m_mesh) != t.number_of_vertices() ||
+       num_halfedges(m_mesh) != t.number_of_halfedges())
+      internal::reject("the graph is that of another mesh: it has " +
+                       std::to_string(t.number_of_vertices()) + " vertices and " +
+                       std::to_string(t.number_of_halfedges()) + " halfedges, and the mesh has " +
+                       std::to_string(num_vertices(m_mesh)) + " and " +
+                       std::to_string(num_halfedges(m_mesh)));
   }
 
   const Triangle_mesh& m_mesh;

@@ -102,10 +102,18 @@ struct Cone
 };
 
 // Follows all cones to their end, and leaves out arcs that a detour replaces well enough.
-struct No_filter
+struct Leave_out_detours
 {
   static constexpr bool wants_distances = false;
   static constexpr bool leaves_out_arcs = true;
+  bool operator()(const Window& /* window */) const { return false; }
+};
+
+// Follows all cones to their end, and leaves out no arc that leads there.
+struct Leave_out_nothing
+{
+  static constexpr bool wants_distances = false;
+  static constexpr bool leaves_out_arcs = false;
   bool operator()(const Window& /* window */) const { return false; }
 };
 
@@ -139,11 +147,11 @@ public:
 
   // Calls `f` with the arcs that start from `source`; there may be several to the same vertex.
   // Windows for which `is_dispensable(window)` is true are not looked through.
-  template <typename F, typename Filter = No_filter>
+  template <typename F, typename Filter = Leave_out_detours>
   void expand(const Index source, F f, const Filter is_dispensable = Filter()) const
   {
     Stack cones;
-    Cone cone;
+    Cone cone{};
     for(Index h = m_triangulation.first_halfedge(source);
         h < m_triangulation.beyond_halfedge(source); ++h)
     {

@@ -10,10 +10,12 @@
 
 #include <CGAL/Approximate_geodesics/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Propagation.h>
 #include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/internal/path_points.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -27,6 +29,12 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
+// The graph for a single run: arcs that are computed when needed, if a bound is wanted.
+template <typename NamedParameters>
+using Graph_for_one_run = std::conditional_t<is_given<NamedParameters, internal_np::epsilon_t>,
+                                             Lazy_discrete_geodesic_graph,
+                                             Edge_graph>;
+
 /*
  * One run on a mesh that is not seen again: what the free functions have in common.
  */
@@ -37,14 +45,15 @@ class Mesh_query
   using Vertex_index_map = decltype(vertex_index_map(std::declval<const TriangleMesh&>(),
                                                      std::declval<const NamedParameters&>()));
   using Vertices = Mesh_vertices<TriangleMesh, Vertex_index_map>;
-  using Search = Propagation<Edge_graph, PriorityQueue>;
+  using Graph = Graph_for_one_run<NamedParameters>;
+  using Search = Propagation<Graph, PriorityQueue>;
   using Node = typename Search::Node;
 
 public:
   Mesh_query(const TriangleMesh& tmesh, const NamedParameters& np)
     : m_mesh(tmesh),
       m_np(np),
-      m_graph(Intrinsic_triangulation(tmesh, np)),
+      m_graph(Intrinsic_triangulation(tmesh, np), np),
       m_vertices(tmesh, vertex_index_map(tmesh, np), m_graph.triangulation()),
       m_search(m_graph)
   {
@@ -68,17 +77,20 @@ public:
 
   double distance(const vertex_descriptor v) const { return m_search.distance(m_vertices.node(v)); }
 
-  // The vertices from the source to `v`, or none if `v` was not reached.
-  std::vector<vertex_descriptor> path(const vertex_descriptor v) const
+  // Writes the points of the path from the source to `v`, if `v` was reached.
+  template <typename OutputIterator>
+  void write_path(const vertex_descriptor v, OutputIterator points) const
   {
-    std::vector<vertex_descriptor> result;
-    Node node = m_vertices.node(v);
-    if(!m_search.is_reached(node))
-      return result;
-    for(; node != Search::null_node; node = m_search.predecessor(node))
-      result.push_back(m_vertices.vertex(node));
-    std::reverse(result.begin(), result.end());
-    return result;
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+
+    const auto traits = choose_parameter<Traits>(get_parameter(m_np, internal_np::geom_traits));
+    const auto point_map = choose_parameter(get_parameter(m_np, internal_np::vertex_point),
+                                            get_const_property_map(CGAL::vertex_point, m_mesh));
+    const std::vector<Path_point> path = path_points(m_search, m_vertices.node(v));
+    for(auto it = path.rbegin(); it != path.rend(); ++it)
+      *points++ = m_vertices.point(*it, point_map, traits);
   }
 
   template <typename VertexDistanceMap>
@@ -127,7 +139,7 @@ private:
 
   const TriangleMesh& m_mesh;
   const NamedParameters& m_np;
-  Edge_graph m_graph;
+  Graph m_graph;
   Vertices m_vertices;
   Search m_search;
 };

@@ -9,11 +9,14 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/internal/halfedge_groups.h>
+#include <CGAL/Approximate_geodesics/internal/path_points.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,7 +25,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Translates between the vertices of a mesh and the nodes that stand for them.
+ * Translates between the vertices of a mesh and the nodes that stand for them, and from the numbers
+ * of halfedges.
  */
 template <typename TriangleMesh, typename VertexIndexMap>
 class Mesh_vertices
@@ -32,6 +36,7 @@ class Mesh_vertices
 
 public:
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
   Mesh_vertices(const TriangleMesh& tmesh,
                 VertexIndexMap vertex_index_map,
@@ -57,6 +62,27 @@ public:
     if(m_vertices.empty())
       list_vertices();
     return m_vertices[node];
+  }
+
+  // The halfedge of the mesh that has number `h` in the triangulation, which keeps their order.
+  halfedge_descriptor halfedge(const Node h) const
+  {
+    const Node source = m_triangulation->source(h);
+    halfedge_descriptor result = first_halfedge_from(vertex(source), *m_mesh);
+    for(Node i = m_triangulation->first_halfedge(source); i < h; ++i)
+      result = counterclockwise(result, *m_mesh);
+    return result;
+  }
+
+  template <typename VertexPointMap, typename Traits>
+  auto point(const Path_point& p, const VertexPointMap& point_map, const Traits& traits) const
+  {
+    using Point = std::decay_t<decltype(get(point_map, vertex(p.vertex)))>;
+    if(p.halfedge == Intrinsic_triangulation::null_index)
+      return Point(get(point_map, vertex(p.vertex)));
+    return Point(traits.construct_barycenter_3_object()(
+        get(point_map, vertex(m_triangulation->target(p.halfedge))), typename Traits::FT(p.t),
+        get(point_map, vertex(m_triangulation->source(p.halfedge)))));
   }
 
   // whether a node is a vertex, and not a point that a graph has added

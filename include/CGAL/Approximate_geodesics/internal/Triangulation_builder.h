@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/internal/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
@@ -190,21 +191,10 @@ private:
     return result;
   }
 
-  halfedge_descriptor first_halfedge_from(const vertex_descriptor v) const
-  {
-    const halfedge_descriptor h = halfedge(v, m_mesh);
-    return h == Graph_traits::null_halfedge() ? h : opposite(h, m_mesh);
-  }
-
-  halfedge_descriptor counterclockwise(const halfedge_descriptor h) const
-  {
-    return opposite(prev(h, m_mesh), m_mesh);
-  }
-
   // Targets are indices of the mesh at first, as some get their numbers later.
   void copy_halfedges_around(const Index v, const std::size_t end_of_patch)
   {
-    const halfedge_descriptor first = first_halfedge_from(m_vertices[v]);
+    const halfedge_descriptor first = first_halfedge_from(m_vertices[v], m_mesh);
     if(first != Graph_traits::null_halfedge())
     {
       halfedge_descriptor h = first;
@@ -220,7 +210,7 @@ private:
         m_result.m_is_border.push_back(is_border(h, m_mesh));
         if constexpr(lengths_are_given)
           m_result.m_length.push_back(checked_length(h));
-        h = counterclockwise(h);
+        h = counterclockwise(h, m_mesh);
       } while(h != first);
     }
     m_result.m_first_halfedge.push_back(static_cast<Index>(m_result.m_target.size()));

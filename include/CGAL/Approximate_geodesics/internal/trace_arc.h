@@ -21,17 +21,10 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Follows all cones to their end, and leaves out no arc: finds those of every kind of run.
-struct Leave_out_nothing
-{
-  static constexpr bool wants_distances = false;
-  static constexpr bool leaves_out_arcs = false;
-  bool operator()(const Window& /* window */) const { return false; }
-};
-
 // Of the straight lines from one vertex to another that the graph has, the one of the given length.
-template <typename Unfolding>
+template <typename Unfolding, typename Filter>
 Straight_arc find_arc(const Cone_expansion<Unfolding>& expansion,
+                      const Filter filter,
                       const Intrinsic_triangulation::Index source,
                       const Intrinsic_triangulation::Index target,
                       const double length)
@@ -48,7 +41,7 @@ Straight_arc find_arc(const Cone_expansion<Unfolding>& expansion,
           result = arc;
         }
       },
-      Leave_out_nothing());
+      filter);
   CGAL_postcondition(result.target == target);
   return result;
 }
@@ -93,10 +86,12 @@ void for_each_crossing(const Intrinsic_triangulation& triangulation, const Strai
   }
 }
 
-// Likewise for the arc of the given length in a discrete geodesic graph.
-template <typename F>
+// Likewise for the arc of the given length in a discrete geodesic graph, whose arcs were found with
+// `filter`, or are some of those.
+template <typename Filter, typename F>
 void trace_arc(const Intrinsic_triangulation& triangulation,
                const double epsilon,
+               const Filter filter,
                const Intrinsic_triangulation::Index source,
                const Intrinsic_triangulation::Index target,
                const double length,
@@ -104,7 +99,7 @@ void trace_arc(const Intrinsic_triangulation& triangulation,
 {
   const Unfolding_on_demand unfolding(triangulation);
   const Cone_expansion<Unfolding_on_demand> expansion(triangulation, unfolding, epsilon);
-  for_each_crossing(triangulation, find_arc(expansion, source, target, length), f);
+  for_each_crossing(triangulation, find_arc(expansion, filter, source, target, length), f);
 }
 
 } // namespace internal

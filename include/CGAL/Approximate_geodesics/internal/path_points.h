@@ -1,0 +1,63 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_PATH_POINTS_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_PATH_POINTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// A point of a path: a vertex, or a point of an edge.
+struct Path_point
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  Index vertex;   // or null_index
+  Index halfedge; // or null_index
+  double t = 0;   // the part of the way from the halfedge's source to its target
+};
+
+// The points of the path that a search has found, from `node` back to where it starts; none if
+// `node` was not reached. Between two of them, the path runs straight through a face, or along an
+// edge.
+template <typename Search>
+std::vector<Path_point> path_points(const Search& search, typename Search::Node node)
+{
+  constexpr auto null_index = Intrinsic_triangulation::null_index;
+  std::vector<Path_point> result;
+  if(!search.is_reached(node))
+    return result;
+  result.push_back({node, null_index});
+  for(auto previous = search.predecessor(node); previous != Search::null_node;
+      previous = search.predecessor(node))
+  {
+    const double length =
+        (search.distance(node) - search.distance(previous)) / search.graph().triangulation().unit();
+    const auto first = static_cast<std::ptrdiff_t>(result.size());
+    search.graph().for_each_crossing(previous, node, length,
+                                     [&](const auto halfedge, const double t) {
+                                       result.push_back({null_index, halfedge, t});
+                                     });
+    std::reverse(result.begin() + first, result.end());
+    result.push_back({previous, null_index});
+    node = previous;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_PATH_POINTS_H
