@@ -27,6 +27,7 @@ using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<M
 struct Vertex_sequence
 {
   void operator()(const Vertex v) { vertices.push_back(v); }
+  void operator()(const Halfedge, const double) { ADD_FAILURE() << "an edge was crossed"; }
   std::vector<Vertex> vertices = {};
 };
 

@@ -23,6 +23,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace geodesics_test {
@@ -162,27 +163,35 @@ inline testing::AssertionResult is_optimal(const Mesh& mesh,
 }
 
 // A mesh with its graph and a workspace, and results by the vertices of the mesh.
-class Mesh_search
+template <typename GeodesicGraph>
+class Basic_mesh_search
 {
 public:
+  using Search = CGAL::Approximate_geodesics::Propagation<GeodesicGraph>;
+
   template <typename... NamedParameters>
-  explicit Mesh_search(const Mesh& mesh, const NamedParameters&... np)
-    : m_mesh(mesh), m_graph(Triangulation(mesh, np...)), m_search(m_graph)
+  explicit Basic_mesh_search(const Mesh& mesh, const NamedParameters&... np)
+    : Basic_mesh_search(mesh, GeodesicGraph(Triangulation(mesh, np...), np...))
+  {
+  }
+
+  Basic_mesh_search(const Mesh& mesh, GeodesicGraph graph)
+    : m_mesh(mesh), m_graph(std::move(graph)), m_search(m_graph)
   {
   }
 
   Node node(const Vertex v) const { return m_graph.triangulation().vertex(v.idx()); }
   Vertex vertex(const Node n) const { return Vertex(m_graph.triangulation().index(n)); }
 
-  std::vector<Search::Seed> seeds(const std::vector<Vertex>& sources) const
+  std::vector<typename Search::Seed> seeds(const std::vector<Vertex>& sources) const
   {
-    std::vector<Search::Seed> result;
+    std::vector<typename Search::Seed> result;
     for(const Vertex v : sources)
       result.push_back({node(v), 0, result.size()});
     return result;
   }
 
-  Field run(const std::vector<Vertex>& sources, const Search::Stop_rule& stop = {})
+  Field run(const std::vector<Vertex>& sources, const typename Search::Stop_rule& stop = {})
   {
     m_search.run(seeds(sources), stop);
     return field();
@@ -208,15 +217,17 @@ public:
   }
 
   const Mesh& mesh() const { return m_mesh; }
-  const Graph& graph() const { return m_graph; }
+  const GeodesicGraph& graph() const { return m_graph; }
   Search& search() { return m_search; }
   const Search& search() const { return m_search; }
 
 private:
   const Mesh& m_mesh;
-  Graph m_graph;
+  GeodesicGraph m_graph;
   Search m_search;
 };
+
+using Mesh_search = Basic_mesh_search<Graph>;
 
 inline Vertex random_vertex(const Mesh& mesh, Random& random)
 {

@@ -77,10 +77,10 @@ public:
   template <typename VertexPointMap, typename Traits>
   auto point(const Path_point& p, const VertexPointMap& point_map, const Traits& traits) const
   {
-    using Point = std::decay_t<decltype(get(point_map, vertex(p.vertex)))>;
+    using Result = std::decay_t<decltype(get(point_map, vertex(p.vertex)))>;
     if(p.halfedge == Intrinsic_triangulation::null_index)
-      return Point(get(point_map, vertex(p.vertex)));
-    return Point(traits.construct_barycenter_3_object()(
+      return Result(get(point_map, vertex(p.vertex)));
+    return Result(traits.construct_barycenter_3_object()(
         get(point_map, vertex(m_triangulation->target(p.halfedge))), typename Traits::FT(p.t),
         get(point_map, vertex(m_triangulation->source(p.halfedge)))));
   }

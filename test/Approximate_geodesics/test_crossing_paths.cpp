@@ -1,0 +1,223 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "exact_distances.h"
+#include "test_oracles.h"
+
+#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/approximate_geodesic_path.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <thread>
+#include <vector>
+
+// `epsilon` in the functions and the class, and paths that run across faces.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+using namespace geodesics_test;
+using AG::Discrete_geodesic_graph;
+using AG::Lazy_discrete_geodesic_graph;
+using CGAL::parameters::epsilon;
+
+double length(const std::vector<Point>& points)
+{
+  double result = 0;
+  for(std::size_t i = 1; i < points.size(); ++i)
+    result += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
+  return result;
+}
+
+// Remembers, for each point of a path, where it is and which faces touch it.
+struct Path_recorder
+{
+  void operator()(const Vertex v)
+  {
+    points.push_back(mesh.point(v));
+    std::set<Face> touched;
+    if(!mesh.is_isolated(v))
+      for(const Face f : mesh.faces_around_target(mesh.halfedge(v)))
+        touched.insert(f);
+    faces.push_back(touched);
+  }
+
+  void operator()(const Halfedge h, const double t)
+  {
+    EXPECT_GE(t, 0);
+    EXPECT_LE(t, 1);
+    points.push_back(CGAL::barycenter(mesh.point(mesh.target(h)), t, mesh.point(mesh.source(h))));
+    faces.push_back({mesh.face(h), mesh.face(mesh.opposite(h))});
+  }
+
+  // whether the path can go straight from each point to the next
+  bool stays_on_surface() const
+  {
+    for(std::size_t i = 1; i < faces.size(); ++i)
+      if(std::none_of(faces[i].begin(), faces[i].end(), [&](const Face f) {
+           return f != Mesh::null_face() && faces[i - 1].count(f) > 0;
+         }))
+        return false;
+    return true;
+  }
+
+  const Mesh& mesh;
+  std::vector<Point> points = {};
+  std::vector<std::set<Face>> faces = {};
+};
+
+template <typename GeodesicGraph>
+void expect_paths_of_the_length_they_say(const Mesh& mesh, const double tolerance)
+{
+  AG::Surface_mesh_shortest_path<Mesh, GeodesicGraph> paths(mesh, epsilon(0.1));
+  Random random(test_seed());
+  const Vertex source = random_vertex(mesh, random);
+  paths.add_source_point(source);
+  for(const Vertex v : mesh.vertices())
+  {
+    Path_recorder recorder{mesh};
+    std::vector<Point> points;
+    const double distance = paths.shortest_path_sequence_to_source_points(v, recorder).first;
+    paths.shortest_path_points_to_source_points(v, std::back_inserter(points));
+    EXPECT_EQ(points.empty(), distance < 0);
+    EXPECT_EQ(points, recorder.points);
+    if(points.empty())
+      continue;
+    EXPECT_EQ(points.front(), mesh.point(v));
+    EXPECT_EQ(points.back(), mesh.point(source));
+    EXPECT_TRUE(recorder.stays_on_surface()) << "to vertex " << v;
+    EXPECT_NEAR(length(points), distance, distance * tolerance) << "to vertex " << v;
+  }
+}
+
+TEST(Paths_across_faces, have_the_length_they_say)
+{
+  for(const Named_mesh& named : generated_meshes(test_seed()))
+  {
+    SCOPED_TRACE(named.name);
+    expect_paths_of_the_length_they_say<Discrete_geodesic_graph>(named.mesh, 2e-7);
+    expect_paths_of_the_length_they_say<Lazy_discrete_geodesic_graph>(named.mesh, 1e-9);
+  }
+}
+
+TEST(Paths_across_faces, are_straight_in_the_plane)
+{
+  const Mesh mesh = to_mesh(flat_grid(12, 12));
+  std::vector<Point> points;
+  const double distance = CGAL::approximate_geodesic_path(
+      mesh, Vertex(0), Vertex(5 * 12 + 3), std::back_inserter(points), epsilon(1e-6));
+  EXPECT_NEAR(distance, std::sqrt(34.), 1e-9);
+  EXPECT_GT(points.size(), 5u); // an edge at least for every unit
+  for(const Point& p : points)
+    EXPECT_NEAR(5 * p.x(), 3 * p.y(), 1e-9);
+}
+
+TEST(Functions_with_epsilon, agree_and_keep_their_bound)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(25, 20, random));
+  const Vertex source(101);
+  const std::vector<double> exact = exact_distances(mesh, source);
+  for(const double e : {0.3, 0.03})
+  {
+    std::vector<double> found(mesh.num_vertices());
+    std::vector<Vertex> predecessor(mesh.num_vertices());
+    const auto index = get(boost::vertex_index, mesh);
+    CGAL::approximate_geodesic_distances(
+        mesh, boost::make_iterator_property_map(found.begin(), index), source,
+        epsilon(e).predecessor_map(boost::make_iterator_property_map(predecessor.begin(), index)));
+    EXPECT_EQ(predecessor[source.idx()], source);
+    for(const Vertex v : mesh.vertices())
+    {
+      EXPECT_GE(found[v.idx()], exact[v.idx()] * (1 - 1e-10));
+      EXPECT_LE(found[v.idx()], exact[v.idx()] * (1 + e));
+      EXPECT_LE(found[predecessor[v.idx()].idx()], found[v.idx()]);
+      if(v.idx() % 20 != 0)
+        continue;
+      std::vector<Point> points;
+      const double to_v =
+          CGAL::approximate_geodesic_path(mesh, source, v, std::back_inserter(points), epsilon(e));
+      EXPECT_NEAR(to_v, found[v.idx()], found[v.idx()] * e);
+      EXPECT_NEAR(length(points), to_v, to_v * 1e-10);
+      EXPECT_EQ(points.front(), mesh.point(source));
+      EXPECT_EQ(points.back(), mesh.point(v));
+    }
+  }
+}
+
+TEST(Functions_with_epsilon, can_stop_at_a_distance)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(25, 20, random));
+  const std::vector<double> exact = exact_distances(mesh, Vertex(101));
+  std::map<Vertex, double> found;
+  const double limit = 6, e = 0.1;
+  CGAL::approximate_geodesic_distances(mesh, boost::make_assoc_property_map(found), Vertex(101),
+                                       epsilon(e).maximum_distance(limit));
+  for(const auto& [v, distance] : found)
+  {
+    EXPECT_TRUE(distance <= limit || distance == infinity);
+    if(exact[v.idx()] * (1 + e) <= limit)
+    {
+      EXPECT_LE(distance, limit);
+    }
+  }
+}
+
+TEST(Functions_with_epsilon, take_lengths_in_place_of_coordinates)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(15, 15, random));
+  const std::vector<double> lengths = edge_lengths(mesh);
+  const auto map = boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh));
+  std::map<Vertex, double> from_lengths, from_points;
+  CGAL::approximate_geodesic_distances(mesh, boost::make_assoc_property_map(from_lengths),
+                                       Vertex(7), epsilon(0.1).edge_length_map(map));
+  CGAL::approximate_geodesic_distances(mesh, boost::make_assoc_property_map(from_points), Vertex(7),
+                                       epsilon(0.1));
+  for(const auto& [v, distance] : from_points)
+    EXPECT_NEAR(from_lengths[v], distance, distance * 1e-12);
+}
+
+// One graph, its arcs found by whichever thread comes first.
+TEST(Lazy_discrete_geodesic_graph, may_be_searched_by_several_threads)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(40, 40, random));
+  for(const auto arcs :
+      {Lazy_discrete_geodesic_graph::Arcs::FORGOTTEN, Lazy_discrete_geodesic_graph::Arcs::KEPT})
+  {
+    const Lazy_discrete_geodesic_graph graph(Triangulation(mesh), epsilon(0.1), arcs);
+    using Search = AG::Propagation<Lazy_discrete_geodesic_graph>;
+    Search expected(graph);
+    expected.run(17);
+
+    std::vector<std::optional<Search>> searches(4);
+    const Lazy_discrete_geodesic_graph fresh(Triangulation(mesh), epsilon(0.1), arcs);
+    std::vector<std::thread> threads;
+    for(auto& search : searches)
+      threads.emplace_back([&] {
+        search.emplace(fresh);
+        search->run(17);
+      });
+    for(std::thread& thread : threads)
+      thread.join();
+    for(const auto& search : searches)
+      for(Node node = 0; node < graph.number_of_nodes(); ++node)
+        EXPECT_EQ(search->distance(node), expected.distance(node));
+  }
+}
+
+} // namespace
