@@ -152,8 +152,8 @@ public:
   template <typename F>
   void for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
-    internal::trace_arc(m_triangulation, m_epsilon, internal::Leave_out_detours(), source, target,
-                        length, f);
+    internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_epsilon, source, target,
+                                                     length, f);
   }
 
   /// asks for the arcs of `node`, which will be needed soon.

@@ -135,7 +135,7 @@ public:
       const auto report = [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); };
       expansion.expand(
           node, report,
-          Label_filter<Labels>{m_triangulation, labels, labels.distance(node), 1 + m_epsilon});
+          Label_filter<Labels>{{}, m_triangulation, labels, labels.distance(node), 1 + m_epsilon});
       return;
     }
     const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
@@ -155,11 +155,11 @@ public:
   void for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
     if(m_kept_arcs.are_wanted())
-      internal::trace_arc(m_triangulation, m_epsilon, internal::Leave_out_detours(), source, target,
-                          length, f);
+      internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_epsilon, source, target,
+                                                       length, f);
     else
-      internal::trace_arc(m_triangulation, m_epsilon, internal::Leave_out_nothing(), source, target,
-                          length, f);
+      internal::trace_arc<internal::Leave_out_nothing>(m_triangulation, m_epsilon, source, target,
+                                                       length, f);
   }
 
   /// asks for what it takes to find the first arcs of `node`, which will be needed soon.
@@ -186,7 +186,7 @@ private:
   //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.
   // The difference of the lengths is smallest at the other end of the edge.
   template <typename Labels>
-  struct Label_filter
+  struct Label_filter : internal::Look_at_everything
   {
     static constexpr bool wants_distances = true;
     static constexpr bool leaves_out_arcs = false;

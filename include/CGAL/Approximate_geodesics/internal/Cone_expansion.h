@@ -14,6 +14,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -30,6 +31,7 @@ struct Straight_arc
   double length;
   Plane_vector position; // of the target, where the source is the origin and `start` lies along x
   Index start;           // the halfedge that starts from the source, to the right of the line
+  std::uint32_t way;     // that of the last window on the line
 };
 
 /*
@@ -47,6 +49,17 @@ struct Cone_side
   double large_saving;    // at which a vertex needs no arc
 
   Plane_vector vertex() const { return distance * direction; }
+
+  // Whether x, which is `outside` out of the cone on this side, is out of sight. Where faces have
+  // no area, it may be on the ray, between the tip and the vertex, or on the ray of the other side.
+  bool is_passed(const Plane_vector x, const double outside) const
+  {
+    constexpr double rounding = 1e-14;
+    if(outside < 0)
+      return false;
+    const double along = dot(direction, x);
+    return along >= distance || outside > rounding * std::abs(along);
+  }
 
   bool serves(const Plane_vector x, const double distance_of_x, const double wanted) const
   {
@@ -74,6 +87,7 @@ struct Window
   Index left_end, right_end; // source and target of the halfedge, ...
   Plane_vector left_position, right_position;
   double left_distance, right_distance; // ... and their distances, if the filter wants them
+  std::uint32_t way;                    // what the filter knows of how one gets there
 };
 
 /*
@@ -94,27 +108,37 @@ struct Cone
   void find_middle()
   {
     has_middle = true;
-    middle = left.direction + right.direction;
+    if(dot(left.direction, right.direction) > 0)
+      middle = left.direction + right.direction;
+    else // the same direction, found in a way that suits blunt angles, and a straight one
+      middle = {left.direction.y - right.direction.y, right.direction.x - left.direction.x};
     const double length_of_middle = length(middle);
     end_of_interest = (std::max)(left.start_of_service(middle, length_of_middle),
                                  right.start_of_service(middle, length_of_middle));
   }
 };
 
-// Follows all cones to their end, and leaves out arcs that a detour replaces well enough.
-struct Leave_out_detours
+// What filters have in common: they look through all windows, and do not remember them.
+struct Look_at_everything
 {
   static constexpr bool wants_distances = false;
-  static constexpr bool leaves_out_arcs = true;
   bool operator()(const Window& /* window */) const { return false; }
+  std::uint32_t way_through(Window::Index /* halfedge */, std::uint32_t /* way */) const
+  {
+    return 0;
+  }
 };
 
-// Follows all cones to their end, and leaves out no arc that leads there.
-struct Leave_out_nothing
+// Leaves out arcs that a detour replaces well enough.
+struct Leave_out_detours : Look_at_everything
 {
-  static constexpr bool wants_distances = false;
+  static constexpr bool leaves_out_arcs = true;
+};
+
+// Leaves out no arc that leads to a vertex in sight.
+struct Leave_out_nothing : Look_at_everything
+{
   static constexpr bool leaves_out_arcs = false;
-  bool operator()(const Window& /* window */) const { return false; }
 };
 
 /*
@@ -146,9 +170,9 @@ public:
   }
 
   // Calls `f` with the arcs that start from `source`; there may be several to the same vertex.
-  // Windows for which `is_dispensable(window)` is true are not looked through.
+  // Windows for which `filter(window)` is true are not looked through.
   template <typename F, typename Filter = Leave_out_detours>
-  void expand(const Index source, F f, const Filter is_dispensable = Filter()) const
+  void expand(const Index source, F f, const Filter filter = Filter()) const
   {
     Stack cones;
     Cone cone{};
@@ -156,10 +180,10 @@ public:
         h < m_triangulation.beyond_halfedge(source); ++h)
     {
       const double distance = m_triangulation.length(h);
-      f(Straight_arc{m_triangulation.target(h), distance, {distance, 0}, h});
-      bool is_open = open_first_cone(cone, source, h, is_dispensable);
+      f(Straight_arc{m_triangulation.target(h), distance, {distance, 0}, h, 0});
+      bool is_open = open_first_cone(cone, source, h, filter);
       while(is_open || pop(cones, cone))
-        is_open = advance(cone, cones, source, h, f, is_dispensable);
+        is_open = advance(cone, cones, source, h, f, filter);
     }
   }
 
@@ -182,20 +206,22 @@ private:
   // What is seen across the face to the left of `h`, from its source. All functions that open a
   // cone or change its window return whether there is something to be seen.
   template <typename Filter>
-  bool
-  open_first_cone(Cone& cone, const Index source, const Index h, const Filter& is_dispensable) const
+  bool open_first_cone(Cone& cone, const Index source, const Index h, const Filter& filter) const
   {
     const Unfolded_face& face = m_unfolding.face(h);
     if(face.apex == null_index || face.right == null_index)
       return false;
     const double distance = m_triangulation.length(h);
+    const bool has_angle = face.across > 0 || face.along < 0; // the latter a straight one
+    if(!(distance > 0 && has_angle))
+      return false;
     const double distance_of_apex =
         m_triangulation.length(m_triangulation.counterclockwise(source, h));
     const Plane_vector right{distance, 0};
     const Plane_vector left{distance * face.along, distance * face.across};
-    cone.window = {face.right,       face.apex, m_triangulation.target(h), left, right,
-                   distance_of_apex, distance};
-    if(!(cross(right, left) > 0) || is_dispensable(cone.window))
+    cone.window = {face.right,       face.apex, m_triangulation.target(h),        left, right,
+                   distance_of_apex, distance,  filter.way_through(face.right, 0)};
+    if(filter(cone.window))
       return false;
     cone.left = side(left, distance_of_apex);
     cone.right = side(right, distance);
@@ -212,7 +238,7 @@ private:
                const Index source,
                const Index start,
                F& f,
-               const Filter& is_dispensable) const
+               const Filter& filter) const
   {
     if(has_ended(cone))
       return false;
@@ -221,10 +247,10 @@ private:
       return false; // a shortest path does not come back to a face that it has left
     const Plane_vector apex =
         face.position_of_apex(cone.window.left_position, cone.window.right_position);
-    if(cross(cone.left.direction, apex) >= 0)
-      return go_right(cone.window, face, apex, is_dispensable);
-    if(cross(cone.right.direction, apex) <= 0)
-      return go_left(cone.window, face, apex, is_dispensable);
+    if(cone.left.is_passed(apex, cross(cone.left.direction, apex)))
+      return go_right(cone.window, face, apex, filter);
+    if(cone.right.is_passed(apex, cross(apex, cone.right.direction)))
+      return go_left(cone.window, face, apex, filter);
 
     const double distance = length(apex);
     if constexpr(Filter::leaves_out_arcs)
@@ -232,10 +258,10 @@ private:
       const bool left = cone.left.serves(apex, distance, cone.left.large_saving);
       const bool right = cone.right.serves(apex, distance, cone.right.large_saving);
       if(left || right)
-        return !(left && right) && pass(cone, face, apex, distance, left, is_dispensable);
+        return !(left && right) && pass(cone, face, apex, distance, left, filter);
     }
-    f(Straight_arc{face.apex, distance, apex, start});
-    return split(cone, cones, face, apex, distance, is_dispensable);
+    f(Straight_arc{face.apex, distance, apex, start, cone.window.way});
+    return split(cone, cones, face, apex, distance, filter);
   }
 
   // Whether nothing that lies behind the window is of interest.
@@ -246,7 +272,7 @@ private:
     const Plane_vector edge = cone.window.left_position - cone.window.right_position;
     const double area = cross(cone.window.right_position, cone.window.left_position);
     const double slope = cross(cone.middle, edge);
-    if(!(area > 0 && slope > 0))
+    if(!(area >= 0 && slope > 0))
       return true; // no more than rounding errors
     return area >= cone.end_of_interest * slope || is_back(cone);
   }
@@ -267,31 +293,33 @@ private:
 
   // The window becomes part of the edge between the apex and the right end.
   template <typename Filter>
-  static bool go_right(Window& window,
-                       const Unfolded_face& face,
-                       const Plane_vector apex,
-                       const Filter& is_dispensable)
+  static bool
+  go_right(Window& window, const Unfolded_face& face, const Plane_vector apex, const Filter& filter)
   {
     window.halfedge = face.right;
     window.left_end = face.apex;
     window.left_position = apex;
     if(Filter::wants_distances)
       window.left_distance = length(apex);
-    return face.right != null_index && !is_dispensable(window);
+    if(face.right == null_index || filter(window))
+      return false;
+    window.way = filter.way_through(face.right, window.way);
+    return true;
   }
 
   template <typename Filter>
-  static bool go_left(Window& window,
-                      const Unfolded_face& face,
-                      const Plane_vector apex,
-                      const Filter& is_dispensable)
+  static bool
+  go_left(Window& window, const Unfolded_face& face, const Plane_vector apex, const Filter& filter)
   {
     window.halfedge = face.left;
     window.right_end = face.apex;
     window.right_position = apex;
     if(Filter::wants_distances)
       window.right_distance = length(apex);
-    return face.left != null_index && !is_dispensable(window);
+    if(face.left == null_index || filter(window))
+      return false;
+    window.way = filter.way_through(face.left, window.way);
+    return true;
   }
 
   // The vertex is reached over `side`, and takes its place: the ray goes through it from now on.
@@ -309,12 +337,12 @@ private:
                    const Plane_vector apex,
                    const double distance,
                    const bool left,
-                   const Filter& is_dispensable)
+                   const Filter& filter)
   {
     replace(left ? cone.left : cone.right, apex, distance);
     cone.has_middle = false;
-    return left ? go_right(cone.window, face, apex, is_dispensable)
-                : go_left(cone.window, face, apex, is_dispensable);
+    return left ? go_right(cone.window, face, apex, filter)
+                : go_left(cone.window, face, apex, filter);
   }
 
   template <typename Filter>
@@ -323,15 +351,15 @@ private:
              const Unfolded_face& face,
              const Plane_vector apex,
              const double distance,
-             const Filter& is_dispensable) const
+             const Filter& filter) const
   {
     const Cone_side between = side(apex, distance);
     cone.has_middle = false;
     Window window = cone.window;
-    if(go_right(window, face, apex, is_dispensable))
+    if(go_right(window, face, apex, filter))
       cones.push_back({window, between, cone.right, cone.depth, cone.landmark});
     cone.right = between;
-    return go_left(cone.window, face, apex, is_dispensable);
+    return go_left(cone.window, face, apex, filter);
   }
 
   const Intrinsic_triangulation& m_triangulation;
