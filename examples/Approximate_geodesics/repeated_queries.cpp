@@ -1,6 +1,7 @@
-// Many sources, one after the other, on a mesh that is prepared once; and the same code with CGAL's
-// exact class, for which another type is all that it takes.
+// Many sources, one after the other, on a mesh that is prepared once: along edges, across faces,
+// and the same code with CGAL's exact class, for which another type is all that it takes.
 
+#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
@@ -19,7 +20,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 
-using Approximate = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh>;
+namespace AG = CGAL::Approximate_geodesics;
+using Along_edges = AG::Surface_mesh_shortest_path<Mesh>;
+using Across_faces = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>;
 using Exact =
     CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
 
@@ -43,6 +46,24 @@ run(const std::string& title, const Mesh& mesh, const std::vector<Vertex>& sourc
   return result;
 }
 
+void print_errors(const std::string& title,
+                  const std::vector<double>& distances,
+                  const std::vector<double>& exact)
+{
+  double sum = 0, largest = 0;
+  std::size_t number = 0;
+  for(std::size_t i = 0; i < exact.size(); ++i)
+    if(exact[i] > 0) // that of a vertex that cannot be reached is -1, in all classes
+    {
+      const double error = distances[i] / exact[i] - 1;
+      sum += error;
+      largest = (std::max)(largest, error);
+      ++number;
+    }
+  std::cout << title << " are longer by " << 100 * sum / static_cast<double>(number)
+            << " % on average, and by " << 100 * largest << " % at most.\n";
+}
+
 int main(int argc, char* argv[])
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
@@ -58,21 +79,10 @@ int main(int argc, char* argv[])
   for(const Vertex v : mesh.vertices())
     if(v.idx() % (mesh.number_of_vertices() / 5 + 1) == 0)
       sources.push_back(v);
-  const std::vector<double> approximate = run<Approximate>("Approximate", mesh, sources);
-  const std::vector<double> exact = run<Exact>("Exact      ", mesh, sources);
-
-  // vertices that cannot be reached have distance -1, in both classes
-  double sum = 0, largest = 0;
-  std::size_t number = 0;
-  for(std::size_t i = 0; i < exact.size(); ++i)
-    if(exact[i] > 0)
-    {
-      const double error = approximate[i] / exact[i] - 1;
-      sum += error;
-      largest = (std::max)(largest, error);
-      ++number;
-    }
-  std::cout << "Paths along edges are longer by " << 100 * sum / static_cast<double>(number)
-            << " % on average, and by " << 100 * largest << " % at most.\n";
+  const std::vector<double> along_edges = run<Along_edges>("Along edges ", mesh, sources);
+  const std::vector<double> across_faces = run<Across_faces>("Across faces", mesh, sources);
+  const std::vector<double> exact = run<Exact>("Exact       ", mesh, sources);
+  print_errors("Paths along edges", along_edges, exact);
+  print_errors("Paths across faces", across_faces, exact);
   return EXIT_SUCCESS;
 }

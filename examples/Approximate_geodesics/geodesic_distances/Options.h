@@ -15,6 +15,7 @@ struct Options
   std::string input;
   std::vector<std::string> sources;
   std::vector<std::string> targets;
+  double epsilon = 0; // 0: none, along edges
   double maximum_distance = std::numeric_limits<double>::infinity();
   std::uint64_t seed = 0;
   std::string output;
@@ -43,6 +44,9 @@ inline boost::program_options::options_description describe_options(Options& opt
       "had to be repaired), or random:K for K random ones (default: 0)");
   add("target,t", po::value(&options.targets)->multitoken()->value_name("V ..."),
       "where paths from the nearest source shall lead to, given likewise");
+  add("epsilon,e", po::value(&options.epsilon)->value_name("E"),
+      "let paths run across faces, and be at most 1 + E times as long as the shortest ones on the "
+      "surface (default: along edges, without a bound)");
   add("maximum-distance,m", po::value(&options.maximum_distance)->value_name("D"),
       "do not go farther than this, in the unit of the mesh's coordinates");
   add("seed", po::value(&options.seed)->value_name("N"), "what random vertices depend on");
@@ -65,8 +69,8 @@ inline void print_help(const boost::program_options::options_description& descri
 {
   std::cout
       << "Usage: geodesic_distances MESH [options]\n\n"
-         "Finds the distance along the edges of a triangle mesh from the nearest of some source\n"
-         "vertices to all other vertices, and the shortest paths to some targets.\n\n"
+         "Finds the distance on a triangle mesh from the nearest of some source vertices to all\n"
+         "other vertices, and the shortest paths to some targets: along edges, or across faces.\n\n"
          "MESH is in any format that CGAL reads (OFF, PLY, OBJ, STL, ...). A table is printed: "
          "the\n"
          "size of the mesh, the time taken, what the search did, and the range of the distances.\n"
@@ -80,7 +84,7 @@ inline void print_help(const boost::program_options::options_description& descri
          "                      largest distance.\n\n"
       << description
       << "\nExamples:\n"
-         "  geodesic_distances bunny.off --target 1000 --compare --picture\n"
+         "  geodesic_distances bunny.off --epsilon 0.1 --target 1000 --compare --picture\n"
          "  geodesic_distances terrain.ply --source random:5 --seed 7 --maximum-distance 250\n";
 }
 

@@ -6,6 +6,7 @@
 #include "picture.h"
 #include "results.h"
 
+#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -24,7 +25,10 @@
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
-using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh>;
+using CGAL::Approximate_geodesics::Discrete_geodesic_graph;
+using CGAL::Approximate_geodesics::Edge_graph;
+template <typename Graph>
+using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh, Graph>;
 
 namespace parameters = CGAL::parameters;
 
@@ -65,7 +69,8 @@ select_vertices(const std::vector<std::string>& names, const Mesh& mesh, std::mt
   return result;
 }
 
-void run(const Options& options)
+template <typename Graph, typename... NamedParameters>
+void run(const Options& options, const NamedParameters&... np)
 {
   const Mesh mesh = read_mesh(options.input);
   std::mt19937_64 random(options.seed);
@@ -75,7 +80,7 @@ void run(const Options& options)
   report.add_mesh(mesh);
 
   Stopwatch stopwatch;
-  Shortest_paths shortest_paths(mesh);
+  Shortest_paths<Graph> shortest_paths(mesh, np...);
   report.seconds_to_build = stopwatch.seconds();
 
   shortest_paths.add_source_points(sources.begin(), sources.end());
@@ -114,8 +119,12 @@ int main(int argc, char* argv[])
   try
   {
     const Options options = parse_options(argc, argv);
-    if(!options.asks_for_help)
-      run(options);
+    if(options.asks_for_help)
+      return EXIT_SUCCESS;
+    if(options.epsilon == 0)
+      run<Edge_graph>(options);
+    else
+      run<Discrete_geodesic_graph>(options, parameters::epsilon(options.epsilon));
     return EXIT_SUCCESS;
   }
   catch(const std::exception& e)
