@@ -105,6 +105,9 @@ struct Cone
   Plane_vector middle = {0, 0}; // somewhere between the two rays
   double end_of_interest = 0;   // in multiples of `middle`: both sides serve what lies behind
 
+  // Finds the middle, and where on it both sides serve: there, the window can be cut in two parts,
+  // each of which is served by its side, so the cone may end. Where one side serves the vertex of
+  // the other, it serves all that is seen. That is the case in every narrow cone.
   void find_middle()
   {
     has_middle = true;
@@ -112,6 +115,12 @@ struct Cone
       middle = left.direction + right.direction;
     else // the same direction, found in a way that suits blunt angles, and a straight one
       middle = {left.direction.y - right.direction.y, right.direction.x - left.direction.x};
+    if(left.serves(right.vertex(), right.distance, left.large_saving) ||
+       right.serves(left.vertex(), left.distance, right.large_saving))
+    {
+      end_of_interest = 0;
+      return;
+    }
     const double length_of_middle = length(middle);
     end_of_interest = (std::max)(left.start_of_service(middle, length_of_middle),
                                  right.start_of_service(middle, length_of_middle));
