@@ -17,10 +17,12 @@
 #include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Bucket_statistics.h>
 #include <CGAL/Approximate_geodesics/D_ary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Fibonacci_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Pairing_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Propagation.h>
 #include <CGAL/Approximate_geodesics/Propagation_statistics.h>

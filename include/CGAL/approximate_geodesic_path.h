@@ -17,10 +17,14 @@ namespace CGAL {
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
  *
- * computes a shortest path along the edges of the mesh from `source` to `target`, and its length.
+ * computes a short path on the mesh from `source` to `target`, and its length.
  *
- * The run ends when the distance to `target` is certain. The length is never below the distance
- * along the surface; there is no bound for how much it is above.
+ * If an error bound `epsilon` is given, the path runs across faces, and is at most
+ * \f$1 + \varepsilon\f$ times as long as the shortest one on the surface. If not, it is the
+ * shortest one along the edges of the mesh, for which there is no bound in general.
+ *
+ * The run ends when the distance to `target` is certain. The length is that of the
+ * polyline, up to rounding.
  *
  * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all; among paths
  *         of the same length, it may decide which one is found
@@ -31,10 +35,10 @@ namespace CGAL {
  * \param tmesh the triangle mesh; it is not changed
  * \param source the vertex that the path starts from
  * \param target the vertex that the path ends at
- * \param points receives the points of the path, from `source` to `target`: a single one if they
- *               are the same, and none if there is no path
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
- *           listed below
+ * \param points receives the points of the path, from `source` to `target`: those of the vertices
+ * that it goes through and those where it crosses edges; a single one if `source` and `target` are
+ * the same, and none if there is no path \param np an optional sequence of \ref bgl_namedparameters
+ * "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
@@ -52,7 +56,13 @@ namespace CGAL {
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a
  *                    number type convertible by `CGAL::to_double()` as value type}
  *     \cgalParamDefault{unused}
- *     \cgalParamExtra{The lengths need not fulfil the triangle inequality.}
+ *     \cgalParamExtra{The lengths need not fulfil the triangle inequality, unless `epsilon` is
+ *                     given.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{epsilon}
+ *     \cgalParamDescription{an error bound \f$\varepsilon\f$: paths may run across faces, and are
+ * at most \f$1 + \varepsilon\f$ times as long as the shortest ones on the surface} \cgalParamType{a
+ * number type convertible by `CGAL::to_double()`} \cgalParamDefault{none: paths run along edges}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}

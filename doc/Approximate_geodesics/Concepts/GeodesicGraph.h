@@ -22,6 +22,8 @@ time.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Edge_graph}
+\cgalHasModels{CGAL::Approximate_geodesics::Discrete_geodesic_graph}
+\cgalHasModels{CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph}
 \cgalHasModelsEnd
 
 \sa `CGAL::Approximate_geodesics::Propagation`
@@ -41,8 +43,11 @@ public:
   /// @{
 
   /// builds the graph of `triangulation`. The search does not need this constructor;
-  /// `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` does.
-  explicit GeodesicGraph(CGAL::Approximate_geodesics::Intrinsic_triangulation triangulation);
+  /// `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` does, and passes on the named
+  /// parameters that it was given.
+  template <typename NamedParameters>
+  GeodesicGraph(CGAL::Approximate_geodesics::Intrinsic_triangulation triangulation,
+                const NamedParameters& np);
 
   /// @}
 
@@ -56,12 +61,13 @@ public:
   /// returns the number of nodes, which is at least the number of vertices of `triangulation()`.
   std::size_t number_of_nodes() const;
 
-  /// returns a summary of the lengths of all arcs that `for_each_arc()` may ever report. No arc is
-  /// longer than the member `longest` says. Queues set themselves up with it.
+  /// returns a summary of the lengths of the arcs, or an estimate. Queues set themselves up with it;
+  /// they work with arcs of other lengths, too, only not as fast.
   CGAL::Approximate_geodesics::Arc_lengths arc_lengths() const;
 
   /// returns an upper bound of the number of arcs that `for_each_arc()` reports of a node. The
-  /// search keeps room for so many; if there are more, its behaviour is undefined.
+  /// search keeps room for so many; if there are more, its behaviour is undefined. A graph that has
+  /// no such bound does not have this member function, and is searched a bit more slowly.
   std::size_t maximum_degree() const;
 
   /*!
@@ -89,10 +95,28 @@ public:
   One that does may leave out arcs that cannot shorten any path: an arc to a node `t` if
   `labels.distance(node) + length >= labels.distance(t)`, or if the path that arrives at `node` is
   such that `t` is reached at least as well in another way. Only then are distances independent of
-  the order in which nodes are expanded, and of the queue.
+  the order in which nodes are expanded, and of the queue. (`Lazy_discrete_geodesic_graph` goes
+  further: it leaves out arcs if `t` is reached well enough in another way.)
   */
   template <typename Labels, typename F>
   void for_each_arc(Node node, const Labels& labels, F f) const;
+
+  /*!
+  calls `f(h, t)` for every edge that the arc from `source` to `target` crosses, in this order: at the
+  point that is at the part `t`, a `double` from `0` to `1`, of the way from the source to the target
+  of the halfedge `h` of `triangulation()`. Between two such points, and before the first and
+  after the last one, the arc runs straight through a face, or along an edge.
+
+  The search does not need this; whoever draws paths does.
+
+  \param source the node that the arc starts from
+  \param target the node that it leads to
+  \param length the length of the arc, up to rounding, in units of the graph: there may be several arcs
+         between the two nodes
+  \param f what to call
+  */
+  template <typename F>
+  void for_each_crossing(Node source, Node target, double length, F f) const;
 
   /// is told that `node` will probably be expanded soon, and may ask the memory for what this
   /// takes. It may just as well do nothing.

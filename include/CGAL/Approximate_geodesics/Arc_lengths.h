@@ -30,7 +30,7 @@ struct Arc_lengths
   double shortest = 0;
   /// the mean length of the arcs; an estimate is good enough.
   double mean = 0;
-  /// the length of the longest arc, or an upper bound of it.
+  /// the length of the longest arc, or an estimate; queues work with longer ones, too.
   double longest = 0;
 };
 
