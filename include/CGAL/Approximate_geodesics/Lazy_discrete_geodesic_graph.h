@@ -32,9 +32,8 @@ namespace Approximate_geodesics {
  *
  * It has the same bound as `Discrete_geodesic_graph`, and is for searches that reach a small part
  * of a large mesh, and for meshes that are searched once or a few times: on scanned models, a
- * search is about ten times as slow as in the built graph, and building that takes as long as five
- * to ten such searches. `approximate_geodesic_distances()` and `approximate_geodesic_path()` use
- * it.
+ * search is several times as slow as in the built graph, and building that takes as long as several
+ * such searches. `approximate_geodesic_distances()` and `approximate_geodesic_path()` use it.
  *
  * When a node is expanded, the distances found so far tell which arcs are of no use, and these are
  * never computed; which ones that are depends on the order in which nodes are expanded. So

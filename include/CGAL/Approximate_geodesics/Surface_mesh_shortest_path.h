@@ -43,7 +43,8 @@ namespace Approximate_geodesics {
  * results of the member functions are those of the exact class
  * `CGAL::Surface_mesh_shortest_path`, so that exchanging one for the other is a matter of a type
  * definition. Paths and distances are those of the graph: never shorter than the exact ones, and
- * longer by an error that the choice of the graph determines.
+ * longer by an error that the choice of the graph determines: `Edge_graph` has no bound and
+ * is the fastest, `Discrete_geodesic_graph` has one that the named parameter `epsilon` chooses.
  *
  * As in the exact class, sources can be added and removed at any time, and the search is run by the
  * first query after that, or by `build_sequence_tree()`.

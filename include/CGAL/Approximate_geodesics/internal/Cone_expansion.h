@@ -163,18 +163,19 @@ class Cone_expansion
 
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
+public:
   // The share of epsilon that a detour may take which makes an arc dispensable. A larger one means
   // fewer arcs and larger errors; this one keeps the mean error about where it is without.
   static constexpr double SHARE_OF_DETOURS = 0.08;
 
-public:
   Cone_expansion(const Intrinsic_triangulation& triangulation,
                  const Unfolding& unfolding,
-                 const double epsilon)
+                 const double epsilon,
+                 const double share_of_detours = SHARE_OF_DETOURS)
     : m_triangulation(triangulation),
       m_unfolding(unfolding),
       m_part_saved(1 / (1 + epsilon)),
-      m_large_part_saved(1 / (1 + SHARE_OF_DETOURS * epsilon))
+      m_large_part_saved(1 / (1 + share_of_detours * epsilon))
   {
   }
 
