@@ -13,6 +13,7 @@
 #include <CGAL/subdivision_method_3.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <random>
@@ -27,25 +28,33 @@ using Vertex = Mesh::Vertex_index;
 // A mesh is named as a file, or as one of CGAL's sample meshes without folder and extension; "+2"
 // after that stands for two steps of Loop subdivision. Scans have loose bits, and vertices that are
 // not manifold: what counts is the largest connected component of what CGAL makes of the file.
+
+// the end of the name if nothing is to be subdivided; a plus may belong to a file's name
+inline std::size_t position_of_plus(const std::string& name)
+{
+  const std::size_t plus = name.rfind('+');
+  const bool is_number =
+      plus + 1 < name.size() && name.find_first_not_of("0123456789", plus + 1) == std::string::npos;
+  return plus != std::string::npos && is_number ? plus : name.size();
+}
+
 inline std::string file_of(const std::string& name)
 {
-  const std::string file = name.substr(0, name.rfind('+'));
+  const std::string file = name.substr(0, position_of_plus(name));
   return std::ifstream(file) ? file : CGAL::data_file_path("meshes/" + file + ".off");
 }
 
 inline unsigned number_of_subdivisions(const std::string& name)
 {
-  const std::size_t plus = name.rfind('+');
-  return plus == std::string::npos ? 0 : static_cast<unsigned>(std::stoul(name.substr(plus + 1)));
+  const std::size_t plus = position_of_plus(name);
+  return plus == name.size() ? 0 : static_cast<unsigned>(std::stoul(name.substr(plus + 1)));
 }
 
 // the name without folder and extension
 inline std::string short_name(const std::string& name)
 {
-  const std::size_t start = name.find_last_of('/') + 1;
-  const std::size_t plus = (std::min)(name.rfind('+'), name.size());
-  const std::size_t end = (std::min)(name.find('.', start), plus);
-  return name.substr(start, end - start) + name.substr(plus);
+  const std::size_t plus = position_of_plus(name);
+  return std::filesystem::path(name.substr(0, plus)).stem().string() + name.substr(plus);
 }
 
 inline Mesh read_mesh(const std::string& name)

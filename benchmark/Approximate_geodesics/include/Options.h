@@ -27,7 +27,11 @@ struct Options
   std::size_t number_of_rounds;
   std::string csv; // what the names of the tables' files start with
   bool is_quick = false;
+  std::vector<std::string> quick_meshes = {"elephant"};
 };
+
+// The options that only one program has, each with the variable that it sets.
+using More_options = boost::program_options::options_description;
 
 // Prints tables as text, and, on request, each to a file of its own.
 class Report
@@ -59,8 +63,11 @@ private:
 };
 
 // Returns nothing if the user has asked for help, and got it.
-inline std::optional<Options>
-parse_options(const int argc, char* argv[], const std::string& program, const Options& defaults)
+inline std::optional<Options> parse_options(const int argc,
+                                            char* argv[],
+                                            const std::string& program,
+                                            const Options& defaults,
+                                            const More_options& more)
 {
   namespace po = boost::program_options;
   Options result = defaults;
@@ -75,6 +82,8 @@ parse_options(const int argc, char* argv[], const std::string& program, const Op
       "number of random sources");
   add("csv", po::value(&result.csv), "write the tables to files too, whose names start with this");
   add("mesh", po::value(&result.meshes), "meshes");
+  for(const auto& option : more.options())
+    description.add(option);
   po::positional_options_description positions;
   positions.add("mesh", -1);
   po::variables_map values;
@@ -91,18 +100,22 @@ parse_options(const int argc, char* argv[], const std::string& program, const Op
   if(result.number_of_rounds == 0)
     throw std::invalid_argument("--rounds: at least one is needed");
   if(result.meshes.empty())
-    result.meshes = result.is_quick ? std::vector<std::string>{"elephant"} : defaults.meshes;
+    result.meshes = result.is_quick ? defaults.quick_meshes : defaults.meshes;
   return result;
 }
 
 // The frame of every benchmark's main().
 template <typename F>
-int run_benchmark(
-    const int argc, char* argv[], const std::string& program, const Options& defaults, F f)
+int run_benchmark(const int argc,
+                  char* argv[],
+                  const std::string& program,
+                  const Options& defaults,
+                  F f,
+                  const More_options& more = {})
 {
   try
   {
-    if(const auto options = parse_options(argc, argv, program, defaults))
+    if(const auto options = parse_options(argc, argv, program, defaults, more))
       f(*options, Report(*options));
     return EXIT_SUCCESS;
   }

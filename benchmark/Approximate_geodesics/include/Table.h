@@ -37,6 +37,12 @@ public:
       return add(text_of(number, digits_after_point));
     }
 
+    // a number that not every row has
+    Row& add_if(const bool is_known, const double number, const int digits_after_point)
+    {
+      return is_known ? add(number, digits_after_point) : add("-");
+    }
+
   private:
     std::vector<std::string>& m_cells;
   };
@@ -48,11 +54,21 @@ public:
     return text.str();
   }
 
+  // for numbers of unknown magnitude
+  static std::string scientific(const double number)
+  {
+    std::ostringstream text;
+    text << std::scientific << std::setprecision(1) << number;
+    return text.str();
+  }
+
   Row add_row()
   {
     m_rows.emplace_back();
     return Row(m_rows.back());
   }
+
+  bool is_empty() const { return m_rows.size() == 1; }
 
   void print_text(std::ostream& out) const
   {

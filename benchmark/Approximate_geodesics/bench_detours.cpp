@@ -1,0 +1,139 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What it is worth to leave out arcs of the discrete geodesic graph that a detour replaces: see the
+// manual. The detour may take a share of epsilon: with 0, all vertices in sight have arcs. See
+// --help.
+
+#include "Errors.h"
+#include "Exact_search.h"
+#include "Mesh.h"
+#include "Options.h"
+#include "Table.h"
+#include "measure.h"
+
+#include <CGAL/Approximate_geodesics/Propagation.h>
+#include <CGAL/Approximate_geodesics/internal/Arc_rows.h>
+#include <CGAL/Approximate_geodesics/internal/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/internal/stored_arcs.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace AG = CGAL::Approximate_geodesics;
+using AG::Intrinsic_triangulation;
+using AG::internal::Unfolding;
+using Expansion = AG::internal::Cone_expansion<Unfolding>;
+
+static constexpr double EPSILON = 0.1;
+
+// A discrete geodesic graph with another share of detours than usual.
+class Graph
+{
+public:
+  using Node = Intrinsic_triangulation::Index;
+
+  Graph(const Intrinsic_triangulation& triangulation, const double share)
+    : m_triangulation(triangulation), m_rows(AG::internal::unit_of_arcs(triangulation))
+  {
+    const Unfolding unfolding(triangulation);
+    const Expansion expansion(triangulation, unfolding, EPSILON, share);
+    std::vector<AG::internal::Stored_arc> arcs;
+    for(Node node = 0; node < number_of_nodes(); ++node)
+    {
+      AG::internal::find_stored_arcs(expansion, node, m_rows.unit(), arcs);
+      m_rows.append_row(arcs);
+    }
+  }
+
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+  std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
+  std::size_t number_of_arcs() const { return m_rows.number_of_arcs(); }
+  std::size_t maximum_degree() const { return m_rows.maximum_degree(); }
+  AG::Arc_lengths arc_lengths() const { return m_rows.arc_lengths(); }
+  void prefetch(const Node node) const { m_rows.prefetch(node); }
+
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels&, F f) const
+  {
+    m_rows.for_each_arc(node, f);
+  }
+
+private:
+  const Intrinsic_triangulation& m_triangulation;
+  AG::internal::Arc_rows m_rows;
+};
+
+// Does what usual expansions do, and counts the windows that they look through.
+struct Window_counter : AG::internal::Leave_out_detours
+{
+  bool operator()(const AG::internal::Window&) const
+  {
+    ++windows;
+    return false;
+  }
+  std::size_t& windows;
+};
+
+std::size_t number_of_windows(const Intrinsic_triangulation& triangulation, const double share)
+{
+  const Unfolding unfolding(triangulation);
+  const Expansion expansion(triangulation, unfolding, EPSILON, share);
+  std::size_t result = 0;
+  for(Graph::Node node = 0; node < triangulation.number_of_vertices(); ++node)
+    expansion.expand(
+        node, [](const AG::internal::Straight_arc&) {}, Window_counter{{}, result});
+  return result;
+}
+
+void compare(const std::string& name, const std::size_t rounds, Table& table)
+{
+  const Mesh mesh = read_mesh(name);
+  const Intrinsic_triangulation triangulation(mesh);
+  const auto sources = random_sources(mesh, rounds);
+  Exact_search exact(mesh);
+  exact.run(sources.front());
+  const double n = double(mesh.number_of_vertices());
+
+  for(const double share : {0., 0.02, Expansion::SHARE_OF_DETOURS, 0.2, 0.5, 1.})
+  {
+    const Graph graph(triangulation, share);
+    AG::Propagation<Graph> search(graph);
+    std::vector<double> seconds;
+    for(const Vertex source : sources)
+      seconds.push_back(seconds_of([&] { search.run(triangulation.vertex(source.idx())); }));
+
+    search.run(triangulation.vertex(sources.front().idx()));
+    Errors errors;
+    for(const Vertex v : mesh.vertices())
+      errors.add(search.distance(triangulation.vertex(v.idx())), exact.distance(v));
+    table.add_row()
+        .add(short_name(name))
+        .add(share, 2)
+        .add(double(number_of_windows(triangulation, share)) / n, 1)
+        .add(double(graph.number_of_arcs()) / n, 1)
+        .add(median(seconds) * 1e3, 3)
+        .add(100 * errors.mean(), 4)
+        .add(100 * errors.largest(), 2);
+  }
+}
+
+int main(int argc, char* argv[])
+{
+  const auto compare_all = [](const Options& options, const Report& report) {
+    Table table(
+        {"mesh", "share", "windows/vertex", "arcs/vertex", "search ms", "mean %", "largest %"});
+    for(const std::string& name : options.meshes)
+      compare(name, options.number_of_rounds, table);
+    report.print("detours",
+                 "Arcs left out of the graph for epsilon = 0.1 (errors for one source, times as "
+                 "medians of " +
+                     std::to_string(options.number_of_rounds) + ")",
+                 table);
+  };
+  return run_benchmark(argc, argv, "bench_detours", {usual_meshes(), 31, ""}, compare_all);
+}

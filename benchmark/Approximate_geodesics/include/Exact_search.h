@@ -1,0 +1,60 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef BENCHMARK_EXACT_SEARCH_H
+#define BENCHMARK_EXACT_SEARCH_H
+
+#include "Mesh.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+// The distances along the surface, by CGAL's exact class. It takes seconds where a graph takes
+// milliseconds. The mesh has no isolated vertices, which the class cannot do with.
+class Exact_search
+{
+  using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Traits = CGAL::Surface_mesh_shortest_path_traits<Exact_kernel, Mesh>;
+  using Mesh_points = boost::property_map<Mesh, CGAL::vertex_point_t>::const_type;
+  using Points = CGAL::Cartesian_converter_property_map<Exact_kernel::Point_3, Mesh_points>;
+  using Paths =
+      CGAL::Surface_mesh_shortest_path<Traits, CGAL::Default, CGAL::Default, CGAL::Default, Points>;
+
+public:
+  explicit Exact_search(const Mesh& mesh)
+    : m_paths(mesh,
+              get(boost::vertex_index, mesh),
+              get(boost::halfedge_index, mesh),
+              get(boost::face_index, mesh),
+              Points(get(CGAL::vertex_point, mesh)))
+  {
+  }
+
+  void run(const Vertex source)
+  {
+    m_paths.remove_all_source_points();
+    m_paths.add_source_point(source);
+    m_paths.build_sequence_tree();
+  }
+
+  // On degenerate meshes, the class may lose its way.
+  double distance(const Vertex v)
+  {
+    const double result = m_paths.shortest_distance_to_source_points(v).first;
+    if(!(result >= 0))
+      throw std::runtime_error("the exact class does not reach vertex " + std::to_string(v.idx()));
+    return result;
+  }
+
+private:
+  Paths m_paths;
+};
+
+#endif // BENCHMARK_EXACT_SEARCH_H
