@@ -99,7 +99,8 @@ void compare(const std::string& name, const std::size_t rounds, Table& table)
   exact.run(sources.front());
   const double n = double(mesh.number_of_vertices());
 
-  for(const double share : {0., 0.02, Expansion::SHARE_OF_DETOURS, 0.2, 0.5, 1.})
+  for(const double share :
+      {0., 0.02, 0.05, Expansion::SHARE_OF_DETOURS, 0.2, 0.4, Expansion::SHARE_OF_ENDS})
   {
     const Graph graph(triangulation, share);
     AG::Propagation<Graph> search(graph);

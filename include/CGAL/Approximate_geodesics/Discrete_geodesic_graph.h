@@ -105,7 +105,6 @@ public:
     using Concurrency_tag =
         typename internal_np::Lookup_named_param_def<internal_np::concurrency_tag_t,
                                                      NamedParameters, Sequential_tag>::type;
-    m_triangulation.check_triangle_inequality();
     build<Concurrency_tag>();
   }
 

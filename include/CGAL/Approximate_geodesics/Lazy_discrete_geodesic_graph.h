@@ -98,7 +98,6 @@ public:
       m_edge_lengths(summarize_arc_lengths(m_triangulation.lengths())),
       m_unit(internal::unit_of_arcs(m_triangulation))
   {
-    m_triangulation.check_triangle_inequality();
     if(arcs == Arcs::KEPT)
       m_kept_arcs = internal::Kept_arcs(number_of_nodes());
   }
@@ -127,14 +126,16 @@ public:
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    const internal::Cone_expansion<internal::Unfolding> expansion(m_triangulation, m_unfolding,
-                                                                  m_epsilon);
+    const Expansion expansion(m_triangulation, m_unfolding, m_epsilon);
     if(!m_kept_arcs.are_wanted())
     {
       const auto report = [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); };
-      expansion.expand(
-          node, report,
-          Label_filter<Labels>{{}, m_triangulation, labels, labels.distance(node), 1 + m_epsilon});
+      expansion.expand(node, report,
+                       Label_filter<Labels>{{},
+                                            m_triangulation,
+                                            labels,
+                                            labels.distance(node),
+                                            1 + Expansion::SHARE_OF_ENDS * m_epsilon});
       return;
     }
     const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
@@ -180,6 +181,8 @@ public:
   /// @}
 
 private:
+  using Expansion = internal::Cone_expansion<internal::Unfolding>;
+
   // Does without a window if all that lies behind it is reached well enough over an end of the
   // window's edge, going by the labels: if, for every point x of the window,
   //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.

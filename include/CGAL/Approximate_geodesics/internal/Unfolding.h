@@ -107,12 +107,19 @@ class Unfolding
 public:
   using Index = Intrinsic_triangulation::Index;
 
+  // Throws if a face breaks the triangle inequality.
   explicit Unfolding(const Intrinsic_triangulation& triangulation)
     : m_faces(triangulation.number_of_halfedges())
   {
+    bool is_suspicious = false;
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
       for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+      {
         m_faces[h] = unfolded_face(triangulation, v, h);
+        is_suspicious = is_suspicious || !(m_faces[h].across > 0);
+      }
+    if(is_suspicious) // an impossible face has got no area
+      triangulation.check_triangle_inequality();
   }
 
   const Unfolded_face& face(const Index h) const { return m_faces[h]; }
