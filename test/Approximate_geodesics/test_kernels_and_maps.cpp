@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace {
@@ -35,6 +36,20 @@ TYPED_TEST_SUITE(Kernels, All_kernels, );
 TYPED_TEST(Kernels, give_the_same_distances)
 {
   expect_same_results_on_copies<CGAL::Surface_mesh<typename TypeParam::Point_3>>();
+}
+
+TYPED_TEST(Kernels, have_points_where_paths_cross_edges)
+{
+  using Kernel_mesh = CGAL::Surface_mesh<typename TypeParam::Point_3>;
+  const Copied_mesh<Kernel_mesh> copy(to_mesh(flat_grid(8, 5)));
+  std::vector<typename TypeParam::Point_3> points;
+  const double distance =
+      CGAL::approximate_geodesic_path(copy.mesh, copy.vertices[0], copy.vertices[4 * 8 + 3],
+                                      std::back_inserter(points), parameters::epsilon(1e-5));
+  EXPECT_NEAR(distance, 5, 1e-9);
+  ASSERT_GT(points.size(), 4u);
+  for(const auto& p : points)
+    EXPECT_NEAR(CGAL::to_double(p.x()) * 4, CGAL::to_double(p.y()) * 3, 1e-5);
 }
 
 class Maps : public testing::Test
@@ -149,6 +164,42 @@ TEST(Surface_mesh, with_garbage)
   const std::vector<double> found = distances_on(mesh, vertices, 0);
   for(std::size_t i = 0; i < vertices.size(); ++i)
     EXPECT_EQ(found[i], field.distance[vertices[i].idx()]);
+
+  CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh> paths(mesh);
+  paths.add_source_point(vertices[0]);
+  for(const Vertex v : vertices)
+  {
+    const double distance = field.distance[v.idx()];
+    EXPECT_EQ(paths.shortest_distance_to_source_points(v).first,
+              distance == infinity ? -1 : distance);
+  }
+}
+
+// Points that no kernel knows of will do along edges, if lengths are given.
+TEST(Points, may_be_of_any_type)
+{
+  struct Name
+  {
+    char letter;
+  };
+  CGAL::Surface_mesh<Name> mesh;
+  const auto a = mesh.add_vertex({'a'}), b = mesh.add_vertex({'b'}), c = mesh.add_vertex({'c'});
+  mesh.add_face(a, b, c);
+  const std::vector<double> lengths = {1, 1, 5}; // of ab, bc and ca
+  const auto map = boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh));
+  std::vector<Name> points;
+  EXPECT_EQ(CGAL::approximate_geodesic_path(mesh, a, c, std::back_inserter(points),
+                                            parameters::edge_length_map(map)),
+            2);
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[1].letter, 'b');
+
+  CGAL::Approximate_geodesics::Surface_mesh_shortest_path<CGAL::Surface_mesh<Name>> paths(
+      mesh, parameters::edge_length_map(map));
+  paths.add_source_point(c);
+  points.clear();
+  paths.shortest_path_points_to_source_points(a, std::back_inserter(points));
+  EXPECT_EQ(points.size(), 3u);
 }
 
 } // namespace

@@ -42,7 +42,7 @@ namespace Approximate_geodesics {
  * as they lead to something that cannot be reached well enough over another vertex; section \ref
  * AG_discrete_geodesic_graph of the user manual describes how that is decided, and proves the
  * bound. On scanned models the mean error is about \f$\varepsilon / 80\f$, and the largest one
- * below \f$\varepsilon / 5\f$.
+ * below \f$\varepsilon / 4\f$.
  *
  * Lengths are stored in single precision and rounded up, which makes them too long by a factor of
  * at most \f$1 + 2^{-23}\f$. An arc takes 6 bytes, which is about 250 bytes per vertex for

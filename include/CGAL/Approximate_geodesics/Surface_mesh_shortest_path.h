@@ -326,7 +326,7 @@ public:
   {
     const Shortest_path_result result = shortest_distance_to_source_points(v);
     for(const internal::Path_point& p : internal::path_points(m_search, m_vertices.node(v)))
-      *points++ = m_vertices.point(p, m_point_map, Kernel());
+      *points++ = point(p);
     return result;
   }
 
@@ -407,18 +407,27 @@ private:
   using Node = typename Search::Node;
   using Index_function = internal::Function_property_map<vertex_descriptor, std::size_t>;
 
-  using Kernel = typename Kernel_traits<Point_3>::Kernel;
+  Point_3 point(const internal::Path_point& p) const
+  {
+    if constexpr(internal::has_crossing_arcs<Graph>)
+      return m_vertices.point(p, m_point_map, typename Kernel_traits<Point_3>::Kernel());
+    else
+      return m_vertices.point_of_vertex(p, m_point_map);
+  }
 
+  // Counts what is there: some meshes' numbers include what was removed.
   void check_size() const
   {
     const Intrinsic_triangulation& t = m_graph.triangulation();
-    if(num_vertices(m_mesh) != t.number_of_vertices() ||
-       num_halfedges(m_mesh) != t.number_of_halfedges())
+    const auto count = [](const auto& range) {
+      return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
+    };
+    const std::size_t v = count(vertices(m_mesh)), h = count(halfedges(m_mesh));
+    if(v != t.number_of_vertices() || h != t.number_of_halfedges())
       internal::reject("the graph is that of another mesh: it has " +
                        std::to_string(t.number_of_vertices()) + " vertices and " +
                        std::to_string(t.number_of_halfedges()) + " halfedges, and the mesh has " +
-                       std::to_string(num_vertices(m_mesh)) + " and " +
-                       std::to_string(num_halfedges(m_mesh)));
+                       std::to_string(v) + " and " + std::to_string(h));
   }
 
   const Triangle_mesh& m_mesh;

@@ -165,7 +165,7 @@ class Cone_expansion
 
 public:
   // The share of epsilon that ends cones. The whole of it would do. This is where the largest
-  // errors on scanned models stay below a fifth of epsilon.
+  // errors on scanned models stay below a fourth of epsilon.
   static constexpr double SHARE_OF_ENDS = 5. / 6;
 
   // The share of epsilon that a detour may take which makes an arc dispensable. A larger one means

@@ -83,14 +83,20 @@ public:
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
-    const auto traits = choose_parameter<Traits>(get_parameter(m_np, internal_np::geom_traits));
     const auto point_map = choose_parameter(get_parameter(m_np, internal_np::vertex_point),
                                             get_const_property_map(CGAL::vertex_point, m_mesh));
     const std::vector<Path_point> path = path_points(m_search, m_vertices.node(v));
     for(auto it = path.rbegin(); it != path.rend(); ++it)
-      *points++ = m_vertices.point(*it, point_map, traits);
+      if constexpr(has_crossing_arcs<Graph>)
+      {
+        using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+        *points++ = m_vertices.point(
+            *it, point_map,
+            choose_parameter<Traits>(get_parameter(m_np, internal_np::geom_traits)));
+      }
+      else
+        *points++ = m_vertices.point_of_vertex(*it, point_map);
   }
 
   template <typename VertexDistanceMap>

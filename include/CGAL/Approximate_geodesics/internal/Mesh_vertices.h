@@ -74,12 +74,18 @@ public:
     return result;
   }
 
+  template <typename VertexPointMap>
+  auto point_of_vertex(const Path_point& p, const VertexPointMap& point_map) const
+  {
+    return get(point_map, vertex(p.vertex));
+  }
+
   template <typename VertexPointMap, typename Traits>
   auto point(const Path_point& p, const VertexPointMap& point_map, const Traits& traits) const
   {
-    using Result = std::decay_t<decltype(get(point_map, vertex(p.vertex)))>;
+    using Result = std::decay_t<decltype(point_of_vertex(p, point_map))>;
     if(p.halfedge == Intrinsic_triangulation::null_index)
-      return Result(get(point_map, vertex(p.vertex)));
+      return Result(point_of_vertex(p, point_map));
     return Result(traits.construct_barycenter_3_object()(
         get(point_map, vertex(m_triangulation->target(p.halfedge))), typename Traits::FT(p.t),
         get(point_map, vertex(m_triangulation->source(p.halfedge)))));

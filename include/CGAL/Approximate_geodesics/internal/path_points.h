@@ -8,10 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +29,10 @@ struct Path_point
   Index halfedge; // or null_index
   double t = 0;   // the part of the way from the halfedge's source to its target
 };
+
+// Whether paths have points other than vertices. If not, points can be of any type.
+template <typename GeodesicGraph>
+constexpr bool has_crossing_arcs = !std::is_same_v<GeodesicGraph, Edge_graph>;
 
 // The points of the path that a search has found, from `node` back to where it starts; none if
 // `node` was not reached. Between two of them, the path runs straight through a face, or along an
