@@ -61,8 +61,8 @@ public:
   /// returns the number of nodes, which is at least the number of vertices of `triangulation()`.
   std::size_t number_of_nodes() const;
 
-  /// returns a summary of the lengths of the arcs, or an estimate. Queues set themselves up with it;
-  /// they work with arcs of other lengths, too, only not as fast.
+  /// returns a summary of the lengths of the arcs, or an estimate. Queues set themselves up with
+  /// it; they work with arcs of other lengths, too, only not as fast.
   CGAL::Approximate_geodesics::Arc_lengths arc_lengths() const;
 
   /// returns an upper bound of the number of arcs that `for_each_arc()` reports of a node. The
@@ -102,18 +102,17 @@ public:
   void for_each_arc(Node node, const Labels& labels, F f) const;
 
   /*!
-  calls `f(h, t)` for every edge that the arc from `source` to `target` crosses, in this order: at the
-  point that is at the part `t`, a `double` from `0` to `1`, of the way from the source to the target
-  of the halfedge `h` of `triangulation()`. Between two such points, and before the first and
+  calls `f(h, t)` for every edge that the arc from `source` to `target` crosses, in this order: at
+  the point that is at the part `t`, a `double` from `0` to `1`, of the way from the source to the
+  target of the halfedge `h` of `triangulation()`. Between two such points, and before the first and
   after the last one, the arc runs straight through a face, or along an edge.
 
   The search does not need this; whoever draws paths does.
 
   \param source the node that the arc starts from
   \param target the node that it leads to
-  \param length the length of the arc, up to rounding, in units of the graph: there may be several arcs
-         between the two nodes
-  \param f what to call
+  \param length the length of the arc, up to rounding, in units of the graph: there may be several
+  arcs between the two nodes \param f what to call
   */
   template <typename F>
   void for_each_crossing(Node source, Node target, double length, F f) const;
