@@ -21,7 +21,7 @@ namespace CGAL {
  *
  * If an error bound `epsilon` is given, paths run across faces, and are at most
  * \f$1 + \varepsilon\f$ times as long as the shortest ones on the surface; on scanned models, the
- * mean error is about \f$\varepsilon/80\f$. If not, paths are the shortest ones along the edges of
+ * mean error is below \f$\varepsilon/50\f$. If not, paths are the shortest ones along the edges of
  * the mesh, which are about 4 % too long on average on scanned models, and for which there is no
  * bound in general. A distance is never below that along the surface. Distances are in the unit of
  * the coordinates. Vertices that no source reaches, or that are not certain when the run ends
@@ -63,9 +63,10 @@ namespace CGAL {
  *                     given.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{epsilon}
- *     \cgalParamDescription{an error bound \f$\varepsilon\f$: paths may run across faces, and are
- * at most \f$1 + \varepsilon\f$ times as long as the shortest ones on the surface} \cgalParamType{a
- * number type convertible by `CGAL::to_double()`} \cgalParamDefault{none: paths run along edges}
+ *     \cgalParamDescription{an error bound: paths run across faces, and are at most
+ *                           `1 + epsilon` times as long as the shortest ones on the surface}
+ *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+ *     \cgalParamDefault{none: paths run along edges}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}

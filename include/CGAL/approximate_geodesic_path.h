@@ -35,10 +35,11 @@ namespace CGAL {
  * \param tmesh the triangle mesh; it is not changed
  * \param source the vertex that the path starts from
  * \param target the vertex that the path ends at
- * \param points receives the points of the path, from `source` to `target`: those of the vertices
- * that it goes through and those where it crosses edges; a single one if `source` and `target` are
- * the same, and none if there is no path \param np an optional sequence of \ref bgl_namedparameters
- * "Named Parameters" among the ones listed below
+ * \param points receives the points of the path, from `source` to `target`: its vertices, and where
+ *               it crosses edges; a single one if `source` and `target` are the same, and none if
+ *               there is no path
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+ *           listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
@@ -60,9 +61,10 @@ namespace CGAL {
  *                     given.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{epsilon}
- *     \cgalParamDescription{an error bound \f$\varepsilon\f$: paths may run across faces, and are
- * at most \f$1 + \varepsilon\f$ times as long as the shortest ones on the surface} \cgalParamType{a
- * number type convertible by `CGAL::to_double()`} \cgalParamDefault{none: paths run along edges}
+ *     \cgalParamDescription{an error bound: paths run across faces, and are at most
+ *                           `1 + epsilon` times as long as the shortest ones on the surface}
+ *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+ *     \cgalParamDefault{none: paths run along edges}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}
@@ -125,8 +127,7 @@ double approximate_geodesic_path(
   Approximate_geodesics::internal::Mesh_query<PriorityQueue, TriangleMesh, NamedParameters> query(
       tmesh, np);
   query.run(source, target);
-  query.write_path(target, points);
-  return query.distance(target);
+  return query.write_path(target, points);
 }
 
 } // namespace CGAL

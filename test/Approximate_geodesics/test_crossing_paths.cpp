@@ -112,6 +112,46 @@ TEST(Paths_across_faces, have_the_length_they_say)
   }
 }
 
+TEST(Paths_across_faces, have_it_where_faces_have_no_area)
+{
+  Random random(test_seed());
+  for(std::size_t i = 0; i < 20; ++i)
+  {
+    const Soup soup = with_caps(with_caps(flat_grid(6, 5), random), random);
+    expect_paths_of_the_length_they_say<Discrete_geodesic_graph>(to_mesh(soup), 2e-7);
+    expect_paths_of_the_length_they_say<Lazy_discrete_geodesic_graph>(to_mesh(soup), 1e-7);
+  }
+}
+
+// When a node is expanded again, those behind it have to be told.
+TEST(Lazy_discrete_geodesic_graph, finds_distances_that_are_sums_of_arcs)
+{
+  Random random(test_seed());
+  const auto pull = [](const Point& p) { return Point(p.x(), 20 * p.y(), p.z()); };
+  const Mesh mesh = to_mesh(terrain(120, 120, random).transformed(pull));
+  const Lazy_discrete_geodesic_graph graph(Triangulation(mesh), epsilon(0.1));
+  AG::Propagation<Lazy_discrete_geodesic_graph> search(graph);
+  search.collect_statistics(true);
+  std::size_t repeated = 0;
+  for(Node source = 0; source < graph.number_of_nodes(); source += 3000)
+  {
+    search.run(source);
+    repeated += search.statistics().repeated_pops();
+    const double unit = graph.triangulation().unit();
+    for(Node node = 0; node < graph.number_of_nodes(); node += 3)
+    {
+      const Node previous = search.predecessor(node);
+      if(previous == search.null_node)
+        continue;
+      const double difference = (search.distance(node) - search.distance(previous)) / unit;
+      const auto ignore = [](Node, double) {};
+      EXPECT_NEAR(graph.for_each_crossing(previous, node, difference, ignore), difference,
+                  1e-12 * search.distance(node) / unit);
+    }
+  }
+  EXPECT_GT(repeated, 0u);
+}
+
 TEST(Paths_across_faces, are_straight_in_the_plane)
 {
   const Mesh mesh = to_mesh(flat_grid(12, 12));

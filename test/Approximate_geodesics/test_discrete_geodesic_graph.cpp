@@ -56,24 +56,6 @@ void expect_within(const std::vector<double>& found,
   }
 }
 
-// Puts a vertex on one edge of every other triangle, and a face without area between the two parts
-// of the edge and the whole of it.
-Soup with_caps(Soup soup, Random& random)
-{
-  const std::size_t number_of_triangles = soup.triangles.size();
-  for(std::size_t i = 0; i < number_of_triangles; i += 2)
-  {
-    const auto [a, b, c] = soup.triangles[i];
-    const std::size_t m = soup.points.size();
-    soup.points.push_back(CGAL::barycenter(soup.points[a], random.between(0.1, 0.9), //
-                                           soup.points[b]));
-    soup.triangles[i] = {a, m, c};
-    soup.triangles.push_back({m, b, c});
-    soup.triangles.push_back({b, m, a});
-  }
-  return soup;
-}
-
 template <typename GeodesicGraph>
 class Graph_with_a_bound : public testing::Test
 {

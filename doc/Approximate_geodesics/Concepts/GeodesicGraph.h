@@ -89,6 +89,8 @@ public:
            thus says from which direction the path arrives; for a node that the search started from
            it is the largest `Node`, which stands for none. It may be asked for if `n` was reached.
          - `labels.number_of_nodes()` is the number of nodes.
+         - `labels.was_expanded(n)` is whether `n` was expanded before in this run, with a larger
+           distance. It is always `false` if the graph has a member function `maximum_degree()`.
   \param f what to call
 
   A graph that does not look at `labels` reports the same arcs whenever it is asked about a node.
@@ -112,10 +114,13 @@ public:
   \param source the node that the arc starts from
   \param target the node that it leads to
   \param length the length of the arc, up to rounding, in units of the graph: there may be several
-  arcs between the two nodes \param f what to call
+                arcs between the two nodes
+  \param f what to call
+
+  \return the length of the arc before it was rounded, if it was, in units of the graph.
   */
   template <typename F>
-  void for_each_crossing(Node source, Node target, double length, F f) const;
+  double for_each_crossing(Node source, Node target, double length, F f) const;
 
   /// is told that `node` will probably be expanded soon, and may ask the memory for what this
   /// takes. It may just as well do nothing.

@@ -41,12 +41,13 @@ namespace Approximate_geodesics {
  * between them, laid out in the plane. From every vertex, all directions are followed for as long
  * as they lead to something that cannot be reached well enough over another vertex; section \ref
  * AG_discrete_geodesic_graph of the user manual describes how that is decided, and proves the
- * bound. On scanned models the mean error is about \f$\varepsilon / 80\f$, and the largest one
+ * bound. On scanned models the mean error is below \f$\varepsilon / 50\f$, and the largest one
  * below \f$\varepsilon / 4\f$.
  *
  * Lengths are stored in single precision and rounded up, which makes them too long by a factor of
- * at most \f$1 + 2^{-23}\f$. An arc takes 6 bytes, which is about 250 bytes per vertex for
- * \f$\varepsilon = 0.1\f$, in addition to the triangulation.
+ * at most \f$1 + 2^{-23}\f$, unless they are shorter than the longest edge by a factor of more than
+ * \f$2^{126}\f$, which single precision cannot tell apart any more. An arc takes 6 bytes, which is
+ * about 250 bytes per vertex for \f$\varepsilon = 0.1\f$, in addition to the triangulation.
  *
  * An object of this class never changes after its construction and may be used by several threads.
  * For one search, or few, `Lazy_discrete_geodesic_graph` is faster.
@@ -94,8 +95,9 @@ public:
    * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, or if a face
    *         breaks the triangle inequality.
    *
-   * A vertex takes constant time and memory on meshes whose faces are not too oblong, about
-   * \f$\varepsilon^{-0.6}\f$ for small \f$\varepsilon\f$.
+   * A vertex takes constant time and memory on meshes whose faces are not too oblong and whose
+   * vertices are not of high degree, and time \cgalBigO{n} at worst if cones of a bounded number
+   * cross all faces, as in a fan of `n` needles.
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Discrete_geodesic_graph(Intrinsic_triangulation triangulation,
@@ -145,14 +147,14 @@ public:
   /*!
    * calls `f(h, t)` for every edge that the arc of the given length from `source` to `target`
    * crosses, in this order: at the point that is at the part `t` of the way from the source to the
-   * target of the halfedge `h`.
+   * target of the halfedge `h`. Returns the length of the arc, before it was rounded.
    * \pre There is such an arc.
    */
   template <typename F>
-  void for_each_crossing(const Node source, const Node target, const double length, F f) const
+  double for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
-    internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_epsilon, source, target,
-                                                     length, f);
+    return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_epsilon, source,
+                                                            target, length, f);
   }
 
   /// asks for the arcs of `node`, which will be needed soon.
@@ -172,7 +174,7 @@ public:
 
   /*!
    * writes the graph to `out`, a binary stream: 8 bytes per arc, 4 per node, and a header. The
-   * triangulation is not written, as it is made from the mesh in no time.
+   * triangulation is not written, as it is quickly made from the mesh.
    * \throws std::runtime_error if `out` does not take it.
    */
   void save(std::ostream& out) const
@@ -251,6 +253,9 @@ inline bool Discrete_geodesic_graph::is_valid() const
 {
   if(!m_triangulation.is_valid() || m_rows.number_of_rows() != number_of_nodes())
     return false;
+  constexpr double rounding = 1 + 1. / (1 << 22);
+  const double smallest_step =
+      2 * m_rows.unit() * static_cast<double>(std::numeric_limits<float>::denorm_min());
   std::vector<double> length_to(number_of_nodes(), std::numeric_limits<double>::infinity());
   for(Node v = 0; v < number_of_nodes(); ++v)
   {
@@ -265,8 +270,8 @@ inline bool Discrete_geodesic_graph::is_valid() const
     for(Node h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
     {
       const Node w = m_triangulation.target(h);
-      constexpr double rounding = 1 + 1. / (1 << 22);
-      if(w != v && !(length_to[w] <= m_triangulation.length(h) * rounding))
+      const double longest = m_triangulation.length(h) * rounding + smallest_step;
+      if(w != v && !(length_to[w] <= longest))
         return false;
     }
     m_rows.for_each_arc(v, [&](const Node target, double) {

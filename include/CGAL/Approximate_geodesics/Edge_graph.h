@@ -84,10 +84,12 @@ public:
       f(target[h], length[h]);
   }
 
-  /// does nothing: the arcs are edges, and cross none.
+  /// returns `length`: the arcs are edges, and cross none.
   template <typename F>
-  void for_each_crossing(Node /* source */, Node /* target */, double /* length */, F /* f */) const
+  double
+  for_each_crossing(Node /* source */, Node /* target */, const double length, F /* f */) const
   {
+    return length;
   }
 
   /// asks for the arcs of `node`, which will be needed soon.

@@ -130,12 +130,15 @@ public:
     if(!m_kept_arcs.are_wanted())
     {
       const auto report = [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); };
-      expansion.expand(node, report,
-                       Label_filter<Labels>{{},
-                                            m_triangulation,
-                                            labels,
-                                            labels.distance(node),
-                                            1 + Expansion::SHARE_OF_ENDS * m_epsilon});
+      if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
+        expansion.expand(node, report, internal::Leave_out_nothing());
+      else
+        expansion.expand(node, report,
+                         Label_filter<Labels>{{},
+                                              m_triangulation,
+                                              labels,
+                                              labels.distance(node),
+                                              1 + Expansion::SHARE_OF_ENDS * m_epsilon});
       return;
     }
     const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
@@ -148,18 +151,18 @@ public:
   /*!
    * calls `f(h, t)` for every edge that the arc of the given length from `source` to `target`
    * crosses, in this order: at the point that is at the part `t` of the way from the source to the
-   * target of the halfedge `h`.
+   * target of the halfedge `h`. Returns the length of the arc.
    * \pre There is such an arc.
    */
   template <typename F>
-  void for_each_crossing(const Node source, const Node target, const double length, F f) const
+  double for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
     if(m_kept_arcs.are_wanted())
-      internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_epsilon, source, target,
-                                                       length, f);
+      return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_epsilon, source,
+                                                              target, length, f);
     else
-      internal::trace_arc<internal::Leave_out_nothing>(m_triangulation, m_epsilon, source, target,
-                                                       length, f);
+      return internal::trace_arc<internal::Leave_out_nothing>(m_triangulation, m_epsilon, source,
+                                                              target, length, f);
   }
 
   /// asks for what it takes to find the first arcs of `node`, which will be needed soon.

@@ -356,6 +356,8 @@ private:
         end += static_cast<std::ptrdiff_t>(end->distance < distances[target]);
       });
       m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
+      if constexpr(!internal::has_maximum_degree<Graph>)
+        m_labels.set_expanded(node);
     }
   }
 

@@ -14,10 +14,10 @@
 #include <CGAL/Approximate_geodesics/Propagation.h>
 #include <CGAL/Approximate_geodesics/internal/Function_property_map.h>
 #include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
+#include <CGAL/Approximate_geodesics/internal/Path.h>
 #include <CGAL/Approximate_geodesics/internal/Source_list.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
-#include <CGAL/Approximate_geodesics/internal/path_points.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -325,7 +325,7 @@ public:
                                                              OutputIterator points)
   {
     const Shortest_path_result result = shortest_distance_to_source_points(v);
-    for(const internal::Path_point& p : internal::path_points(m_search, m_vertices.node(v)))
+    for(const internal::Path_point& p : internal::find_path(m_search, m_vertices.node(v)).points)
       *points++ = point(p);
     return result;
   }
@@ -342,7 +342,7 @@ public:
                                                                Visitor& visitor)
   {
     const Shortest_path_result result = shortest_distance_to_source_points(v);
-    for(const internal::Path_point& p : internal::path_points(m_search, m_vertices.node(v)))
+    for(const internal::Path_point& p : internal::find_path(m_search, m_vertices.node(v)).points)
       if(p.halfedge == Intrinsic_triangulation::null_index)
         visitor(m_vertices.vertex(p.vertex));
       else

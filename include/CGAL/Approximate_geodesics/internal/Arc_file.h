@@ -10,6 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/internal/Arc_rows.h>
+#include <CGAL/Approximate_geodesics/internal/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/stored_arcs.h>
@@ -51,6 +53,8 @@ public:
     writer.write(triangulation.number_of_faces());
     writer.write(fingerprint(triangulation));
     writer.write(epsilon);
+    writer.write(double(Cone_expansion<Unfolding>::SHARE_OF_ENDS));
+    writer.write(double(Cone_expansion<Unfolding>::SHARE_OF_DETOURS));
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     {
       writer.write(static_cast<std::uint32_t>(rows.degree(v)));
@@ -71,6 +75,7 @@ public:
     Binary_reader reader(in);
     check_header(reader, triangulation);
     epsilon = reader.read<double>();
+    check_shares(reader);
     rows = Arc_rows(unit_of_arcs(triangulation));
     rows.reserve(triangulation.number_of_vertices());
     std::vector<Stored_arc> arcs;
@@ -113,6 +118,16 @@ private:
              "with other lengths or indices");
   }
 
+  // Paths are found by building arcs again, which has to be done in the same way.
+  static void check_shares(Binary_reader& reader)
+  {
+    const auto ends = reader.read<double>();
+    const auto detours = reader.read<double>();
+    if(ends != Cone_expansion<Unfolding>::SHARE_OF_ENDS ||
+       detours != Cone_expansion<Unfolding>::SHARE_OF_DETOURS)
+      reject("the graph of the file was built by other rules than those of this version");
+  }
+
   static void check_size(Binary_reader& reader, const Index expected, const char* kind)
   {
     const auto size = reader.read<std::uint32_t>();
@@ -133,7 +148,8 @@ private:
       const auto target = reader.read<std::uint32_t>();
       const auto length = reader.read<float>();
       const bool is_sorted = arcs.empty() || arcs.back().target < target;
-      if(target >= number_of_vertices || !is_sorted || !(length >= 0) || std::isinf(length))
+      if(target >= number_of_vertices || target == node || !is_sorted || !(length >= 0) ||
+         std::isinf(length))
         reject("the file of the graph is damaged: arc " + std::to_string(i) + " of node " +
                std::to_string(node) + " makes no sense");
       arcs.push_back({target, length});

@@ -52,10 +52,25 @@ public:
     m_predecessor[node] = predecessor;
   }
 
+  // whether a node was expanded before in this run; only for graphs that make the search say so
+  bool was_expanded(const Node node) const { return !m_is_expanded.empty() && m_is_expanded[node]; }
+
+  void set_expanded(const Node node)
+  {
+    if(m_is_expanded.empty())
+      m_is_expanded.resize(m_distance.size());
+    m_is_expanded[node] = true;
+  }
+
   const std::vector<Node>& order() const { return m_order; }
   std::vector<Node>& order() { return m_order; }
 
-  void discard(const Node node) { m_distance[node] = infinity; }
+  void discard(const Node node)
+  {
+    m_distance[node] = infinity;
+    if(!m_is_expanded.empty())
+      m_is_expanded[node] = false;
+  }
 
   void discard_last_of_order(std::size_t number)
   {
@@ -79,12 +94,13 @@ public:
   void forget_all()
   {
     std::fill(m_distance.begin(), m_distance.end(), infinity);
+    m_is_expanded.clear();
     m_order.clear();
   }
 
   std::size_t memory() const
   {
-    return m_distance.capacity() * sizeof(double) +
+    return m_distance.capacity() * sizeof(double) + m_is_expanded.capacity() / 8 +
            (m_predecessor.capacity() + m_order.capacity()) * sizeof(Node);
   }
 
@@ -94,6 +110,7 @@ private:
   std::vector<double> m_distance;
   std::vector<Node> m_predecessor; // meaningful where the distance is finite
   std::vector<Node> m_order;
+  std::vector<bool> m_is_expanded; // empty unless asked for
 };
 
 } // namespace internal

@@ -13,9 +13,9 @@
 #include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Propagation.h>
 #include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
+#include <CGAL/Approximate_geodesics/internal/Path.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/internal/path_points.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -77,17 +77,18 @@ public:
 
   double distance(const vertex_descriptor v) const { return m_search.distance(m_vertices.node(v)); }
 
-  // Writes the points of the path from the source to `v`, if `v` was reached.
+  // Writes the points of the path from the source to `v`, if `v` was reached. Returns its length,
+  // or infinity.
   template <typename OutputIterator>
-  void write_path(const vertex_descriptor v, OutputIterator points) const
+  double write_path(const vertex_descriptor v, OutputIterator points) const
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
 
     const auto point_map = choose_parameter(get_parameter(m_np, internal_np::vertex_point),
                                             get_const_property_map(CGAL::vertex_point, m_mesh));
-    const std::vector<Path_point> path = path_points(m_search, m_vertices.node(v));
-    for(auto it = path.rbegin(); it != path.rend(); ++it)
+    const Path path = find_path(m_search, m_vertices.node(v));
+    for(auto it = path.points.rbegin(); it != path.points.rend(); ++it)
       if constexpr(has_crossing_arcs<Graph>)
       {
         using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
@@ -97,6 +98,9 @@ public:
       }
       else
         *points++ = m_vertices.point_of_vertex(*it, point_map);
+    return has_crossing_arcs<Graph> && !path.points.empty()
+               ? path.length * m_graph.triangulation().unit()
+               : distance(v);
   }
 
   template <typename VertexDistanceMap>

@@ -9,8 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/internal/Path.h>
 #include <CGAL/Approximate_geodesics/internal/halfedge_groups.h>
-#include <CGAL/Approximate_geodesics/internal/path_points.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/internal/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/internal/Unfolding.h>
-#include <CGAL/assertions.h>
+#include <CGAL/Approximate_geodesics/internal/messages.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,14 +70,34 @@ struct Remembering : Filter
   Window_tree& tree;
 };
 
-// At which part of the way from `left` to `right`, in line with the origin, this is, or is nearest.
-inline double part_at_origin(const Plane_vector left, const Plane_vector right)
+// Follows a line from the origin across edges that are laid out in the plane.
+class Line_walk
 {
-  const double a = length(left), b = length(right);
-  if(dot(left, right) > 0)
-    return a < b ? 0 : 1;
-  return a + b > 0 ? a / (a + b) : 0.5;
-}
+public:
+  explicit Line_walk(const Plane_vector end) : m_direction(1 / length(end) * end) {}
+
+  // At which part of the way from `left` to `right` the line crosses this edge. If they lie in one
+  // line, as where faces have no area, it is where the walk has got to, or the next point after
+  // that.
+  double cross_edge(const Plane_vector left, const Plane_vector right)
+  {
+    constexpr double smallest_angle = 1e-9;
+    const double to_left = std::abs(cross(m_direction, left));
+    const double to_right = std::abs(cross(m_direction, right));
+    const double start = dot(m_direction, left), end = dot(m_direction, right);
+    double t = 0;
+    if(to_left + to_right > smallest_angle * length(right - left))
+      t = to_left / (to_left + to_right);
+    else if(start != end)
+      t = (std::clamp)((m_position - start) / (end - start), 0., 1.);
+    m_position = (std::max)(m_position, start + t * (end - start));
+    return t;
+  }
+
+private:
+  Plane_vector m_direction;
+  double m_position = 0; // how far the walk has got
+};
 
 // Calls `f(h, t)` for the halfedges that `arc` crosses, at the part `t` of the way from their
 // source to their target.
@@ -87,17 +107,17 @@ void for_each_crossing(const Intrinsic_triangulation& triangulation,
                        const std::vector<Intrinsic_triangulation::Index>& halfedges,
                        F f)
 {
+  if(halfedges.empty())
+    return;
   const Unfolding_on_demand unfolding(triangulation);
   Unfolded_face face = unfolding.face(arc.start);
   Plane_vector left{0, 0}, right{triangulation.length(arc.start), 0}; // of the face's base
+  Line_walk walk(arc.position);
   for(const auto h : halfedges)
   {
     const Plane_vector apex = face.position_of_apex(left, right);
     (h == face.right ? left : right) = apex;
-    const double to_left = std::abs(cross(arc.position, left));
-    const double to_right = std::abs(cross(right, arc.position));
-    const double sum = to_left + to_right;
-    f(h, sum > 0 ? to_left / sum : part_at_origin(left, right));
+    f(h, walk.cross_edge(left, right));
     face = unfolding.face(h);
   }
 }
@@ -105,14 +125,15 @@ void for_each_crossing(const Intrinsic_triangulation& triangulation,
 // Calls `f(h, t)` for every edge that an arc in a discrete geodesic graph crosses, from its source
 // on: at the point that is at the part `t` of the way from the source to the target of the halfedge
 // `h`. The arcs of the graph were found with a filter of the given type, or are some of those.
-// Among those between the two vertices, the one of the given length is meant.
+// Among those between the two vertices, the one of the given length is meant, or of about that
+// length. Returns its length.
 template <typename Filter, typename F>
-void trace_arc(const Intrinsic_triangulation& triangulation,
-               const double epsilon,
-               const Intrinsic_triangulation::Index source,
-               const Intrinsic_triangulation::Index target,
-               const double length,
-               F f)
+double trace_arc(const Intrinsic_triangulation& triangulation,
+                 const double epsilon,
+                 const Intrinsic_triangulation::Index source,
+                 const Intrinsic_triangulation::Index target,
+                 const double length,
+                 F f)
 {
   const Unfolding_on_demand unfolding(triangulation);
   const Cone_expansion<Unfolding_on_demand> expansion(triangulation, unfolding, epsilon);
@@ -128,8 +149,10 @@ void trace_arc(const Intrinsic_triangulation& triangulation,
     }
   };
   expansion.expand(source, compare, Remembering<Filter>{Filter(), tree});
-  CGAL_assertion(found.target == target);
+  if(found.target != target)
+    reject("the graph has an arc that the mesh has not; was it read from a file that was changed?");
   for_each_crossing(triangulation, found, tree.halfedges(found.way), f);
+  return found.length;
 }
 
 } // namespace internal

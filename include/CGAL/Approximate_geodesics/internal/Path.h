@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_PATH_POINTS_H
-#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_PATH_POINTS_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_PATH_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_PATH_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -34,29 +34,35 @@ struct Path_point
 template <typename GeodesicGraph>
 constexpr bool has_crossing_arcs = !std::is_same_v<GeodesicGraph, Edge_graph>;
 
-// The points of the path that a search has found, from `node` back to where it starts; none if
-// `node` was not reached. Between two of them, the path runs straight through a face, or along an
-// edge.
+struct Path
+{
+  // Between two of them, the path runs straight through a face, or along an edge.
+  std::vector<Path_point> points;
+  double length = 0; // in units of the graph
+};
+
+// The path that a search has found, from `node` back to where it starts; without points if `node`
+// was not reached.
 template <typename Search>
-std::vector<Path_point> path_points(const Search& search, typename Search::Node node)
+Path find_path(const Search& search, typename Search::Node node)
 {
   constexpr auto null_index = Intrinsic_triangulation::null_index;
-  std::vector<Path_point> result;
+  Path result;
   if(!search.is_reached(node))
     return result;
-  result.push_back({node, null_index});
+  result.points.push_back({node, null_index});
   for(auto previous = search.predecessor(node); previous != Search::null_node;
       previous = search.predecessor(node))
   {
     const double length =
         (search.distance(node) - search.distance(previous)) / search.graph().triangulation().unit();
-    const auto first = static_cast<std::ptrdiff_t>(result.size());
-    search.graph().for_each_crossing(previous, node, length,
-                                     [&](const auto halfedge, const double t) {
-                                       result.push_back({null_index, halfedge, t});
-                                     });
-    std::reverse(result.begin() + first, result.end());
-    result.push_back({previous, null_index});
+    const auto first = static_cast<std::ptrdiff_t>(result.points.size());
+    result.length += search.graph().for_each_crossing(
+        previous, node, length, [&](const auto halfedge, const double t) {
+          result.points.push_back({null_index, halfedge, t});
+        });
+    std::reverse(result.points.begin() + first, result.points.end());
+    result.points.push_back({previous, null_index});
     node = previous;
   }
   return result;
@@ -66,4 +72,4 @@ std::vector<Path_point> path_points(const Search& search, typename Search::Node 
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_PATH_POINTS_H
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_PATH_H
