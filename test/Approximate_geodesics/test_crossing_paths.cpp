@@ -117,7 +117,9 @@ TEST(Paths_across_faces, have_it_where_faces_have_no_area)
   Random random(test_seed());
   for(std::size_t i = 0; i < 20; ++i)
   {
-    const Soup soup = with_caps(with_caps(flat_grid(6, 5), random), random);
+    // vertices may come to lie at the same place
+    const auto part = [&] { return 0.25 * static_cast<double>(1 + random.below(3)); };
+    const Soup soup = with_caps(with_caps(flat_grid(6, 5), part), part);
     expect_paths_of_the_length_they_say<Discrete_geodesic_graph>(to_mesh(soup), 2e-7);
     expect_paths_of_the_length_they_say<Lazy_discrete_geodesic_graph>(to_mesh(soup), 1e-7);
   }

@@ -111,14 +111,15 @@ inline Soup growing_strip(const std::size_t cells, const double shortest, const 
 
 // Puts a vertex on one edge of every other triangle, and a face without area between the two parts
 // of the edge and the whole of it.
-inline Soup with_caps(Soup soup, Random& random)
+template <typename F>
+Soup with_caps(Soup soup, F part)
 {
   const std::size_t number_of_triangles = soup.triangles.size();
   for(std::size_t i = 0; i < number_of_triangles; i += 2)
   {
     const auto [a, b, c] = soup.triangles[i];
     const std::size_t m = soup.points.size();
-    soup.points.push_back(CGAL::barycenter(soup.points[a], random.between(0.1, 0.9), //
+    soup.points.push_back(CGAL::barycenter(soup.points[a], part(), //
                                            soup.points[b]));
     soup.triangles[i] = {a, m, c};
     soup.triangles.push_back({m, b, c});

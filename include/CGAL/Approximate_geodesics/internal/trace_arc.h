@@ -74,7 +74,11 @@ struct Remembering : Filter
 class Line_walk
 {
 public:
-  explicit Line_walk(const Plane_vector end) : m_direction(1 / length(end) * end) {}
+  // The end may be the origin, where vertices are at the same place.
+  explicit Line_walk(const Plane_vector end)
+    : m_direction(dot(end, end) > 0 ? 1 / length(end) * end : Plane_vector{1, 0})
+  {
+  }
 
   // At which part of the way from `left` to `right` the line crosses this edge. If they lie in one
   // line, as where faces have no area, it is where the walk has got to, or the next point after
