@@ -162,13 +162,13 @@ public:
     return m_words[m_first[node]] != WIDE ? narrow_degree(size) : wide_degree(size);
   }
 
-  // Asks for as much of a row as usual ones have.
+  // Asks for as much of a row as usual ones have, even if that is more than there is.
   void prefetch(const Node node) const
   {
-    constexpr std::size_t words_per_cache_line = 16, lines = 6;
-    const Word* const row = m_words.data() + m_first[node];
+    constexpr std::size_t bytes_per_cache_line = 64, lines = 6;
+    const auto row = reinterpret_cast<std::uintptr_t>(m_words.data() + m_first[node]);
     for(std::size_t i = 0; i < lines; ++i)
-      internal::prefetch(row + i * words_per_cache_line);
+      internal::prefetch(reinterpret_cast<const void*>(row + i * bytes_per_cache_line));
   }
 
   void shrink_to_fit()
