@@ -19,8 +19,11 @@
 #include <CGAL/Approximate_geodesics/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Equally_dense_points.h>
+#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
 #include <CGAL/Approximate_geodesics/Fibonacci_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Pairing_heap_queue.h>
@@ -30,6 +33,7 @@
 #include <CGAL/Approximate_geodesics/Published_bucket_width.h>
 #include <CGAL/Approximate_geodesics/Queue_entry.h>
 #include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>

@@ -27,6 +27,9 @@ namespace CGAL {
  * the coordinates. Vertices that no source reaches, or that are not certain when the run ends
  * early, get infinity, and so does every vertex if there is no source.
  *
+ * Faces can have weights, and edges can be barriers. Distances are then costs; with `epsilon` they
+ * are at most \f$1 + \varepsilon\f$ times those of the cheapest paths on the surface.
+ *
  * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all; it makes no
  *         difference but to the time, and, given `epsilon`, within the bound
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -59,8 +62,8 @@ namespace CGAL {
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a
  *                    number type convertible by `CGAL::to_double()` as value type}
  *     \cgalParamDefault{unused}
- *     \cgalParamExtra{The lengths need not fulfil the triangle inequality, unless `epsilon` is
- *                     given.}
+ *     \cgalParamExtra{The lengths need not fulfil the triangle inequality, unless paths run
+ *                     across faces.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{epsilon}
  *     \cgalParamDescription{an error bound: paths run across faces, and are at most
@@ -68,6 +71,30 @@ namespace CGAL {
  *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
  *     \cgalParamDefault{none: paths run along edges}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_points_per_edge}
+ *     \cgalParamDescription{paths run across faces, and from one to the next through one of so many
+ *                           points on their edge, at equal distances. There is no error bound.}
+ *     \cgalParamType{an integer type}
+ *     \cgalParamDefault{none: paths run along edges}
+ *     \cgalParamExtra{It cannot be given together with `epsilon`.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_weight_map}
+ *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: what a path
+ *                           in the face costs per unit of length. `0` makes it free, and infinity
+ *                           forbidden. A path along an edge costs the smaller weight of its two
+ *                           faces.}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a number
+ *                    type convertible by `CGAL::to_double()` as value type}
+ *     \cgalParamDefault{unused: all faces have weight `1`}
+ *     \cgalParamExtra{If it is given, costs take the place of lengths and distances.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which paths
+ *                           may run along, and not cross}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool`
+ * as value type} \cgalParamDefault{unused: no edge is a barrier} \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}
  *     \cgalParamType{a number type convertible to `double`}
@@ -129,19 +156,22 @@ namespace CGAL {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws std::invalid_argument if the mesh is not as
+ * \throws std::invalid_argument if the mesh or its weights are not as
  *         `CGAL::Approximate_geodesics::Intrinsic_triangulation` requires, if a source or target is
  *         not one of its vertices, if `maximum_distance` is negative or not a number, if `epsilon`
- *         is not a finite number above `0`, or if it is given and a face breaks the triangle
- *         inequality. The
+ *         is not a finite number above `0`, if `number_of_points_per_edge` is negative or not an
+ *         integer, or if paths run across faces and a face breaks the triangle inequality. The
  *         message says what is wrong and where. If an exception leaves this function, nothing has
  *         been written to any property map.
- * \throws std::length_error if `tmesh` has more halfedges than 32-bit numbers can tell apart.
+ * \throws std::length_error if `tmesh` has more halfedges, or the graph more nodes, than 32-bit
+ *         numbers can tell apart.
  *
  * Run time is \cgalBigO{n} in practice for `n` vertices, and \cgalBigO{n \log n} in the worst case
  * if their degrees are bounded; memory is \cgalBigO{n}. The method is Dijkstra's algorithm
  * \cgalCite{d-ntpcg-59} with buckets in place of a heap; given `epsilon`, on a
- * `CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph`. The mesh is read again by every
+ * `CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph`; given weights, barriers or a number
+ * of points per edge, on a `CGAL::Approximate_geodesics::Steiner_graph`, where the number of nodes
+ * takes the place of that of vertices. The mesh is read again by every
  * call: if it is used more than once, `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is
  * several times as fast.
  *

@@ -57,8 +57,8 @@ namespace CGAL {
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a
  *                    number type convertible by `CGAL::to_double()` as value type}
  *     \cgalParamDefault{unused}
- *     \cgalParamExtra{The lengths need not fulfil the triangle inequality, unless `epsilon` is
- *                     given.}
+ *     \cgalParamExtra{The lengths need not fulfil the triangle inequality, unless paths run
+ *                     across faces.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{epsilon}
  *     \cgalParamDescription{an error bound: paths run across faces, and are at most
@@ -66,6 +66,30 @@ namespace CGAL {
  *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
  *     \cgalParamDefault{none: paths run along edges}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_points_per_edge}
+ *     \cgalParamDescription{paths run across faces, and from one to the next through one of so many
+ *                           points on their edge, at equal distances. There is no error bound.}
+ *     \cgalParamType{an integer type}
+ *     \cgalParamDefault{none: paths run along edges}
+ *     \cgalParamExtra{It cannot be given together with `epsilon`.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_weight_map}
+ *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: what a path
+ *                           in the face costs per unit of length. `0` makes it free, and infinity
+ *                           forbidden. A path along an edge costs the smaller weight of its two
+ *                           faces.}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a number
+ *                    type convertible by `CGAL::to_double()` as value type}
+ *     \cgalParamDefault{unused: all faces have weight `1`}
+ *     \cgalParamExtra{If it is given, costs take the place of lengths and distances.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which paths
+ *                           may run along, and not cross}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool`
+ * as value type} \cgalParamDefault{unused: no edge is a barrier} \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}
  *     \cgalParamType{a number type convertible to `double`}

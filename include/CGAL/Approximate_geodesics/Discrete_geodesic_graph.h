@@ -17,6 +17,7 @@
 #include <CGAL/Approximate_geodesics/internal/epsilon.h>
 #include <CGAL/Approximate_geodesics/internal/for_each_block.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/internal/refuse_weights.h>
 #include <CGAL/Approximate_geodesics/internal/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/internal/trace_arc.h>
 #include <CGAL/tags.h>
@@ -92,8 +93,8 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, or if a face
-   *         breaks the triangle inequality.
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, if a face breaks
+   *         the triangle inequality, or if `triangulation` has weights or barriers.
    *
    * A vertex takes constant time and memory on meshes whose faces are not too oblong and whose
    * vertices are not of high degree, and time \cgalBigO{n} at worst if cones of a bounded number
@@ -107,6 +108,7 @@ public:
     using Concurrency_tag =
         typename internal_np::Lookup_named_param_def<internal_np::concurrency_tag_t,
                                                      NamedParameters, Sequential_tag>::type;
+    internal::refuse_weights(m_triangulation, np, "Discrete_geodesic_graph");
     build<Concurrency_tag>();
   }
 
@@ -126,6 +128,9 @@ public:
 
   /// returns the number of arcs.
   std::size_t number_of_arcs() const { return m_rows.number_of_arcs(); }
+
+  /// returns the unit of lengths, that of the triangulation.
+  double unit() const { return m_triangulation.unit(); }
 
   /// returns a summary of the lengths of the arcs.
   Arc_lengths arc_lengths() const { return m_rows.arc_lengths(); }

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/internal/prefetch.h>
+#include <CGAL/Approximate_geodesics/internal/refuse_weights.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -44,15 +45,19 @@ public:
   Edge_graph() = default;
 
   /// the graph of the edges of `triangulation`. It has no parameters of its own; the named ones are
-  /// looked at only to refuse `epsilon`, which this graph cannot give. Run time is \cgalBigO{n}.
+  /// looked at only to refuse `epsilon` and those of `Steiner_graph`, which this graph cannot give.
+  /// \throws std::invalid_argument if `triangulation` has weights or barriers.
+  ///
+  /// Run time is \cgalBigO{n}.
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Edge_graph(Intrinsic_triangulation triangulation,
-                      const NamedParameters& /* np */ = parameters::default_values())
+                      const NamedParameters& np = parameters::default_values())
     : m_triangulation(std::move(triangulation)),
       m_arc_lengths(summarize_arc_lengths(m_triangulation.lengths()))
   {
     static_assert(!internal::is_given<NamedParameters, internal_np::epsilon_t>,
                   "epsilon: the edge graph has no error bound; use Discrete_geodesic_graph");
+    internal::refuse_weights(m_triangulation, np, "Edge_graph");
     for(Node v = 0; v < number_of_nodes(); ++v)
       m_maximum_degree = (std::max)(m_maximum_degree, std::size_t(m_triangulation.degree(v)));
   }
@@ -62,6 +67,9 @@ public:
 
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
+
+  /// returns the unit of lengths, that of the triangulation.
+  double unit() const { return m_triangulation.unit(); }
 
   /// returns a summary of the lengths of the arcs.
   const Arc_lengths& arc_lengths() const { return m_arc_lengths; }

@@ -14,6 +14,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -48,8 +49,13 @@ class Triangulation_builder;
  * neither overflow nor vanish when squared, whatever the unit of the coordinates, and the
  * conversion to and from that unit is exact.
  *
- * An object of this class never changes after its construction and may be used by several threads.
- * It takes about 91 bytes per vertex on a closed mesh.
+ * <b>Weights</b> say what a path costs per unit of length, face by face, and <b>barriers</b> are
+ * edges that paths do not cross. A triangulation has them if they were given when it was made; of
+ * the graphs, `Steiner_graph` heeds them, and the others refuse such a triangulation.
+ *
+ * An object of this class never changes after its construction, but for its weights if they are
+ * exchanged, and may be used by several threads. It takes about 91 bytes per vertex on a closed
+ * mesh, and 48 more if there are weights.
  */
 class Intrinsic_triangulation
 {
@@ -101,6 +107,22 @@ public:
    *                    number type convertible by `CGAL::to_double()` as value type}
    *     \cgalParamDefault{unused}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{face_weight_map}
+   *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: what a
+   *                           path in the face costs per unit of length. `0` makes it free, and
+   *                           infinity forbidden.}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a
+   *                    number type convertible by `CGAL::to_double()` as value type}
+   *     \cgalParamDefault{unused: all faces have weight `1`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{edge_is_constrained_map}
+   *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which
+   * paths may run along, and not cross} \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool`
+   *                    as value type}
+   *     \cgalParamDefault{unused: no edge is a barrier}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{vertex_index_map}
    *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
    *                           between `0` and `num_vertices(tmesh) - 1`}
@@ -125,9 +147,9 @@ public:
    * \cgalNamedParamsEnd
    *
    * \throws std::invalid_argument if a face is not a triangle, if a coordinate or a length is
-   *         infinite or not a number, if a length is negative or does not fit a `double`, if an
-   *         index is out of range or given twice, or if the halfedges around a vertex do not form
-   *         one cycle. The message names the element.
+   *         infinite or not a number, if a length is negative or does not fit a `double`, if a
+   *         weight is negative or not a number, if an index is out of range or given twice, or if
+   *         the halfedges around a vertex do not form one cycle. The message names the element.
    * \throws std::length_error if `tmesh` has more halfedges than 32-bit numbers can tell apart.
    *
    * Run time and memory are \cgalBigO{n} for `n` vertices.
@@ -158,7 +180,8 @@ public:
   {
     return sizeof(Index) * (m_first_halfedge.capacity() + m_target.capacity() +
                             m_vertex_of_index.capacity() + m_index_of_vertex.capacity()) +
-           sizeof(double) * m_length.capacity() + m_is_border.capacity() / 8 + m_twin.memory();
+           sizeof(double) * (m_length.capacity() + m_weight.capacity()) +
+           (m_is_border.capacity() + m_is_barrier.capacity()) / 8 + m_twin.memory();
   }
 
   /// @}
@@ -238,6 +261,58 @@ public:
 
   /// @}
 
+  /// \name Weights and Barriers
+  /// @{
+
+  /// returns whether faces have weights.
+  bool has_weights() const { return !m_weight.empty(); }
+
+  /// returns the weight of the face to the left of `h`, in units of `weight_unit()`; infinity if
+  /// there is no face. If there are no weights, it is `1` for every face.
+  double weight(const Index h) const
+  {
+    if(has_weights())
+      return m_weight[h];
+    return is_border(h) ? std::numeric_limits<double>::infinity() : 1;
+  }
+
+  /// returns the weight of the edge of `h`: the smaller one of its two faces'.
+  double weight_of_edge(const Index h) const
+  {
+    return has_weights() ? (std::min)(m_weight[h], m_weight[opposite(h)]) : 1;
+  }
+
+  /// returns the unit of weights, a power of two.
+  double weight_unit() const { return m_weight_unit; }
+
+  /*!
+   * exchanges the weights.
+   *
+   * \param tmesh the mesh that the triangulation was made from
+   * \param face_weight_map a property map as for the constructor
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
+   *           `vertex_index_map`, if one was given to the constructor
+   *
+   * \throws std::invalid_argument if a weight is negative or not a number, or if `tmesh` has
+   *         another number of vertices or halfedges; the weights are those that they were before.
+   *
+   * Run time is \cgalBigO{n}.
+   */
+  template <typename TriangleMesh,
+            typename FaceWeightMap,
+            typename NamedParameters = parameters::Default_named_parameters>
+  void set_face_weights(const TriangleMesh& tmesh,
+                        const FaceWeightMap& face_weight_map,
+                        const NamedParameters& np = parameters::default_values());
+
+  /// returns whether any edge is a barrier.
+  bool has_barriers() const { return !m_is_barrier.empty(); }
+
+  /// returns whether the edge of `h` is a barrier. Edges at a border are not: they are one anyway.
+  bool is_barrier(const Index h) const { return has_barriers() && m_is_barrier[h]; }
+
+  /// @}
+
   /// \name For Graphs
   /// @{
 
@@ -291,10 +366,13 @@ private:
   std::vector<double> m_length;
   std::vector<bool> m_is_border;
   internal::Twin_ranks m_twin;
+  std::vector<double> m_weight;   // per halfedge, or empty
+  std::vector<bool> m_is_barrier; // likewise
   std::vector<Index> m_vertex_of_index;
   std::vector<Index> m_index_of_vertex;
   Index m_number_of_faces = 0;
   double m_unit = 1;
+  double m_weight_unit = 1;
 };
 
 inline bool Intrinsic_triangulation::is_valid_halfedge(const Index h) const

@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/internal/epsilon.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/internal/refuse_weights.h>
 #include <CGAL/Approximate_geodesics/internal/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/internal/trace_arc.h>
 
@@ -83,8 +84,8 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, or if a face
-   *         breaks the triangle inequality.
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, if a face breaks
+   *         the triangle inequality, or if `triangulation` has weights or barriers.
    *
    * Run time and memory are \cgalBigO{n}: 192 bytes per vertex, in addition to the triangulation.
    */
@@ -98,6 +99,7 @@ public:
       m_edge_lengths(summarize_arc_lengths(m_triangulation.lengths())),
       m_unit(internal::unit_of_arcs(m_triangulation))
   {
+    internal::refuse_weights(m_triangulation, np, "Lazy_discrete_geodesic_graph");
     if(arcs == Arcs::KEPT)
       m_kept_arcs = internal::Kept_arcs(number_of_nodes());
   }
@@ -115,6 +117,9 @@ public:
 
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
+
+  /// returns the unit of lengths, that of the triangulation.
+  double unit() const { return m_triangulation.unit(); }
 
   /// returns a summary of the lengths of the mesh's edges. Arcs can be longer.
   const Arc_lengths& arc_lengths() const { return m_edge_lengths; }

@@ -175,10 +175,7 @@ public:
   /// @{
 
   /// returns the distance to `node`, or infinity if it was not reached.
-  double distance(const Node node) const
-  {
-    return m_labels.distance(node) * m_graph->triangulation().unit();
-  }
+  double distance(const Node node) const { return m_labels.distance(node) * m_graph->unit(); }
 
   /// returns whether `node` was reached.
   bool is_reached(const Node node) const { return m_labels.is_reached(node); }
@@ -252,10 +249,7 @@ private:
                        " nodes");
   }
 
-  double to_graph_unit(const double distance) const
-  {
-    return distance / m_graph->triangulation().unit();
-  }
+  double to_graph_unit(const double distance) const { return distance / m_graph->unit(); }
 
   void prepare(const std::vector<Seed>& seeds, const Stop_rule& stop)
   {

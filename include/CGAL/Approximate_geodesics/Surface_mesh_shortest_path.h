@@ -44,7 +44,9 @@ namespace Approximate_geodesics {
  * `CGAL::Surface_mesh_shortest_path`, so that exchanging one for the other is a matter of a type
  * definition. Paths and distances are those of the graph: never shorter than the exact ones, and
  * longer by an error that the choice of the graph determines: `Edge_graph` has no bound and
- * is the fastest, `Discrete_geodesic_graph` has one that the named parameter `epsilon` chooses.
+ * is the fastest, `Discrete_geodesic_graph` has one that the named parameter `epsilon` chooses, and
+ * so has `Steiner_graph`, which is the graph for faces with weights: where there are weights,
+ * "length" and "distance" mean costs.
  *
  * As in the exact class, sources can be added and removed at any time, and the search is run by the
  * first query after that, or by `build_sequence_tree()`.
@@ -127,7 +129,7 @@ public:
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the
    *           constructor of `Intrinsic_triangulation` and those of the constructor of the graph,
    *           which it is passed to: `epsilon` and `concurrency_tag` in the case of
-   *           `Discrete_geodesic_graph`
+   *           `Discrete_geodesic_graph`, those of the placement in that of `Steiner_graph`
    *
    * \warning `tmesh` is referred to, and must neither change nor go away before this object does.
    *
@@ -292,6 +294,26 @@ public:
     build_sequence_tree();
   }
 
+  /*!
+   * exchanges the weights of the faces, without building the graph again. The next query searches
+   * it anew.
+   *
+   * \param face_weight_map a property map as for the constructor of `Intrinsic_triangulation`
+   *
+   * \pre `Graph` has a member function of the same name, as `Steiner_graph` does.
+   *
+   * \throws std::invalid_argument if a weight is negative or not a number; the weights are then
+   * those that they were before.
+   */
+  template <typename FaceWeightMap>
+  void set_face_weights(const FaceWeightMap& face_weight_map)
+  {
+    m_graph.set_face_weights(m_mesh, face_weight_map,
+                             parameters::vertex_index_map(m_vertices.index_map()));
+    m_search = Search(m_graph);
+    m_has_changed = true;
+  }
+
   /// @}
 
   /// \name Distances and Paths
@@ -431,7 +453,7 @@ private:
   }
 
   const Triangle_mesh& m_mesh;
-  const Graph m_graph;
+  Graph m_graph;
   const internal::Mesh_vertices<Triangle_mesh, Index_function> m_vertices;
   const internal::Function_property_map<vertex_descriptor, Point_3> m_point_map;
   Search m_search;

@@ -8,12 +8,11 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Propagation.h>
 #include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
 #include <CGAL/Approximate_geodesics/internal/Path.h>
+#include <CGAL/Approximate_geodesics/internal/Vertices_before.h>
+#include <CGAL/Approximate_geodesics/internal/graph_for_one_run.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
@@ -29,12 +28,6 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// The graph for a single run: arcs that are computed when needed, if a bound is wanted.
-template <typename NamedParameters>
-using Graph_for_one_run = std::conditional_t<is_given<NamedParameters, internal_np::epsilon_t>,
-                                             Lazy_discrete_geodesic_graph,
-                                             Edge_graph>;
-
 /*
  * One run on a mesh that is not seen again: what the free functions have in common.
  */
@@ -45,7 +38,8 @@ class Mesh_query
   using Vertex_index_map = decltype(vertex_index_map(std::declval<const TriangleMesh&>(),
                                                      std::declval<const NamedParameters&>()));
   using Vertices = Mesh_vertices<TriangleMesh, Vertex_index_map>;
-  using Graph = Graph_for_one_run<NamedParameters>;
+  using Graph = decltype(graph_for_one_run(std::declval<const TriangleMesh&>(),
+                                           std::declval<const NamedParameters&>()));
   using Search = Propagation<Graph, PriorityQueue>;
   using Node = typename Search::Node;
 
@@ -53,7 +47,7 @@ public:
   Mesh_query(const TriangleMesh& tmesh, const NamedParameters& np)
     : m_mesh(tmesh),
       m_np(np),
-      m_graph(Intrinsic_triangulation(tmesh, np), np),
+      m_graph(graph_for_one_run(tmesh, np)),
       m_vertices(tmesh, vertex_index_map(tmesh, np), m_graph.triangulation()),
       m_search(m_graph)
   {
@@ -98,9 +92,8 @@ public:
       }
       else
         *points++ = m_vertices.point_of_vertex(*it, point_map);
-    return has_crossing_arcs<Graph> && !path.points.empty()
-               ? path.length * m_graph.triangulation().unit()
-               : distance(v);
+    return has_crossing_arcs<Graph> && !path.points.empty() ? path.length * m_graph.unit()
+                                                            : distance(v);
   }
 
   template <typename VertexDistanceMap>
@@ -121,8 +114,9 @@ public:
   template <typename PredecessorMap>
   void write_predecessors(PredecessorMap predecessors) const
   {
+    Vertices_before<Search> before(m_search);
     for(const vertex_descriptor v : vertices(m_mesh))
-      put(predecessors, v, predecessor(v));
+      put(predecessors, v, predecessor(v, before));
   }
 
 private:
@@ -138,13 +132,14 @@ private:
     internal::run(m_search, seeds, stop, m_vertices, m_np);
   }
 
-  vertex_descriptor predecessor(const vertex_descriptor v) const
+  vertex_descriptor predecessor(const vertex_descriptor v,
+                                Vertices_before<Search>& vertices_before) const
   {
     const Node node = m_vertices.node(v);
     if(!m_search.is_reached(node))
       return boost::graph_traits<TriangleMesh>::null_vertex();
-    const Node predecessor = m_search.predecessor(node);
-    return predecessor == Search::null_node ? v : m_vertices.vertex(predecessor);
+    const Node before = vertices_before(node);
+    return before == Search::null_node ? v : m_vertices.vertex(before);
   }
 
   const TriangleMesh& m_mesh;

@@ -47,6 +47,8 @@ public:
   {
   }
 
+  const VertexIndexMap& index_map() const { return m_vertex_index_map; }
+
   Node node(const vertex_descriptor v) const
   {
     Node result = Intrinsic_triangulation::null_index;

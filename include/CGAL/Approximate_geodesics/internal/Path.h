@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,12 +35,42 @@ struct Path_point
 template <typename GeodesicGraph>
 constexpr bool has_crossing_arcs = !std::is_same_v<GeodesicGraph, Edge_graph>;
 
+// Whether a graph has nodes that are not vertices, and tells where they are.
+template <typename GeodesicGraph, typename = void>
+constexpr bool has_places = false;
+
+template <typename GeodesicGraph>
+constexpr bool has_places<GeodesicGraph,
+                          std::void_t<decltype(std::declval<const GeodesicGraph&>().place(0))>> =
+    true;
+
+// Where a node of a graph is.
+template <typename GeodesicGraph>
+Path_point path_point(const GeodesicGraph& graph, const typename GeodesicGraph::Node node)
+{
+  constexpr auto null_index = Intrinsic_triangulation::null_index;
+  if constexpr(has_places<GeodesicGraph>)
+    if(node >= graph.triangulation().number_of_vertices())
+    {
+      const auto [halfedge, t] = graph.place(node);
+      return t > 0 ? Path_point{null_index, halfedge, t}
+                   : Path_point{graph.triangulation().source(halfedge), null_index};
+    }
+  return {node, null_index};
+}
+
 struct Path
 {
   // Between two of them, the path runs straight through a face, or along an edge.
   std::vector<Path_point> points;
   double length = 0; // in units of the graph
 };
+
+// as several nodes of a graph can
+inline bool stands_for_the_same_vertex(const Path_point& p, const Path_point& q)
+{
+  return p.vertex != Intrinsic_triangulation::null_index && p.vertex == q.vertex;
+}
 
 // The path that a search has found, from `node` back to where it starts; without points if `node`
 // was not reached.
@@ -50,19 +81,21 @@ Path find_path(const Search& search, typename Search::Node node)
   Path result;
   if(!search.is_reached(node))
     return result;
-  result.points.push_back({node, null_index});
+  result.points.push_back(path_point(search.graph(), node));
   for(auto previous = search.predecessor(node); previous != Search::null_node;
       previous = search.predecessor(node))
   {
     const double length =
-        (search.distance(node) - search.distance(previous)) / search.graph().triangulation().unit();
+        (search.distance(node) - search.distance(previous)) / search.graph().unit();
     const auto first = static_cast<std::ptrdiff_t>(result.points.size());
     result.length += search.graph().for_each_crossing(
         previous, node, length, [&](const auto halfedge, const double t) {
           result.points.push_back({null_index, halfedge, t});
         });
     std::reverse(result.points.begin() + first, result.points.end());
-    result.points.push_back({previous, null_index});
+    const Path_point point = path_point(search.graph(), previous);
+    if(!stands_for_the_same_vertex(point, result.points.back()))
+      result.points.push_back(point);
     node = previous;
   }
   return result;

@@ -86,7 +86,7 @@ private:
     while(m_number_settled < beyond)
     {
       const Node node = order[m_number_settled++];
-      m_visitor.on_settled(node, m_labels.distance(node) * m_graph.triangulation().unit());
+      m_visitor.on_settled(node, m_labels.distance(node) * m_graph.unit());
     }
     m_visitor.on_progress(m_number_settled, m_labels.number_of_nodes());
   }

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/internal/face_weights.h>
 #include <CGAL/Approximate_geodesics/internal/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
@@ -52,9 +53,6 @@ class Triangulation_builder
   using Halfedge_index_map = decltype(halfedge_index_map(std::declval<const TriangleMesh&>(),
                                                          std::declval<const NamedParameters&>()));
 
-  static_assert(!is_given<NamedParameters, internal_np::number_of_points_per_edge_t>,
-                "number_of_points_per_edge: the edge graph has no points on edges");
-
   static constexpr std::size_t SIZE_OF_PATCH = 32768; // smaller ones make small meshes slower
 
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
@@ -83,6 +81,8 @@ public:
     if constexpr(!lengths_are_given)
       compute_lengths();
     normalize_lengths();
+    copy_weights();
+    copy_barriers();
   }
 
 private:
@@ -336,6 +336,35 @@ private:
     }
   }
 
+  // ----- weights and barriers
+
+  void copy_weights()
+  {
+    if constexpr(is_given<NamedParameters, internal_np::face_weight_t>)
+    {
+      Face_weights weights = read_face_weights(
+          m_mesh, m_halfedges, parameters::get_parameter(m_np, internal_np::face_weight), m_result);
+      m_result.m_weight = std::move(weights.of_halfedge);
+      m_result.m_weight_unit = weights.unit;
+    }
+  }
+
+  void copy_barriers()
+  {
+    if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>)
+    {
+      const auto is_constrained = parameters::get_parameter(m_np, internal_np::edge_is_constrained);
+      std::vector<bool> is_barrier(m_halfedges.size());
+      bool has_any = false;
+      for(Index h = 0; h < m_halfedges.size(); ++h)
+        if(!is_border(edge(m_halfedges[h], m_mesh), m_mesh) &&
+           get(is_constrained, edge(m_halfedges[h], m_mesh)))
+          is_barrier[h] = has_any = true;
+      if(has_any)
+        m_result.m_is_barrier = std::move(is_barrier);
+    }
+  }
+
   Intrinsic_triangulation& m_result;
   const TriangleMesh& m_mesh;
   const NamedParameters& m_np;
@@ -358,6 +387,18 @@ Intrinsic_triangulation::Intrinsic_triangulation(const TriangleMesh& tmesh,
 {
   internal::Triangulation_builder<TriangleMesh, NamedParameters>(*this, tmesh, np).build();
   CGAL_expensive_postcondition(is_valid());
+}
+
+template <typename TriangleMesh, typename FaceWeightMap, typename NamedParameters>
+void Intrinsic_triangulation::set_face_weights(const TriangleMesh& tmesh,
+                                               const FaceWeightMap& face_weight_map,
+                                               const NamedParameters& np)
+{
+  internal::Face_weights weights = internal::read_face_weights(
+      tmesh, internal::halfedges_in_groups(tmesh, internal::vertex_index_map(tmesh, np), *this),
+      face_weight_map, *this);
+  m_weight = std::move(weights.of_halfedge);
+  m_weight_unit = weights.unit;
 }
 
 } // namespace Approximate_geodesics

@@ -23,6 +23,7 @@
 #define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER(APPLY)                                   \
   APPLY(edge_length_t, edge_length, edge_length_map)                                               \
   APPLY(epsilon_t, epsilon, epsilon)                                                               \
+  APPLY(face_weight_t, face_weight, face_weight_map)                                               \
   APPLY(targets_t, targets, targets)                                                               \
   APPLY(nearest_source_t, nearest_source, nearest_source_map)                                      \
   APPLY(geodesic_predecessor_t, geodesic_predecessor, predecessor_map)

@@ -1,0 +1,587 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_STEINER_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_STEINER_GRAPH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/internal/Point_row.h>
+#include <CGAL/Approximate_geodesics/internal/Points_on_edges.h>
+#include <CGAL/Approximate_geodesics/internal/Sectors.h>
+#include <CGAL/Approximate_geodesics/internal/messages.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * The graph of the vertices of a mesh and of points on its edges, so-called Steiner points. Two
+ * nodes at the border of the same face are joined by a straight arc across the face, and
+ * neighbours on an edge by an arc along it.
+ *
+ * It is the graph for faces with weights. An arc across a face costs its length times the weight of
+ * the face, and one along an edge its length times the smaller weight of the two faces. There are
+ * no arcs across faces of infinite weight, nor across barriers, along which paths may run. Without
+ * weights and barriers, it is still the graph for paths across a few large faces.
+ *
+ * The placement says where points are, and so which error is made: `Geometric_points` guarantees a
+ * bound, `Equally_spaced_points` and `Equally_dense_points` are simpler and do not.
+ *
+ * Arcs are not stored: the graph takes 17 bytes per point, in addition to the triangulation. They
+ * are not all looked at either. A path that comes across a face is not continued into the same face
+ * again, and where edges have many points, a point looks only at those of the opposite edges that
+ * neither of its two neighbours reaches on a shorter path.
+ *
+ * Nodes are the vertices, the points, and one more for every sector of those vertices whose
+ * surroundings are divided by barriers into several sectors: no path leads through such a vertex
+ * from one sector into another.
+ *
+ * An object of this class never changes after its construction, unless its weights are exchanged,
+ * and may be used by several threads.
+ *
+ * \tparam Placement a model of `SteinerPointPlacement`
+ *
+ * \cgalModels{GeodesicGraph}
+ */
+template <typename Placement = Geometric_points>
+class Steiner_graph
+{
+public:
+  /// the number of a node; those of the vertices come first.
+  using Node = Intrinsic_triangulation::Index;
+
+  /// \name Creation
+  /// @{
+
+  /// the graph of an empty mesh.
+  Steiner_graph() : Steiner_graph(Intrinsic_triangulation()) {}
+
+  /*!
+   * builds the graph of `triangulation`, its weights and its barriers.
+   *
+   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * \param triangulation the triangulation
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": that of the
+   *           placement
+   *
+   * \throws std::invalid_argument if a face breaks the triangle inequality, if the weights are so
+   *         large or small that costs do not fit a `double`, or as the placement does.
+   * \throws std::length_error if there would be more nodes than 32-bit numbers can tell apart.
+   *
+   * Run time and memory are \cgalBigO{n} for `n` nodes.
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Steiner_graph(Intrinsic_triangulation triangulation,
+                         const NamedParameters& np = parameters::default_values())
+    : Steiner_graph(std::move(triangulation), Placement(np))
+  {
+  }
+
+  /// builds the graph likewise, with a placement that was made before.
+  Steiner_graph(Intrinsic_triangulation triangulation, Placement placement)
+    : m_triangulation(std::move(triangulation)), m_placement(std::move(placement))
+  {
+    m_sectors = internal::Sectors(m_triangulation);
+    const std::size_t number_of_others =
+        m_triangulation.number_of_vertices() + std::size_t(m_sectors.number_of_sectors());
+    m_placement.prepare(m_triangulation);
+    m_points = internal::Points_on_edges(m_triangulation, m_placement,
+                                         Intrinsic_triangulation::null_index - number_of_others);
+    if(m_points.number_of_points() > 0) // there are arcs across faces
+      m_triangulation.check_triangle_inequality();
+    m_first_point = m_triangulation.number_of_vertices();
+    m_first_sector = m_first_point + m_points.number_of_points();
+    find_maximum_degree();
+    summarize_arcs();
+  }
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the triangulation that the graph was built on.
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+
+  /// returns the placement of the points.
+  const Placement& placement() const { return m_placement; }
+
+  /// returns the bound that the placement guarantees with the present weights: paths cost at most
+  /// `1 + epsilon()` times as much as the cheapest ones on the surface. It is infinity if there is
+  /// none. Run time is \cgalBigO{n}.
+  double epsilon() const { return m_placement.epsilon(m_triangulation); }
+
+  /// returns the number of nodes.
+  std::size_t number_of_nodes() const
+  {
+    return std::size_t(m_first_sector) + m_sectors.number_of_sectors();
+  }
+
+  /// returns the number of points on edges. On barriers, those of both sides count.
+  std::size_t number_of_points() const { return m_points.number_of_points(); }
+
+  /// returns the unit of costs, in the unit of the mesh times that of the weights.
+  double unit() const { return m_triangulation.unit() * m_triangulation.weight_unit(); }
+
+  /// returns a summary of the costs of the arcs along edges, which are the shortest ones.
+  const Arc_lengths& arc_lengths() const { return m_arc_lengths; }
+
+  /// returns an upper bound of the number of arcs that start from a node.
+  std::size_t maximum_degree() const { return m_maximum_degree; }
+
+  /// returns a halfedge that `node` lies on, and how far along: a part of it between `0` and `1`.
+  /// The part is `0` if the node stands for a vertex. \pre `node` is not one of the vertices.
+  std::pair<Node, double> place(const Node node) const
+  {
+    CGAL_precondition(node >= m_first_point);
+    if(node >= m_first_sector)
+      return {m_sectors.first_halfedge(node - m_first_sector), 0};
+    const Node p = node - m_first_point;
+    return {m_points.halfedge(m_points.edge_of_point(p)),
+            internal::part_from_first_end(m_points.position(p))};
+  }
+
+  /// calls `f(target, cost)` for the arcs that start from `node` and may be part of a cheapest path
+  /// that arrives there as `labels` says.
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    if(node >= m_first_sector)
+      expand_sector(node, f);
+    else if(node >= m_first_point)
+      expand_point(node, labels, f);
+    else if(is_divided(node))
+      expand_divided_vertex(node, labels, f);
+    else
+      expand_vertex(node, f);
+  }
+
+  /// returns `cost`: arcs run straight across a face, or along an edge.
+  template <typename F>
+  double for_each_crossing(Node /* source */, Node /* target */, const double cost, F /* f */) const
+  {
+    return cost;
+  }
+
+  /// asks for what it takes to find the arcs of `node`, which will be needed soon.
+  void prefetch(const Node node) const
+  {
+    if(node < m_first_point)
+      m_triangulation.prefetch(m_triangulation.first_halfedge(node));
+    else if(node < m_first_sector)
+      m_points.prefetch(node - m_first_point);
+  }
+
+  /// returns the number of bytes that the graph takes, its triangulation included.
+  std::size_t memory() const
+  {
+    return m_triangulation.memory() + m_placement.memory() + m_points.memory() + m_sectors.memory();
+  }
+
+  /// returns whether the triangulation is valid.
+  bool is_valid() const { return m_triangulation.is_valid(); }
+
+  /// @}
+
+  /// \name Modification
+  /// @{
+
+  /*!
+   * exchanges the weights, as `Intrinsic_triangulation::set_face_weights()` does; the points stay
+   * where they are. If the weights of the faces around a vertex become more different than they
+   * were when the graph was built, the bound gets worse: `epsilon()` tells.
+   *
+   * \warning No other thread may use the graph meanwhile, and workspaces that were made for it
+   * before have to be made anew.
+   *
+   * Run time is \cgalBigO{n} for `n` vertices and points.
+   */
+  template <typename TriangleMesh,
+            typename FaceWeightMap,
+            typename NamedParameters = parameters::Default_named_parameters>
+  void set_face_weights(const TriangleMesh& tmesh,
+                        const FaceWeightMap& face_weight_map,
+                        const NamedParameters& np = parameters::default_values())
+  {
+    m_triangulation.set_face_weights(tmesh, face_weight_map, np);
+    summarize_arcs();
+  }
+
+  /// @}
+
+private:
+  using Index = Node;
+  using Row = internal::Point_row;
+  using Reached_point = internal::Reached_point;
+
+  static constexpr Node null_node = Intrinsic_triangulation::null_index;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // From so many points on, it pays to search for those that are worth looking at.
+  static constexpr Index LONG_ROW = 20;
+
+  // ----- nodes and edges
+
+  bool is_divided(const Node v) const
+  {
+    return !m_sectors.is_empty() && m_sectors.first_sector(v) != m_sectors.beyond_sector(v);
+  }
+
+  // The node at the vertex `v` in the face to the left of `h`, which starts there.
+  Node corner_node(const Node v, const Index h) const
+  {
+    if(m_sectors.is_empty())
+      return v;
+    const Index sector = m_sectors.sector(v, h);
+    return sector == null_node ? v : m_first_sector + sector;
+  }
+
+  Node node_at_first_end(const Index e) const
+  {
+    const Index h = m_points.halfedge(e);
+    return corner_node(m_triangulation.source(h), h);
+  }
+
+  Node node_at_second_end(const Index e) const
+  {
+    const Index h = m_points.halfedge(e);
+    const Node v = m_triangulation.target(h);
+    return m_sectors.is_empty() || m_triangulation.is_border(h)
+               ? v
+               : corner_node(v, m_triangulation.next(h));
+  }
+
+  // Costs are in proportion to this along an edge.
+  double weight_of_edge(const Index e) const
+  {
+    const Index h = m_points.halfedge(e);
+    return m_triangulation.is_barrier(h) ? m_triangulation.weight(h)
+                                         : m_triangulation.weight_of_edge(h);
+  }
+
+  // The points of the edge of `h`, as seen from its source or its target.
+  Row row_from_source(const Index h) const { return row(h, true); }
+  Row row_from_target(const Index h) const { return row(h, false); }
+  Row row(const Index h, const bool is_from_source) const
+  {
+    const Index e = m_points.edge(h), first = m_points.first_point(e);
+    return Row(m_first_point + first, m_points.number_of_points(e), m_points.positions() + first,
+               m_triangulation.length(h), (m_points.halfedge(e) == h) == is_from_source);
+  }
+
+  // Whether paths may enter the face to the left of `h`.
+  bool is_open(const Index h) const
+  {
+    return !m_triangulation.is_border(h) && m_triangulation.weight(h) < infinity;
+  }
+
+  // ----- arcs from vertices
+
+  // A search can start at a divided vertex, and get there, but not go through it.
+  template <typename Labels, typename F>
+  void expand_divided_vertex(const Node v, const Labels& labels, F& f) const
+  {
+    if(labels.predecessor(v) == null_node)
+      for(Index s = m_sectors.first_sector(v); s < m_sectors.beyond_sector(v); ++s)
+        f(m_first_sector + s, 0.);
+  }
+
+  template <typename F>
+  void expand_sector(const Node node, F& f) const
+  {
+    const Index sector = node - m_first_sector;
+    const Node v = m_sectors.vertex(sector);
+    f(v, 0.);
+    Index h = m_sectors.first_halfedge(sector);
+    do
+    {
+      expand_corner(v, h, f);
+      h = m_triangulation.counterclockwise(v, h);
+    } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
+    // of a barrier, the side that faces the sector
+    expand_edge(h, m_points.edge(m_triangulation.opposite(h)), f);
+  }
+
+  template <typename F>
+  void expand_vertex(const Node v, F& f) const
+  {
+    const Index beyond = m_triangulation.beyond_halfedge(v);
+    for(Index h = m_triangulation.first_halfedge(v); h < beyond; ++h)
+    {
+      expand_corner(v, h, f);
+      if(m_triangulation.is_barrier(h)) // both sides of which start here
+        expand_edge(h, m_points.edge(m_triangulation.opposite(h)), f);
+    }
+  }
+
+  // The arcs from the source `v` of `h` along it and across the face to its left.
+  template <typename F>
+  void expand_corner(const Node v, const Index h, F& f) const
+  {
+    expand_edge(h, m_points.edge(h), f);
+    if(!is_open(h))
+      return;
+    const Row row = row_from_source(m_triangulation.next(h));
+    if(row.size() == 0)
+      return;
+    const double x = m_triangulation.length(h);
+    const double third = m_triangulation.length(m_triangulation.counterclockwise(v, h));
+    visit(row, {0, row.size()}, internal::Corner(x, row.length(), third), x,
+          m_triangulation.weight(h), f);
+  }
+
+  // The arc along the edge `e`, one of those of `h`, from the source of `h`.
+  template <typename F>
+  void expand_edge(const Index h, const Index e, F& f) const
+  {
+    const double weight = weight_of_edge(e);
+    if(weight == infinity)
+      return;
+    const Index first = m_points.first_point(e), beyond = m_points.beyond_point(e);
+    const bool starts_at_first_end = m_points.halfedge(e) == h;
+    const double length = m_triangulation.length(h);
+    if(first == beyond)
+      f(starts_at_first_end ? node_at_second_end(e) : node_at_first_end(e), weight * length);
+    else if(starts_at_first_end)
+      f(m_first_point + first,
+        weight * (length * internal::part_from_first_end(m_points.position(first))));
+    else
+      f(m_first_point + beyond - 1,
+        weight * (length * internal::part_from_second_end(m_points.position(beyond - 1))));
+  }
+
+  // The arcs to points of a row, from the point at the distance `x` from its corner.
+  template <typename F>
+  void visit(const Row& row,
+             const std::pair<Index, Index> ranks,
+             const internal::Corner& corner,
+             const double x,
+             const double weight,
+             F& f) const
+  {
+    row.for_each(ranks.first, ranks.second, corner, x,
+                 [&](const Node target, const double length) { f(target, weight * length); });
+  }
+
+  // ----- arcs from points on edges
+
+  // A node on an edge, and its distances from the ends of a halfedge of that.
+  struct Stop
+  {
+    Node node;
+    double from_source, from_target;
+
+    Stop reversed() const { return {node, from_target, from_source}; }
+  };
+
+  // A point and its neighbours on an edge, seen from the face to the left of a halfedge.
+  struct Neighborhood
+  {
+    Neighborhood reversed(const Index twin) const
+    {
+      return {twin, toward_target.reversed(), point.reversed(), toward_source.reversed()};
+    }
+
+    Index halfedge;
+    Stop toward_source, point, toward_target;
+  };
+
+  template <typename Labels, typename F>
+  void expand_point(const Node node, const Labels& labels, F& f) const
+  {
+    const Index e = m_points.edge_of_point(node - m_first_point);
+    const Neighborhood left = neighborhood(node, e);
+    expand_along_edge(left, e, f);
+
+    const Node predecessor = labels.predecessor(node);
+    const Index h = left.halfedge, twin = m_triangulation.opposite(h);
+    const bool is_two_sided = m_points.edge(twin) == e;
+    const bool comes_from_left = is_opposite(predecessor, left, h);
+    const bool comes_from_right = is_two_sided && is_opposite(predecessor, left, twin);
+    if(is_open(h) && (!comes_from_left || comes_from_right))
+      expand_face(left, labels, f);
+    if(is_two_sided && is_open(twin) && (!comes_from_right || comes_from_left))
+      expand_face(left.reversed(twin), labels, f);
+  }
+
+  Neighborhood neighborhood(const Node node, const Index e) const
+  {
+    const Index p = node - m_first_point, h = m_points.halfedge(e);
+    const double length = m_triangulation.length(h);
+    const auto stop = [&](const Index q) {
+      const float position = m_points.position(q);
+      return Stop{m_first_point + q, length * internal::part_from_first_end(position),
+                  length * internal::part_from_second_end(position)};
+    };
+    return {h, p == m_points.first_point(e) ? Stop{node_at_first_end(e), 0, length} : stop(p - 1),
+            stop(p),
+            p + 1 == m_points.beyond_point(e) ? Stop{node_at_second_end(e), length, 0}
+                                              : stop(p + 1)};
+  }
+
+  template <typename F>
+  void expand_along_edge(const Neighborhood& n, const Index e, F& f) const
+  {
+    const double weight = weight_of_edge(e);
+    if(weight == infinity)
+      return;
+    f(n.toward_source.node, weight * gap(n.toward_source, n.point));
+    f(n.toward_target.node, weight * gap(n.point, n.toward_target));
+  }
+
+  // The distance of two neighbours on an edge, measured from the end that they are closer to.
+  static double gap(const Stop& first, const Stop& second)
+  {
+    return first.from_source < second.from_target ? second.from_source - first.from_source
+                                                  : first.from_target - second.from_target;
+  }
+
+  // Whether a node is on one of the two edges of the face to the left of `h` that are not that of
+  // `h`, and not at an end of that.
+  bool is_opposite(const Node node, const Neighborhood& n, const Index h) const
+  {
+    if(node == null_node || m_triangulation.is_border(h))
+      return false;
+    const Index second = m_triangulation.next(h), third = m_triangulation.next(second);
+    if(node >= m_first_point && node < m_first_sector)
+    {
+      const Index e = m_points.edge_of_point(node - m_first_point);
+      return e == m_points.edge(second) || e == m_points.edge(third);
+    }
+    return node != n.toward_source.node && node != n.toward_target.node &&
+           node == corner_node(m_triangulation.target(second), third);
+  }
+
+  // The arcs across the face to the left of the halfedge of `n`.
+  template <typename Labels, typename F>
+  void expand_face(const Neighborhood& n, const Labels& labels, F& f) const
+  {
+    const Index h = n.halfedge, second = m_triangulation.next(h);
+    const Index third = m_triangulation.next(second);
+    const double weight = m_triangulation.weight(h), length = m_triangulation.length(h);
+    const Row at_target = row_from_source(second), at_source = row_from_target(third);
+    const auto reached = [&](const Stop& s, const double x) {
+      return Reached_point{labels.distance(s.node), x};
+    };
+
+    const internal::Corner corner(length, at_target.length(), at_source.length());
+    const double x = n.point.from_target;
+    f(corner_node(m_triangulation.target(second), third),
+      weight * corner.distance(x, at_target.length()));
+    if(at_target.size() > 0)
+      visit(at_target,
+            worthwhile(at_target, corner, weight, reached(n.point, x),
+                       reached(n.toward_target, n.toward_target.from_target),
+                       reached(n.toward_source, n.toward_source.from_target)),
+            corner, x, weight, f);
+    if(at_source.size() > 0)
+    {
+      const internal::Corner other_corner(length, at_source.length(), at_target.length());
+      const double y = n.point.from_source;
+      visit(at_source,
+            worthwhile(at_source, other_corner, weight, reached(n.point, y),
+                       reached(n.toward_source, n.toward_source.from_source),
+                       reached(n.toward_target, n.toward_target.from_source)),
+            other_corner, y, weight, f);
+    }
+  }
+
+  // The ranks of the points of a row that a path over a point may be the cheapest one to, given
+  // its neighbours.
+  static std::pair<Index, Index> worthwhile(const Row& row,
+                                            const internal::Corner& corner,
+                                            const double weight,
+                                            const Reached_point& point,
+                                            const Reached_point& nearer,
+                                            const Reached_point& farther)
+  {
+    if(row.size() < LONG_ROW)
+      return {0, row.size()};
+    return internal::cell(row, corner, weight, point, nearer, farther);
+  }
+
+  // ----- set-up
+
+  void summarize_arcs()
+  {
+    if(!(unit() > 0) || std::isinf(unit()))
+      internal::reject("the weights and the lengths of the mesh do not fit each other: costs would "
+                       "be beyond what a double can hold");
+    double shortest = infinity, sum = 0, longest = 0;
+    std::size_t number_of_arcs = 0;
+    for(Index e = 0; e < m_points.number_of_edges(); ++e)
+    {
+      const double cost = weight_of_edge(e) * m_triangulation.length(m_points.halfedge(e));
+      if(!(cost < infinity)) // nor a forbidden edge of length zero
+        continue;
+      const std::size_t number = m_points.number_of_points(e) + std::size_t(1);
+      shortest = (std::min)(shortest, cost / double(number));
+      sum += cost;
+      longest = (std::max)(longest, cost);
+      number_of_arcs += number;
+    }
+    if(number_of_arcs > 0)
+      m_arc_lengths = {shortest, sum / double(number_of_arcs), longest};
+  }
+
+  void find_maximum_degree()
+  {
+    std::size_t largest = 0;
+    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
+    {
+      std::size_t degree = 1; // to the vertex, from one of its sectors
+      for(Index h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
+        degree += 2 + number_of_opposite_points(h); // a barrier is two edges
+      largest = (std::max)(largest, degree);
+    }
+    for(const Index h : m_points.halfedges())
+    {
+      const Index twin = m_triangulation.opposite(h);
+      std::size_t degree = 4; // along the edge, and to the third vertices of both faces
+      for(const Index side : {h, twin})
+        if(!m_triangulation.is_border(side))
+          degree += number_of_opposite_points(side) +
+                    number_of_opposite_points(m_triangulation.next(side));
+      largest = (std::max)(largest, degree);
+    }
+    m_maximum_degree = largest;
+  }
+
+  // On the edge opposite to the source of `h`, in the face to the left of `h`.
+  std::size_t number_of_opposite_points(const Index h) const
+  {
+    return m_triangulation.is_border(h)
+               ? 0
+               : m_points.number_of_points(m_points.edge(m_triangulation.next(h)));
+  }
+
+  Intrinsic_triangulation m_triangulation;
+  Placement m_placement;
+  internal::Sectors m_sectors;
+  internal::Points_on_edges m_points;
+  Node m_first_point = 0;  // the vertices come before
+  Node m_first_sector = 0; // the points do
+  Arc_lengths m_arc_lengths;
+  std::size_t m_maximum_degree = 0;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_STEINER_GRAPH_H

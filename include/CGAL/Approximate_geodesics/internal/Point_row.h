@@ -1,0 +1,153 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_POINT_ROW_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_POINT_ROW_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/internal/Points_on_edges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The points of an edge, ranked by their distance from the end that is at a corner of a face.
+ */
+class Point_row
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // The nodes of the points start with `first_node`, and their positions are measured from the
+  // corner, or, if it is at the second end of the edge, from the other end.
+  Point_row(const Index first_node,
+            const Index size,
+            const float* const positions,
+            const double length,
+            const bool starts_at_first_end)
+    : m_first_node(first_node),
+      m_size(size),
+      m_positions(positions),
+      m_length(length),
+      m_starts_at_first_end(starts_at_first_end)
+  {
+  }
+
+  Index size() const { return m_size; }
+
+  // the length of the edge
+  double length() const { return m_length; }
+
+  double distance_from_corner(const Index rank) const
+  {
+    return m_starts_at_first_end ? m_length * part_from_first_end(m_positions[rank])
+                                 : m_length * part_from_second_end(m_positions[m_size - 1 - rank]);
+  }
+
+  // Calls `f(node, distance)` for the points with ranks from `first` to before `beyond`, with their
+  // distances from the point of the corner's other side that is at the distance `x` from it. The
+  // distances are computed in blocks, which compilers turn into vector instructions.
+  template <typename F>
+  void
+  for_each(const Index first, const Index beyond, const Corner& corner, const double x, F f) const
+  {
+    const double direction = m_starts_at_first_end ? m_length : -m_length;
+    const double of_near_half = m_starts_at_first_end ? 0 : m_length; // ... of the first end
+    const double of_far_half = m_length - of_near_half;
+    const Index begin = m_starts_at_first_end ? first : m_size - beyond;
+    const Index end = begin + (beyond - first);
+    std::array<double, SIZE_OF_BLOCK> distances;
+    for(Index block = begin; block < end; block += SIZE_OF_BLOCK)
+    {
+      const Index size = (std::min)(SIZE_OF_BLOCK, end - block);
+      for(Index i = 0; i < size; ++i)
+      {
+        const double position = m_positions[block + i];
+        const double y = (position < 0 ? of_far_half : of_near_half) + direction * position;
+        distances[i] = corner.squared_distance(x, y);
+      }
+      for(Index i = 0; i < size; ++i)
+        f(m_first_node + block + i, std::sqrt(distances[i]));
+    }
+  }
+
+private:
+  static constexpr Index SIZE_OF_BLOCK = 16;
+
+  Index m_first_node;
+  Index m_size;
+  const float* m_positions;
+  double m_length;
+  bool m_starts_at_first_end;
+};
+
+// A point that is reached at some cost, and its distance from a corner.
+struct Reached_point
+{
+  double label;
+  double distance_from_corner;
+
+  // what it costs to go on to a point of the corner's other side
+  double cost_to(const double y, const Corner& corner, const double weight) const
+  {
+    return label + weight * corner.distance(distance_from_corner, y);
+  }
+};
+
+/*
+ * The ranks of those points of a row that two rivals of a point do not reach at less cost: as a
+ * first one and one beyond. One rival is nearer to the corner and one farther from it, on the same
+ * side of it.
+ *
+ * Straight arcs from two points of a side to two points of the other need not cross: exchanging
+ * their ends does not make them longer. So what a rival reaches at less cost lies at its own end of
+ * the row, and a binary search finds where it ends.
+ */
+inline std::pair<Point_row::Index, Point_row::Index> cell(const Point_row& row,
+                                                          const Corner& corner,
+                                                          const double weight,
+                                                          const Reached_point& point,
+                                                          const Reached_point& nearer,
+                                                          const Reached_point& farther)
+{
+  using Index = Point_row::Index;
+  // Of two points that reach a third at the same cost, at least one has to be kept.
+  constexpr double SAFETY = 1 + 8 * std::numeric_limits<double>::epsilon();
+  const auto reaches = [&](const Reached_point& rival, const Index rank) {
+    const double y = row.distance_from_corner(rank);
+    return SAFETY * rival.cost_to(y, corner, weight) < point.cost_to(y, corner, weight);
+  };
+  // the first rank from `low` on of which this is not, or is, the case
+  const auto search = [&](const Reached_point& rival, Index low, const bool is_nearer) {
+    Index high = row.size();
+    while(low < high)
+    {
+      const Index middle = low + (high - low) / 2;
+      if(reaches(rival, middle) == is_nearer)
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    return low;
+  };
+  const Index first = search(nearer, 0, true);
+  return {first, search(farther, first, false)};
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_POINT_ROW_H

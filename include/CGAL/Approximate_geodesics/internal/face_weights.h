@@ -1,0 +1,118 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_FACE_WEIGHTS_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_FACE_WEIGHTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/internal/halfedge_groups.h>
+#include <CGAL/Approximate_geodesics/internal/messages.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Per halfedge that of the face to its left, infinity where there is none, in a unit in which the
+// largest finite one is from 1 to 2: products with lengths neither overflow nor vanish.
+struct Face_weights
+{
+  std::vector<double> of_halfedge;
+  double unit = 1;
+};
+
+// Expresses weights in a power of two, without rounding.
+inline void normalize(Face_weights& weights)
+{
+  double largest = 0;
+  for(const double w : weights.of_halfedge)
+    largest = std::isinf(w) ? largest : (std::max)(largest, w);
+  if(largest == 0)
+    return;
+  constexpr double smallest = std::numeric_limits<double>::denorm_min(); // is not free yet
+  const int exponent = std::ilogb(largest);
+  weights.unit = std::ldexp(1., exponent);
+  for(double& w : weights.of_halfedge)
+    if(w > 0)
+      w = (std::max)(std::ldexp(w, -exponent), smallest);
+}
+
+// Reads the weights of the faces of a mesh, whose halfedges are given by their numbers in the
+// triangulation.
+template <typename TriangleMesh, typename Halfedges, typename FaceWeightMap>
+Face_weights read_face_weights(const TriangleMesh& tmesh,
+                               const Halfedges& halfedges,
+                               const FaceWeightMap& face_weight_map,
+                               const Intrinsic_triangulation& triangulation)
+{
+  using Index = Intrinsic_triangulation::Index;
+  const auto name = [&](const Index h) { return std::to_string(triangulation.index(h)); };
+
+  Face_weights result;
+  result.of_halfedge.resize(halfedges.size(), std::numeric_limits<double>::infinity());
+  for(Index h = 0; h < halfedges.size(); ++h)
+  {
+    if(is_border(halfedges[h], tmesh))
+      continue;
+    const double weight = CGAL::to_double(get(face_weight_map, face(halfedges[h], tmesh)));
+    if(!(weight >= 0))
+    {
+      const Index g = triangulation.next(h);
+      reject("the face with vertices " + name(triangulation.source(h)) + ", " +
+             name(triangulation.target(h)) + ", " + name(triangulation.target(g)) + " has weight " +
+             text_of(weight) + "; it must be a number that is not negative, or infinity");
+    }
+    result.of_halfedge[h] = weight + 0.0; // turns a negative zero into a positive one
+  }
+  normalize(result);
+  return result;
+}
+
+// The halfedges of a mesh by their numbers in its triangulation.
+template <typename TriangleMesh, typename VertexIndexMap>
+auto halfedges_in_groups(const TriangleMesh& tmesh,
+                         const VertexIndexMap& vertex_index_map,
+                         const Intrinsic_triangulation& triangulation)
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+
+  std::vector<typename Graph_traits::halfedge_descriptor> result(
+      triangulation.number_of_halfedges(), Graph_traits::null_halfedge());
+  std::size_t number_found = 0;
+  for(const auto v : vertices(tmesh))
+  {
+    const Index node = triangulation.vertex(static_cast<std::size_t>(get(vertex_index_map, v)));
+    auto h = first_halfedge_from(v, tmesh);
+    if(node == Intrinsic_triangulation::null_index)
+      continue;
+    for(Index i = triangulation.first_halfedge(node);
+        i < triangulation.beyond_halfedge(node) && h != Graph_traits::null_halfedge(); ++i)
+    {
+      result[i] = h;
+      h = counterclockwise(h, tmesh);
+      ++number_found;
+    }
+  }
+  if(number_found != triangulation.number_of_halfedges())
+    reject("the mesh is not the one that the triangulation was made from");
+  return result;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_FACE_WEIGHTS_H
