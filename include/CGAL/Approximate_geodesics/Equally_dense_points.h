@@ -9,7 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/internal/equal_parts.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/number_utils.h>
@@ -39,6 +38,9 @@ class Equally_dense_points
 public:
   /// the number of a halfedge.
   using Index = Intrinsic_triangulation::Index;
+
+  /// whether points divide every edge into equal parts, so that their number says where they are.
+  static constexpr bool makes_equal_parts = true;
 
   /// places points at distances of at most `spacing`, in the unit of the mesh.
   /// \throws std::invalid_argument if `spacing` is not a number above `0`.
@@ -78,15 +80,6 @@ public:
     const double number_of_parts =
         std::ceil(triangulation.length(h) * (triangulation.unit() / m_spacing));
     return static_cast<std::size_t>((std::clamp)(number_of_parts - 1, 0., too_many));
-  }
-
-  /// writes the positions of these points to `positions`.
-  void place(const Intrinsic_triangulation& /* triangulation */,
-             Index /* halfedge */,
-             float* positions,
-             const std::size_t number_of_points) const
-  {
-    internal::divide_into_equal_parts(positions, number_of_points);
   }
 
   /// returns infinity, as there is no bound.

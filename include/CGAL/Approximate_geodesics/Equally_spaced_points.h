@@ -9,7 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/internal/equal_parts.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/number_utils.h>
@@ -37,6 +36,9 @@ class Equally_spaced_points
 public:
   /// the number of a halfedge.
   using Index = Intrinsic_triangulation::Index;
+
+  /// whether points divide every edge into equal parts, so that their number says where they are.
+  static constexpr bool makes_equal_parts = true;
 
   /// places so many points on every edge.
   explicit Equally_spaced_points(const std::size_t number_of_points_per_edge = 3)
@@ -71,15 +73,6 @@ public:
                                Index /* halfedge */) const
   {
     return m_number_of_points;
-  }
-
-  /// writes the positions of these points to `positions`.
-  void place(const Intrinsic_triangulation& /* triangulation */,
-             Index /* halfedge */,
-             float* positions,
-             const std::size_t number_of_points) const
-  {
-    internal::divide_into_equal_parts(positions, number_of_points);
   }
 
   /// returns infinity, as there is no bound.

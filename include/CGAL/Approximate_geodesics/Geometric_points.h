@@ -59,6 +59,9 @@ public:
   /// the number of a halfedge.
   using Index = Intrinsic_triangulation::Index;
 
+  /// whether points divide every edge into equal parts, so that their number says where they are.
+  static constexpr bool makes_equal_parts = false;
+
   /// angles are taken to have at least this sine.
   static constexpr double SMALLEST_SINE = 0.02;
 

@@ -152,9 +152,8 @@ public:
     CGAL_precondition(node >= m_first_point);
     if(node >= m_first_sector)
       return {m_sectors.first_halfedge(node - m_first_sector), 0};
-    const Node p = node - m_first_point;
-    return {m_points.halfedge(m_points.edge_of_point(p)),
-            internal::part_from_first_end(m_points.position(p))};
+    const Node p = node - m_first_point, h = m_points.halfedge(p);
+    return {h, m_points.part_before(m_points.edge(h), p)};
   }
 
   /// calls `f(target, cost)` for the arcs that start from `node` and may be part of a cheapest path
@@ -252,25 +251,27 @@ private:
     return sector == null_node ? v : m_first_sector + sector;
   }
 
-  Node node_at_first_end(const Index e) const
+  // The nodes at the ends of the edge of `h`, or of its left side.
+  Node node_at_source(const Index h) const
   {
-    const Index h = m_points.halfedge(e);
-    return corner_node(m_triangulation.source(h), h);
+    const Index twin = m_triangulation.opposite(h);
+    const Node v = m_triangulation.target(twin);
+    if(m_sectors.is_empty() || (m_triangulation.is_border(h) && m_triangulation.is_border(twin)))
+      return v;
+    return corner_node(v, m_triangulation.is_border(h) ? m_triangulation.next(twin) : h);
   }
-
-  Node node_at_second_end(const Index e) const
+  Node node_at_target(const Index h) const
   {
-    const Index h = m_points.halfedge(e);
     const Node v = m_triangulation.target(h);
-    return m_sectors.is_empty() || m_triangulation.is_border(h)
-               ? v
-               : corner_node(v, m_triangulation.next(h));
+    if(m_sectors.is_empty())
+      return v;
+    return m_triangulation.is_border(h) ? node_at_source(m_triangulation.opposite(h))
+                                        : corner_node(v, m_triangulation.next(h));
   }
 
-  // Costs are in proportion to this along an edge.
-  double weight_of_edge(const Index e) const
+  // Costs are in proportion to this along the edge of `h`, or along its left side.
+  double weight_along(const Index h) const
   {
-    const Index h = m_points.halfedge(e);
     return m_triangulation.is_barrier(h) ? m_triangulation.weight(h)
                                          : m_triangulation.weight_of_edge(h);
   }
@@ -281,8 +282,8 @@ private:
   Row row(const Index h, const bool is_from_source) const
   {
     const Index e = m_points.edge(h), first = m_points.first_point(e);
-    return Row(m_first_point + first, m_points.number_of_points(e), m_points.positions() + first,
-               m_triangulation.length(h), (m_points.halfedge(e) == h) == is_from_source);
+    return Row(m_first_point + first, m_points.number_of_points(e), m_points.positions(first),
+               m_triangulation.length(h), m_points.is_first(h) == is_from_source);
   }
 
   // Whether paths may enter the face to the left of `h`.
@@ -315,7 +316,7 @@ private:
       h = m_triangulation.counterclockwise(v, h);
     } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
     // of a barrier, the side that faces the sector
-    expand_edge(h, m_points.edge(m_triangulation.opposite(h)), f);
+    expand_edge(m_triangulation.opposite(h), false, f);
   }
 
   template <typename F>
@@ -326,7 +327,7 @@ private:
     {
       expand_corner(v, h, f);
       if(m_triangulation.is_barrier(h)) // both sides of which start here
-        expand_edge(h, m_points.edge(m_triangulation.opposite(h)), f);
+        expand_edge(m_triangulation.opposite(h), false, f);
     }
   }
 
@@ -334,7 +335,7 @@ private:
   template <typename F>
   void expand_corner(const Node v, const Index h, F& f) const
   {
-    expand_edge(h, m_points.edge(h), f);
+    expand_edge(h, true, f);
     if(!is_open(h))
       return;
     const Row row = row_from_source(m_triangulation.next(h));
@@ -346,24 +347,22 @@ private:
           m_triangulation.weight(h), f);
   }
 
-  // The arc along the edge `e`, one of those of `h`, from the source of `h`.
+  // The arc along the edge of `h`, or along its left side, from its source or target.
   template <typename F>
-  void expand_edge(const Index h, const Index e, F& f) const
+  void expand_edge(const Index h, const bool starts_at_source, F& f) const
   {
-    const double weight = weight_of_edge(e);
+    const double weight = weight_along(h);
     if(weight == infinity)
       return;
+    const Index e = m_points.edge(h);
     const Index first = m_points.first_point(e), beyond = m_points.beyond_point(e);
-    const bool starts_at_first_end = m_points.halfedge(e) == h;
     const double length = m_triangulation.length(h);
     if(first == beyond)
-      f(starts_at_first_end ? node_at_second_end(e) : node_at_first_end(e), weight * length);
-    else if(starts_at_first_end)
-      f(m_first_point + first,
-        weight * (length * internal::part_from_first_end(m_points.position(first))));
+      f(starts_at_source ? node_at_target(h) : node_at_source(h), weight * length);
+    else if(starts_at_source == m_points.is_first(h))
+      f(m_first_point + first, weight * (length * m_points.part_before(e, first)));
     else
-      f(m_first_point + beyond - 1,
-        weight * (length * internal::part_from_second_end(m_points.position(beyond - 1))));
+      f(m_first_point + beyond - 1, weight * (length * m_points.part_behind(e, beyond - 1)));
   }
 
   // The arcs to points of a row, from the point at the distance `x` from its corner.
@@ -402,43 +401,64 @@ private:
     Stop toward_source, point, toward_target;
   };
 
+  // The halfedges of the face to the left of the first of them.
+  struct Face
+  {
+    Index first, second, third;
+  };
+
+  Face face(const Index h) const
+  {
+    const Index second = m_triangulation.next(h);
+    return {h, second, m_triangulation.next(second)};
+  }
+
   template <typename Labels, typename F>
   void expand_point(const Node node, const Labels& labels, F& f) const
   {
-    const Index e = m_points.edge_of_point(node - m_first_point);
-    const Neighborhood left = neighborhood(node, e);
-    expand_along_edge(left, e, f);
+    const Index h = m_points.halfedge(node - m_first_point), twin = m_triangulation.opposite(h);
+    const Neighborhood left = neighborhood(node, h);
+    expand_along_edge(left, f);
 
     const Node predecessor = labels.predecessor(node);
-    const Index h = left.halfedge, twin = m_triangulation.opposite(h);
-    const bool is_two_sided = m_points.edge(twin) == e;
-    const bool comes_from_left = is_opposite(predecessor, left, h);
-    const bool comes_from_right = is_two_sided && is_opposite(predecessor, left, twin);
-    if(is_open(h) && (!comes_from_left || comes_from_right))
-      expand_face(left, labels, f);
-    if(is_two_sided && is_open(twin) && (!comes_from_right || comes_from_left))
-      expand_face(left.reversed(twin), labels, f);
+    const bool has_right = m_points.edge(twin) == m_points.edge(h) && is_open(twin);
+    if(!has_right)
+    {
+      if(is_open(h))
+        expand_face(left, face(h), labels, f);
+      return;
+    }
+    const Face face_to_right = face(twin);
+    const bool comes_from_right = is_opposite(predecessor, left, face_to_right);
+    bool comes_from_left = false;
+    if(is_open(h))
+    {
+      const Face face_to_left = face(h);
+      comes_from_left = is_opposite(predecessor, left, face_to_left);
+      if(!comes_from_left || comes_from_right)
+        expand_face(left, face_to_left, labels, f);
+    }
+    if(!comes_from_right || comes_from_left)
+      expand_face(left.reversed(twin), face_to_right, labels, f);
   }
 
-  Neighborhood neighborhood(const Node node, const Index e) const
+  Neighborhood neighborhood(const Node node, const Index h) const
   {
-    const Index p = node - m_first_point, h = m_points.halfedge(e);
+    const Index p = node - m_first_point, e = m_points.edge(h);
     const double length = m_triangulation.length(h);
     const auto stop = [&](const Index q) {
-      const float position = m_points.position(q);
-      return Stop{m_first_point + q, length * internal::part_from_first_end(position),
-                  length * internal::part_from_second_end(position)};
+      return Stop{m_first_point + q, length * m_points.part_before(e, q),
+                  length * m_points.part_behind(e, q)};
     };
-    return {h, p == m_points.first_point(e) ? Stop{node_at_first_end(e), 0, length} : stop(p - 1),
+    return {h, p == m_points.first_point(e) ? Stop{node_at_source(h), 0, length} : stop(p - 1),
             stop(p),
-            p + 1 == m_points.beyond_point(e) ? Stop{node_at_second_end(e), length, 0}
-                                              : stop(p + 1)};
+            p + 1 == m_points.beyond_point(e) ? Stop{node_at_target(h), length, 0} : stop(p + 1)};
   }
 
   template <typename F>
-  void expand_along_edge(const Neighborhood& n, const Index e, F& f) const
+  void expand_along_edge(const Neighborhood& n, F& f) const
   {
-    const double weight = weight_of_edge(e);
+    const double weight = weight_along(n.halfedge);
     if(weight == infinity)
       return;
     f(n.toward_source.node, weight * gap(n.toward_source, n.point));
@@ -452,37 +472,31 @@ private:
                                                   : first.from_target - second.from_target;
   }
 
-  // Whether a node is on one of the two edges of the face to the left of `h` that are not that of
-  // `h`, and not at an end of that.
-  bool is_opposite(const Node node, const Neighborhood& n, const Index h) const
+  // Whether a node is on one of the two edges of a face that are not the first, and not at an end
+  // of that.
+  bool is_opposite(const Node node, const Neighborhood& n, const Face& face) const
   {
-    if(node == null_node || m_triangulation.is_border(h))
-      return false;
-    const Index second = m_triangulation.next(h), third = m_triangulation.next(second);
-    if(node >= m_first_point && node < m_first_sector)
-    {
-      const Index e = m_points.edge_of_point(node - m_first_point);
-      return e == m_points.edge(second) || e == m_points.edge(third);
-    }
-    return node != n.toward_source.node && node != n.toward_target.node &&
-           node == corner_node(m_triangulation.target(second), third);
+    if(node < m_first_point || node >= m_first_sector) // among them the null node
+      return node != n.toward_source.node && node != n.toward_target.node &&
+             node == corner_node(m_triangulation.target(face.second), face.third);
+    const Index e = m_points.edge(m_points.halfedge(node - m_first_point));
+    return e == m_points.edge(face.second) || e == m_points.edge(face.third);
   }
 
-  // The arcs across the face to the left of the halfedge of `n`.
+  // The arcs across a face, whose first halfedge is that of `n`.
   template <typename Labels, typename F>
-  void expand_face(const Neighborhood& n, const Labels& labels, F& f) const
+  void expand_face(const Neighborhood& n, const Face& face, const Labels& labels, F& f) const
   {
-    const Index h = n.halfedge, second = m_triangulation.next(h);
-    const Index third = m_triangulation.next(second);
-    const double weight = m_triangulation.weight(h), length = m_triangulation.length(h);
-    const Row at_target = row_from_source(second), at_source = row_from_target(third);
+    const double weight = m_triangulation.weight(n.halfedge);
+    const double length = m_triangulation.length(n.halfedge);
+    const Row at_target = row_from_source(face.second), at_source = row_from_target(face.third);
     const auto reached = [&](const Stop& s, const double x) {
       return Reached_point{labels.distance(s.node), x};
     };
 
     const internal::Corner corner(length, at_target.length(), at_source.length());
     const double x = n.point.from_target;
-    f(corner_node(m_triangulation.target(second), third),
+    f(corner_node(m_triangulation.target(face.second), face.third),
       weight * corner.distance(x, at_target.length()));
     if(at_target.size() > 0)
       visit(at_target,
@@ -525,17 +539,16 @@ private:
                        "be beyond what a double can hold");
     double shortest = infinity, sum = 0, longest = 0;
     std::size_t number_of_arcs = 0;
-    for(Index e = 0; e < m_points.number_of_edges(); ++e)
-    {
-      const double cost = weight_of_edge(e) * m_triangulation.length(m_points.halfedge(e));
+    m_points.for_each_first_halfedge([&](const Index h, const Index e) {
+      const double cost = weight_along(h) * m_triangulation.length(h);
       if(!(cost < infinity)) // nor a forbidden edge of length zero
-        continue;
+        return;
       const std::size_t number = m_points.number_of_points(e) + std::size_t(1);
       shortest = (std::min)(shortest, cost / double(number));
       sum += cost;
       longest = (std::max)(longest, cost);
       number_of_arcs += number;
-    }
+    });
     if(number_of_arcs > 0)
       m_arc_lengths = {shortest, sum / double(number_of_arcs), longest};
   }
@@ -550,8 +563,7 @@ private:
         degree += 2 + number_of_opposite_points(h); // a barrier is two edges
       largest = (std::max)(largest, degree);
     }
-    for(const Index h : m_points.halfedges())
-    {
+    m_points.for_each_first_halfedge([&](const Index h, Index /* edge */) {
       const Index twin = m_triangulation.opposite(h);
       std::size_t degree = 4; // along the edge, and to the third vertices of both faces
       for(const Index side : {h, twin})
@@ -559,7 +571,7 @@ private:
           degree += number_of_opposite_points(side) +
                     number_of_opposite_points(m_triangulation.next(side));
       largest = (std::max)(largest, degree);
-    }
+    });
     m_maximum_degree = largest;
   }
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -30,8 +31,9 @@ class Point_row
 public:
   using Index = Intrinsic_triangulation::Index;
 
-  // The nodes of the points start with `first_node`, and their positions are measured from the
-  // corner, or, if it is at the second end of the edge, from the other end.
+  // Points are nodes from `first_node` on. Their positions are as in `Points_on_edges`, or missing
+  // if they divide the edge into equal parts. The corner is at the first end of the edge or at the
+  // second one.
   Point_row(const Index first_node,
             const Index size,
             const float* const positions,
@@ -52,39 +54,79 @@ public:
 
   double distance_from_corner(const Index rank) const
   {
-    return m_starts_at_first_end ? m_length * part_from_first_end(m_positions[rank])
-                                 : m_length * part_from_second_end(m_positions[m_size - 1 - rank]);
+    const Index i = m_starts_at_first_end ? rank : m_size - 1 - rank;
+    return m_positions == nullptr ? equal_parts()(i) : stored_positions()(i);
   }
 
   // Calls `f(node, distance)` for the points with ranks from `first` to before `beyond`, with their
-  // distances from the point of the corner's other side that is at the distance `x` from it. The
-  // distances are computed in blocks, which compilers turn into vector instructions.
+  // distances from the point of the corner's other side that is at the distance `x` from it.
   template <typename F>
   void
   for_each(const Index first, const Index beyond, const Corner& corner, const double x, F f) const
   {
-    const double direction = m_starts_at_first_end ? m_length : -m_length;
-    const double of_near_half = m_starts_at_first_end ? 0 : m_length; // ... of the first end
-    const double of_far_half = m_length - of_near_half;
     const Index begin = m_starts_at_first_end ? first : m_size - beyond;
     const Index end = begin + (beyond - first);
-    std::array<double, SIZE_OF_BLOCK> distances;
-    for(Index block = begin; block < end; block += SIZE_OF_BLOCK)
-    {
-      const Index size = (std::min)(SIZE_OF_BLOCK, end - block);
-      for(Index i = 0; i < size; ++i)
-      {
-        const double position = m_positions[block + i];
-        const double y = (position < 0 ? of_far_half : of_near_half) + direction * position;
-        distances[i] = corner.squared_distance(x, y);
-      }
-      for(Index i = 0; i < size; ++i)
-        f(m_first_node + block + i, std::sqrt(distances[i]));
-    }
+    if(m_positions == nullptr)
+      measure(begin, end, corner, x, equal_parts(), f);
+    else
+      measure(begin, end, corner, x, stored_positions(), f);
   }
 
 private:
   static constexpr Index SIZE_OF_BLOCK = 16;
+
+  // Distances from the corner, by the order on the edge.
+  struct Equal_parts
+  {
+    double operator()(const Index i) const { return start + step * double(std::int32_t(i)); }
+
+    double start, step;
+  };
+
+  struct Stored_positions
+  {
+    double operator()(const Index i) const
+    {
+      const double position = positions[i];
+      return (position < 0 ? start_of_second_half : start) + step * position;
+    }
+
+    const float* positions;
+    double start, start_of_second_half, step;
+  };
+
+  Equal_parts equal_parts() const
+  {
+    const double part = m_length / (double(m_size) + 1);
+    return m_starts_at_first_end ? Equal_parts{part, part}
+                                 : Equal_parts{part * double(m_size), -part};
+  }
+
+  Stored_positions stored_positions() const
+  {
+    return m_starts_at_first_end ? Stored_positions{m_positions, 0, m_length, m_length}
+                                 : Stored_positions{m_positions, m_length, 0, -m_length};
+  }
+
+  // In blocks, so that compilers turn the first of the two loops into vector instructions.
+  template <typename Distance_from_corner, typename F>
+  void measure(const Index begin,
+               const Index end,
+               const Corner& corner,
+               const double x,
+               const Distance_from_corner& distance_from_corner,
+               F& f) const
+  {
+    std::array<double, SIZE_OF_BLOCK> squared_distances;
+    for(Index block = begin; block < end; block += SIZE_OF_BLOCK)
+    {
+      const Index size = (std::min)(SIZE_OF_BLOCK, end - block);
+      for(Index i = 0; i < size; ++i)
+        squared_distances[i] = corner.squared_distance(x, distance_from_corner(block + i));
+      for(Index i = 0; i < size; ++i)
+        f(m_first_node + block + i, std::sqrt(squared_distances[i]));
+    }
+  }
 
   Index m_first_node;
   Index m_size;

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/internal/prefetch.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -20,38 +21,24 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// A position on an edge is a part of it, measured from the nearer end, which keeps points apart
-// that are very close to an end: from 0 to 1/2, the part between the first end and the point; below
-// 0, minus the part between the point and the second end.
-
-inline double part_from_first_end(const float position)
-{
-  return position < 0 ? 1 + double(position) : double(position);
-}
-
-inline double part_from_second_end(const float position)
-{
-  return position < 0 ? -double(position) : 1 - double(position);
-}
-
-// The part of the edge between two positions, of which the second is not before the first.
-inline double part_between(const float first, const float second)
-{
-  const double difference = double(second) - double(first);
-  return first >= 0 && second < 0 ? 1 + difference : difference;
-}
-
 /*
  * The points that a placement puts on the edges of a triangulation. They are numbered from 0: those
- * of an edge follow each other, from the source of the edge's halfedge to its target.
+ * of an edge follow each other, from the source of one of its halfedges, called the first one, to
+ * its target.
  *
  * A barrier is two edges here, one for either side, each with points of its own. So edges have a
  * number that only this class knows.
+ *
+ * A position is a part of the edge, measured from the nearer end, which keeps points apart that are
+ * very close to an end: from 0 to 1/2, the part between the first end and the point; below 0, minus
+ * the part between the point and the second end. Positions that follow from the number of points
+ * are not stored.
  */
 class Points_on_edges
 {
 public:
   using Index = Intrinsic_triangulation::Index;
+  static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
   Points_on_edges() = default;
 
@@ -63,65 +50,98 @@ public:
   {
     number_edges(triangulation);
     count_points(triangulation, placement, largest_number);
-    m_edge_of_point.resize(number_of_points());
-    m_position.resize(number_of_points());
-    for(Index e = 0; e < number_of_edges(); ++e)
+    m_halfedge.resize(number_of_points());
+    for_each_first_halfedge([&](const Index h, const Index e) {
+      std::fill(m_halfedge.begin() + first_point(e), m_halfedge.begin() + beyond_point(e), h);
+    });
+    if constexpr(!Placement::makes_equal_parts)
     {
-      placement.place(triangulation, m_halfedge[e], m_position.data() + first_point(e),
-                      number_of_points(e));
-      for(Index p = first_point(e); p < beyond_point(e); ++p)
-        m_edge_of_point[p] = e;
+      m_position.resize(number_of_points());
+      for_each_first_halfedge([&](const Index h, const Index e) {
+        placement.place(triangulation, h, m_position.data() + first_point(e), number_of_points(e));
+      });
     }
   }
 
-  Index number_of_edges() const { return static_cast<Index>(m_halfedge.size()); }
+  // ----- edges
+
+  Index number_of_edges() const { return static_cast<Index>(m_first_point.size() - 1); }
+
+  // the edge of a halfedge of the triangulation, the one on its left side if it is a barrier
+  Index edge(const Index h) const { return m_edge[h] / 2; }
+
+  // whether `h` is the first halfedge of its edge; there is a face to the left of that, if any
+  bool is_first(const Index h) const { return m_edge[h] % 2 == 0; }
+
+  // Calls `f(h, e)` for every edge `e` and its first halfedge `h`.
+  template <typename F>
+  void for_each_first_halfedge(F f) const
+  {
+    for(Index h = 0; h < m_edge.size(); ++h)
+      if(is_first(h))
+        f(h, edge(h));
+  }
+
+  // ----- points
+
   Index number_of_points() const { return m_first_point.back(); }
-
-  // the edge of a halfedge of the triangulation, on its left side if it is a barrier
-  Index edge(const Index h) const { return m_edge[h]; }
-
-  // ... and the other way round: the one that a face is to the left of, if there is any
-  Index halfedge(const Index e) const { return m_halfedge[e]; }
-
-  const std::vector<Index>& halfedges() const { return m_halfedge; }
-
   Index first_point(const Index e) const { return m_first_point[e]; }
   Index beyond_point(const Index e) const { return m_first_point[e + 1]; }
   Index number_of_points(const Index e) const { return beyond_point(e) - first_point(e); }
 
-  Index edge_of_point(const Index p) const { return m_edge_of_point[p]; }
-  float position(const Index p) const { return m_position[p]; }
-  const float* positions() const { return m_position.data(); }
+  // the first halfedge of the edge of a point
+  Index halfedge(const Index p) const { return m_halfedge[p]; }
+
+  // the part of the edge `e` between its first end and its point `p`, and the rest of it
+  double part_before(const Index e, const Index p) const
+  {
+    if(m_position.empty())
+      return double(p - first_point(e) + 1) / double(number_of_points(e) + 1);
+    return m_position[p] < 0 ? 1 + double(m_position[p]) : double(m_position[p]);
+  }
+  double part_behind(const Index e, const Index p) const
+  {
+    if(m_position.empty())
+      return double(beyond_point(e) - p) / double(number_of_points(e) + 1);
+    return m_position[p] < 0 ? -double(m_position[p]) : 1 - double(m_position[p]);
+  }
+
+  // The positions from that of `p` on, or a null pointer if points divide edges into equal parts.
+  const float* positions(const Index p) const
+  {
+    return m_position.empty() ? nullptr : m_position.data() + p;
+  }
 
   void prefetch(const Index p) const
   {
-    internal::prefetch(m_edge_of_point.data() + p);
-    internal::prefetch(m_position.data() + p);
+    internal::prefetch(m_halfedge.data() + p);
+    if(!m_position.empty())
+      internal::prefetch(m_position.data() + p);
   }
 
   std::size_t memory() const
   {
-    return sizeof(Index) * (m_halfedge.capacity() + m_first_point.capacity() + m_edge.capacity() +
-                            m_edge_of_point.capacity()) +
+    return sizeof(Index) * (m_edge.capacity() + m_first_point.capacity() + m_halfedge.capacity()) +
            sizeof(float) * m_position.capacity();
   }
 
 private:
   void number_edges(const Intrinsic_triangulation& triangulation)
   {
-    m_edge.assign(triangulation.number_of_halfedges(), Intrinsic_triangulation::null_index);
-    m_halfedge.reserve(triangulation.number_of_edges());
+    m_edge.assign(triangulation.number_of_halfedges(), null_index);
+    Index number = 0;
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
     {
       const Index twin = triangulation.opposite(h);
-      const bool comes_second = m_edge[h] != Intrinsic_triangulation::null_index;
+      const bool comes_second = m_edge[h] != null_index;
       if(comes_second || (triangulation.is_border(h) && !triangulation.is_border(twin)))
         continue;
-      m_edge[h] = number_of_edges();
+      m_edge[h] = 2 * number;
       if(!triangulation.is_barrier(h))
-        m_edge[twin] = m_edge[h];
-      m_halfedge.push_back(h);
+        m_edge[twin] = 2 * number + 1;
+      ++number;
     }
+    m_first_point.assign(number + std::size_t(1), 0);
   }
 
   template <typename Placement>
@@ -129,12 +149,8 @@ private:
                     const Placement& placement,
                     const std::size_t largest_number)
   {
-    m_first_point.clear();
-    m_first_point.reserve(m_halfedge.size() + 1);
     std::size_t number = 0;
-    for(const Index h : m_halfedge)
-    {
-      m_first_point.push_back(static_cast<Index>(number));
+    for_each_first_halfedge([&](const Index h, const Index e) {
       const std::size_t number_on_edge =
           triangulation.length(h) > 0 ? placement.number_of_points(triangulation, h) : 0;
       if(number_on_edge > largest_number - number)
@@ -142,15 +158,14 @@ private:
                                 std::to_string(largest_number) +
                                 " points on edges, which is what 32-bit numbers can tell apart");
       number += number_on_edge;
-    }
-    m_first_point.push_back(static_cast<Index>(number));
+      m_first_point[e + 1] = static_cast<Index>(number);
+    });
   }
 
-  std::vector<Index> m_halfedge;          // per edge
+  std::vector<Index> m_edge;              // per halfedge: twice the edge, plus one if not first
   std::vector<Index> m_first_point = {0}; // per edge, and one beyond
-  std::vector<Index> m_edge;              // per halfedge
-  std::vector<Index> m_edge_of_point;     // per point, as the next
-  std::vector<float> m_position;
+  std::vector<Index> m_halfedge;          // per point
+  std::vector<float> m_position;          // likewise, or empty
 };
 
 } // namespace internal
