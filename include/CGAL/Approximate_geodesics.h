@@ -31,11 +31,13 @@
 #include <CGAL/Approximate_geodesics/Propagation_statistics.h>
 #include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Published_bucket_width.h>
+#include <CGAL/Approximate_geodesics/Published_geometric_points.h>
 #include <CGAL/Approximate_geodesics/Queue_entry.h>
 #include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
+#include <CGAL/refined_geodesic_path.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_H

@@ -16,6 +16,7 @@
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
+#include <CGAL/Approximate_geodesics/internal/write_points.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -76,22 +77,8 @@ public:
   template <typename OutputIterator>
   double write_path(const vertex_descriptor v, OutputIterator points) const
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-
-    const auto point_map = choose_parameter(get_parameter(m_np, internal_np::vertex_point),
-                                            get_const_property_map(CGAL::vertex_point, m_mesh));
     const Path path = find_path(m_search, m_vertices.node(v));
-    for(auto it = path.points.rbegin(); it != path.points.rend(); ++it)
-      if constexpr(has_crossing_arcs<Graph>)
-      {
-        using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-        *points++ = m_vertices.point(
-            *it, point_map,
-            choose_parameter<Traits>(get_parameter(m_np, internal_np::geom_traits)));
-      }
-      else
-        *points++ = m_vertices.point_of_vertex(*it, point_map);
+    write_points<Graph>(path, m_vertices, m_mesh, points, m_np);
     return has_crossing_arcs<Graph> && !path.points.empty() ? path.length * m_graph.unit()
                                                             : distance(v);
   }

@@ -24,6 +24,7 @@
   APPLY(edge_length_t, edge_length, edge_length_map)                                               \
   APPLY(epsilon_t, epsilon, epsilon)                                                               \
   APPLY(face_weight_t, face_weight, face_weight_map)                                               \
+  APPLY(relative_tolerance_t, relative_tolerance, relative_tolerance)                              \
   APPLY(targets_t, targets, targets)                                                               \
   APPLY(nearest_source_t, nearest_source, nearest_source_map)                                      \
   APPLY(geodesic_predecessor_t, geodesic_predecessor, predecessor_map)

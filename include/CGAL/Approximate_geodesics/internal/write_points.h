@@ -1,0 +1,51 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_WRITE_POINTS_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_WRITE_POINTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/internal/Path.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Writes the points of a path in a graph of the given type, from its last one to its first.
+template <typename GeodesicGraph,
+          typename Vertices,
+          typename TriangleMesh,
+          typename OutputIterator,
+          typename NamedParameters>
+void write_points(const Path& path,
+                  const Vertices& vertices,
+                  const TriangleMesh& tmesh,
+                  OutputIterator points,
+                  const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                          get_const_property_map(CGAL::vertex_point, tmesh));
+  for(auto it = path.points.rbegin(); it != path.points.rend(); ++it)
+    if constexpr(has_crossing_arcs<GeodesicGraph>)
+    {
+      using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+      *points++ = vertices.point(
+          *it, point_map, choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits)));
+    }
+    else
+      *points++ = vertices.point_of_vertex(*it, point_map);
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_WRITE_POINTS_H
