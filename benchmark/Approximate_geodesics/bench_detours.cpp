@@ -54,6 +54,7 @@ public:
   std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
   std::size_t number_of_arcs() const { return m_rows.number_of_arcs(); }
   std::size_t maximum_degree() const { return m_rows.maximum_degree(); }
+  double unit() const { return m_triangulation.unit(); }
   AG::Arc_lengths arc_lengths() const { return m_rows.arc_lengths(); }
   void prefetch(const Node node) const { m_rows.prefetch(node); }
 

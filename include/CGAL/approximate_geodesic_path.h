@@ -85,11 +85,13 @@ namespace CGAL {
  *     \cgalParamExtra{If it is given, costs take the place of lengths and distances.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which paths
- *                           may run along, and not cross}
+ *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which
+ *                           paths may run along, and not cross}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool`
- * as value type} \cgalParamDefault{unused: no edge is a barrier} \cgalParamNEnd
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
+ *                    `bool` as value type}
+ *     \cgalParamDefault{unused: no edge is a barrier}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}
  *     \cgalParamType{a number type convertible to `double`}

@@ -94,6 +94,7 @@ public:
   explicit Implicit_square(const Node side) : m_side(side) {}
 
   std::size_t number_of_nodes() const { return std::size_t(m_side) * m_side; }
+  double unit() const { return 1; }
   Arc_lengths arc_lengths() const { return {dx, (dx + dy) / 2, dy}; }
   std::size_t maximum_degree() const { return 4; }
   void prefetch(Node) const {}

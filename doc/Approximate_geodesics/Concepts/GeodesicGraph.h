@@ -10,8 +10,8 @@ the surface and whose arcs are paths between them, as searched by
 `triangulation()`, with the numbers that they have there; a graph may add nodes of its own after
 them.
 
-<b>Lengths</b> are finite, not negative, and in units of `triangulation().unit()`, which
-is called the unit of the graph.
+<b>Lengths</b> are finite, not negative, and in units of `unit()`, which is called the unit of the
+graph. They can be costs.
 
 <b>Arcs</b> need not be stored. They are asked for when the search expands a node, and may be
 computed then. They may also depend on how the search got there: `for_each_arc()` is given the
@@ -24,6 +24,7 @@ time.
 \cgalHasModels{CGAL::Approximate_geodesics::Edge_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Discrete_geodesic_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph}
+\cgalHasModels{CGAL::Approximate_geodesics::Steiner_graph}
 \cgalHasModelsEnd
 
 \sa `CGAL::Approximate_geodesics::Propagation`
@@ -60,6 +61,16 @@ public:
 
   /// returns the number of nodes, which is at least the number of vertices of `triangulation()`.
   std::size_t number_of_nodes() const;
+
+  /// returns the unit of lengths, a power of two, in the unit of the mesh: usually
+  /// `triangulation().unit()`.
+  double unit() const;
+
+  /// returns where a node is that is not one of the vertices of `triangulation()`: a halfedge that
+  /// it lies on, and the part of that, from `0` to less than `1`, between its source and the node.
+  /// The part is `0` if the node stands for a vertex. Only graphs with such nodes have this member
+  /// function. The search does not need it; whoever draws paths does.
+  std::pair<Node, double> place(Node node) const;
 
   /// returns a summary of the lengths of the arcs, or an estimate. Queues set themselves up with
   /// it; they work with arcs of other lengths, too, only not as fast.

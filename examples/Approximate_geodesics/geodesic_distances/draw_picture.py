@@ -195,14 +195,11 @@ def make_renderer(scene):
     return renderer
 
 
-def main(name, azimuth="0", elevation="0", up="y"):
-    renderer = make_renderer(read(name + ".vtk"))
-    place_camera(renderer, float(azimuth), float(elevation), up)
-
+def save(renderer, size, filename):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
-    window.SetSize(*SIZE)
+    window.SetSize(*size)
     window.AddRenderer(renderer)
     window.Render()
 
@@ -210,8 +207,14 @@ def main(name, azimuth="0", elevation="0", up="y"):
     image.SetInput(window)
     writer = vtk.vtkPNGWriter()
     writer.SetInputConnection(image.GetOutputPort())
-    writer.SetFileName(name + ".png")
+    writer.SetFileName(filename)
     writer.Write()
+
+
+def main(name, azimuth="0", elevation="0", up="y"):
+    renderer = make_renderer(read(name + ".vtk"))
+    place_camera(renderer, float(azimuth), float(elevation), up)
+    save(renderer, SIZE, name + ".png")
 
 
 if __name__ == "__main__":

@@ -68,11 +68,23 @@ public:
   /// progressions start at least this far from the end, in lengths of the edge.
   static constexpr double SMALLEST_START = 1e-30;
 
-  /// places points for the bound `epsilon`.
-  /// \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
-  explicit Geometric_points(const double epsilon = 0.1)
-    : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon)))
+  /*!
+   * places points for the bound `epsilon`.
+   *
+   * \param epsilon the bound
+   * \param ratio_of_weights the ratio of weights around a vertex that the bound shall hold for,
+   *        even if weights get that different later; `0` for the weights that there are
+   *
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, or the ratio is
+   *         negative, infinite or not a number.
+   */
+  explicit Geometric_points(const double epsilon = 0.1, const double ratio_of_weights = 0)
+    : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon))),
+      m_expected_ratio(ratio_of_weights)
   {
+    if(!(ratio_of_weights >= 0) || std::isinf(ratio_of_weights))
+      internal::reject("the expected ratio of weights is " + internal::text_of(ratio_of_weights) +
+                       "; it must be a finite number that is not negative");
   }
 
   /*!
@@ -81,8 +93,11 @@ public:
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{epsilon}
    *     \cgalParamDescription{paths in the graph cost at most \f$1 + \varepsilon\f$ times as much
-   * as the cheapest ones on the surface} \cgalParamType{a number type convertible by
-   * `CGAL::to_double()`} \cgalParamDefault{`0.1`} \cgalParamNEnd \cgalNamedParamsEnd
+   *                           as the cheapest ones on the surface}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{`0.1`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
    *
    * \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
    */
@@ -100,8 +115,8 @@ public:
     weights.reserve(number_of_vertices);
     for(Index v = 0; v < number_of_vertices; ++v)
       weights.emplace_back(triangulation, v);
-    const bool are_uniform =
-        std::all_of(weights.begin(), weights.end(), [](const auto& w) { return w.are_uniform(); });
+    const bool are_uniform = std::all_of(weights.begin(), weights.end(),
+                                         [this](const auto& w) { return will_be_uniform(w); });
     m_epsilon_of_crossings = are_uniform ? m_epsilon : SHARE_OF_CROSSINGS * m_epsilon;
 
     m_start.resize(number_of_vertices);
@@ -162,10 +177,16 @@ private:
   {
     constexpr double largest = 1. / 3;
     const double e = m_epsilon_of_crossings;
-    if(weights.are_uniform())
+    if(will_be_uniform(weights))
       return (std::min)(std::sqrt(e * (2 + e)) / (2 * (1 + e)), largest);
     const double of_vicinities = (m_epsilon - e) / (1 + e / 2);
-    return of_vicinities / (2 * (weights.ratio() + of_vicinities));
+    const double ratio = (std::max)(weights.ratio(), m_expected_ratio);
+    return of_vicinities / (2 * (ratio + of_vicinities));
+  }
+
+  bool will_be_uniform(const internal::Vertex_weights& weights) const
+  {
+    return weights.are_uniform() && m_expected_ratio == 0;
   }
 
   // Paths that end or bend inside such an edge can be made cheaper.
@@ -208,6 +229,7 @@ private:
   }
 
   double m_epsilon;
+  double m_expected_ratio = 0;       // of weights, or 0
   double m_epsilon_of_crossings = 0; // as far as paths are straight
   std::vector<double> m_start;       // of the progressions at a vertex: the distance from it
 };

@@ -118,9 +118,10 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
    *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which
-   * paths may run along, and not cross} \cgalParamType{a class model of `ReadablePropertyMap` with
-   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool`
-   *                    as value type}
+   *                           paths may run along, and not cross}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
+   *                    `bool` as value type}
    *     \cgalParamDefault{unused: no edge is a barrier}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{vertex_index_map}

@@ -204,7 +204,8 @@ public:
   /*!
    * exchanges the weights, as `Intrinsic_triangulation::set_face_weights()` does; the points stay
    * where they are. If the weights of the faces around a vertex become more different than they
-   * were when the graph was built, the bound gets worse: `epsilon()` tells.
+   * were when the graph was built, or than `Geometric_points` was told to expect, the bound gets
+   * worse: `epsilon()` tells.
    *
    * \warning No other thread may use the graph meanwhile, and workspaces that were made for it
    * before have to be made anew.

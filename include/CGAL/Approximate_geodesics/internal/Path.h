@@ -66,10 +66,30 @@ struct Path
   double length = 0; // in units of the graph
 };
 
-// as several nodes of a graph can
-inline bool stands_for_the_same_vertex(const Path_point& p, const Path_point& q)
+// Whether a point lies on the edge of a halfedge.
+inline bool is_on_edge(const Path_point& p,
+                       const Intrinsic_triangulation& triangulation,
+                       const Intrinsic_triangulation::Index halfedge)
 {
-  return p.vertex != Intrinsic_triangulation::null_index && p.vertex == q.vertex;
+  if(p.vertex == Intrinsic_triangulation::null_index)
+    return p.halfedge == halfedge || p.halfedge == triangulation.opposite(halfedge);
+  return p.vertex == triangulation.source(halfedge) || p.vertex == triangulation.target(halfedge);
+}
+
+// Appends a point to a path, unless it is at the vertex where the path has got to, which several
+// nodes of a graph can stand for. Removes the last point if the path goes straight on there, along
+// an edge.
+inline void
+append(const Path_point& point, const Intrinsic_triangulation& triangulation, Path& path)
+{
+  auto& points = path.points;
+  if(point.vertex != Intrinsic_triangulation::null_index && point.vertex == points.back().vertex)
+    return;
+  const auto h = points.back().halfedge;
+  if(points.size() > 1 && h != Intrinsic_triangulation::null_index &&
+     is_on_edge(points[points.size() - 2], triangulation, h) && is_on_edge(point, triangulation, h))
+    points.pop_back();
+  points.push_back(point);
 }
 
 // The path that a search has found, from `node` back to where it starts; without points if `node`
@@ -93,9 +113,7 @@ Path find_path(const Search& search, typename Search::Node node)
           result.points.push_back({null_index, halfedge, t});
         });
     std::reverse(result.points.begin() + first, result.points.end());
-    const Path_point point = path_point(search.graph(), previous);
-    if(!stands_for_the_same_vertex(point, result.points.back()))
-      result.points.push_back(point);
+    append(path_point(search.graph(), previous), search.graph().triangulation(), result);
     node = previous;
   }
   return result;

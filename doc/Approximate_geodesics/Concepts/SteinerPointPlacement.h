@@ -1,0 +1,55 @@
+/*!
+\ingroup PkgApproximateGeodesicsConcepts
+\cgalConcept
+
+The concept `SteinerPointPlacement` describes where `CGAL::Approximate_geodesics::Steiner_graph`
+puts points on edges. A graph has a copy of its placement.
+
+A <b>position</b> on an edge is a part of it, measured from the nearer end, so that points very
+close to an end can be told apart: from `0` to `0.5`, it is the part of the edge between the source
+of the halfedge and the point; if it is negative, minus the part between the point and the target.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Approximate_geodesics::Equally_spaced_points}
+\cgalHasModels{CGAL::Approximate_geodesics::Equally_dense_points}
+\cgalHasModels{CGAL::Approximate_geodesics::Geometric_points}
+\cgalHasModels{CGAL::Approximate_geodesics::Published_geometric_points}
+\cgalHasModelsEnd
+*/
+class SteinerPointPlacement
+{
+public:
+  /// the number of a halfedge.
+  using Index = CGAL::Approximate_geodesics::Intrinsic_triangulation::Index;
+
+  /// whether points divide every edge into equal parts. Their positions are not stored then.
+  static constexpr bool makes_equal_parts = unspecified;
+
+  /// reads named parameters. Only needed if the graph is to be built from these.
+  template <typename NamedParameters>
+  explicit SteinerPointPlacement(const NamedParameters& np);
+
+  /// is called once, before all others.
+  void prepare(const CGAL::Approximate_geodesics::Intrinsic_triangulation& triangulation);
+
+  /// returns the number of points on the edge of `h`, which is longer than zero. It is called for
+  /// one halfedge of every edge, and for both of a barrier.
+  std::size_t
+  number_of_points(const CGAL::Approximate_geodesics::Intrinsic_triangulation& triangulation,
+                   Index h) const;
+
+  /// writes the positions of these points, ascending from the source to the target of `h`. Not
+  /// needed if `makes_equal_parts`.
+  void place(const CGAL::Approximate_geodesics::Intrinsic_triangulation& triangulation,
+             Index h,
+             float* positions,
+             std::size_t number_of_points) const;
+
+  /// returns a number such that paths cost at most one plus this number times as much as the
+  /// cheapest ones on the surface, with the weights that `triangulation` has now; infinity if there
+  /// is none.
+  double epsilon(const CGAL::Approximate_geodesics::Intrinsic_triangulation& triangulation) const;
+
+  /// returns the number of bytes that the placement takes, apart from its own size.
+  std::size_t memory() const;
+};
