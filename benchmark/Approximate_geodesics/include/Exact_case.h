@@ -38,14 +38,22 @@ class Exact_case
 public:
   static constexpr double ROUNDING = 1e-10; // of the exact class
 
+  // from random vertices
   Exact_case(const std::string& name, const std::size_t number_of_sources, const Limits& limits)
-    : m_name(short_name(name)), m_mesh(read_mesh(name))
+    : Exact_case(name, read_mesh(name), number_of_sources, limits)
+  {
+  }
+
+  Exact_case(const std::string& name,
+             const Mesh& mesh,
+             const std::vector<Vertex>& sources,
+             const Limits& limits)
+    : m_name(short_name(name)), m_mesh(mesh), m_sources(sources)
   {
     if(!CGAL::is_triangle_mesh(m_mesh))
       throw std::runtime_error("not a triangle mesh");
     if(m_mesh.number_of_faces() > limits.faces)
       throw std::runtime_error("more than " + std::to_string(limits.faces) + " faces");
-    m_sources = random_sources(m_mesh, number_of_sources);
     find_distances(limits.seconds);
     correct_distances();
   }
@@ -66,6 +74,14 @@ private:
   using Point = Kernel::Point_3;
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
   using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+  Exact_case(const std::string& name,
+             const Mesh& mesh,
+             const std::size_t number_of_sources,
+             const Limits& limits)
+    : Exact_case(name, mesh, random_sources(mesh, number_of_sources), limits)
+  {
+  }
 
   void find_distances(const unsigned seconds)
   {

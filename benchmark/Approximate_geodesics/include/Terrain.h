@@ -13,12 +13,14 @@
 #include <random>
 
 // A square of hills over a grid, whose points are shifted at random by up to a third of its
-// spacing. With a grading of more than 1, the spacing grows from one side to the other as a power
-// of the coordinate, so that edge lengths differ by orders of magnitude.
-inline Mesh terrain(const std::size_t side, const double grading = 1)
+// spacing; from a fourth on, there are needles among the faces. With a grading of more than 1, the
+// spacing grows from one side to the other as a power of the coordinate, so that edge lengths
+// differ by orders of magnitude.
+inline Mesh
+terrain(const std::size_t side, const double grading = 1, const double largest_shift = 1. / 3)
 {
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> shift(-1. / 3, 1. / 3);
+  std::uniform_real_distribution<double> shift(-largest_shift, largest_shift);
   const double extent = double(side);
   const auto place = [&](const std::size_t i) {
     return extent * std::pow((double(i) + 1 + shift(random)) / extent, grading);

@@ -234,9 +234,10 @@ public:
   Index next(const Index h) const
   {
     CGAL_precondition(!is_border(h));
-    const Index twin = opposite(h);
-    const Index v = m_target[h];
-    return twin == first_halfedge(v) ? beyond_halfedge(v) - 1 : twin - 1;
+    const Index v = m_target[h], first = first_halfedge(v);
+    const Index rank = m_twin.rank_of_twin(h);
+    const Index number_if_first = rank == 0 ? degree(v) : 0; // to go round to the last one
+    return first + rank + number_if_first - 1;
   }
 
   /// returns the halfedge that follows `h` counterclockwise among those that start from `v`.

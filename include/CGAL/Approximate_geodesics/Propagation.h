@@ -341,19 +341,55 @@ private:
       const Node node = order[i];
       const double distance = distances[node];
       Candidate* end = end_of_candidates();
-      m_graph->for_each_arc(node, m_labels, [&](const Node target, const double length) {
-        counter.on_relaxation();
-        if constexpr(!internal::has_maximum_degree<Graph>)
-          end = with_room_at(end);
-        CGAL_assertion(end < m_candidates.data() + m_candidates.size());
-        *end = {distance + length, target, node};
-        end += static_cast<std::ptrdiff_t>(end->distance < distances[target]);
-      });
+      m_graph->for_each_arc(node, m_labels,
+                            Arc_visitor<Counter>{*this, distances, distance, node, end, counter});
       m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
       if constexpr(!internal::has_maximum_degree<Graph>)
         m_labels.set_expanded(node);
     }
   }
+
+  // Notes down where the arcs of a node lead.
+  template <typename Counter>
+  struct Arc_visitor
+  {
+    void operator()(const Node target, const double length) const
+    {
+      if constexpr(!internal::has_maximum_degree<Graph>)
+        end = propagation.with_room_at(end);
+      end = append(end, target, length);
+    }
+
+    // arcs to consecutive nodes
+    void operator()(const Node first, const double* const lengths, const std::size_t number) const
+    {
+      if constexpr(!internal::has_maximum_degree<Graph>)
+        for(std::size_t i = 0; i < number; ++i)
+          (*this)(first + static_cast<Node>(i), lengths[i]);
+      else
+      {
+        Candidate* beyond = end; // kept in a register
+        for(std::size_t i = 0; i < number; ++i)
+          beyond = append(beyond, first + static_cast<Node>(i), lengths[i]);
+        end = beyond;
+      }
+    }
+
+    Candidate* append(Candidate* const place, const Node target, const double length) const
+    {
+      counter.on_relaxation();
+      CGAL_assertion(place < propagation.m_candidates.data() + propagation.m_candidates.size());
+      *place = {distance + length, target, node};
+      return place + static_cast<std::ptrdiff_t>(place->distance < distances[target]);
+    }
+
+    Propagation& propagation;
+    const double* distances; // labels
+    double distance;
+    Node node;
+    Candidate*& end;
+    Counter& counter;
+  };
 
   // Returns where the next candidates go. There is room for those of a node, if the graph says how
   // many these may be.

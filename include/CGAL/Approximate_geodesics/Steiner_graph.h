@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -42,10 +43,11 @@ namespace Approximate_geodesics {
  * The placement says where points are, and so which error is made: `Geometric_points` guarantees a
  * bound, `Equally_spaced_points` and `Equally_dense_points` are simpler and do not.
  *
- * Arcs are not stored: the graph takes 17 bytes per point, in addition to the triangulation. They
- * are not all looked at either. A path that comes across a face is not continued into the same face
- * again, and where edges have many points, a point looks only at those of the opposite edges that
- * neither of its two neighbours reaches on a shorter path.
+ * Arcs are not stored: the graph takes 36 bytes per vertex, in addition to the triangulation, and 8
+ * per point, or 4 if points divide edges into equal parts. They are not all looked at either. A
+ * path that comes across a face is not continued into the same face again, and where edges have
+ * many points, a point looks only at those of the opposite edges that neither of its two neighbours
+ * reaches on a shorter path.
  *
  * Nodes are the vertices, the points, and one more for every sector of those vertices whose
  * surroundings are divided by barriers into several sectors: no path leads through such a vertex
@@ -234,7 +236,7 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // From so many points on, it pays to search for those that are worth looking at.
-  static constexpr Index LONG_ROW = 20;
+  static constexpr Index LONG_ROW = 16;
 
   // ----- nodes and edges
 
@@ -375,31 +377,30 @@ private:
              const double weight,
              F& f) const
   {
-    row.for_each(ranks.first, ranks.second, corner, x,
-                 [&](const Node target, const double length) { f(target, weight * length); });
+    row.for_each_block(ranks.first, ranks.second, corner, x, weight,
+                       [&](const Node first, const double* const costs, const Index number) {
+                         if constexpr(std::is_invocable_v<F, Node, const double*, std::size_t>)
+                           f(first, costs, std::size_t(number));
+                         else
+                           for(Index i = 0; i < number; ++i)
+                             f(first + i, costs[i]);
+                       });
   }
 
   // ----- arcs from points on edges
 
-  // A node on an edge, and its distances from the ends of a halfedge of that.
-  struct Stop
+  // A point on an edge, seen from the face to the left of a halfedge.
+  struct Place
   {
-    Node node;
-    double from_source, from_target;
-
-    Stop reversed() const { return {node, from_target, from_source}; }
-  };
-
-  // A point and its neighbours on an edge, seen from the face to the left of a halfedge.
-  struct Neighborhood
-  {
-    Neighborhood reversed(const Index twin) const
+    Place reversed(const Index twin) const
     {
-      return {twin, toward_target.reversed(), point.reversed(), toward_source.reversed()};
+      return {twin, node, from_target, from_source, toward_target, toward_source};
     }
 
     Index halfedge;
-    Stop toward_source, point, toward_target;
+    Node node;
+    double from_source, from_target;   // distances
+    Node toward_source, toward_target; // neighbours
   };
 
   // The halfedges of the face to the left of the first of them.
@@ -418,7 +419,7 @@ private:
   void expand_point(const Node node, const Labels& labels, F& f) const
   {
     const Index h = m_points.halfedge(node - m_first_point), twin = m_triangulation.opposite(h);
-    const Neighborhood left = neighborhood(node, h);
+    const Place left = place_on_edge(node, h);
     expand_along_edge(left, f);
 
     const Node predecessor = labels.predecessor(node);
@@ -443,92 +444,104 @@ private:
       expand_face(left.reversed(twin), face_to_right, labels, f);
   }
 
-  Neighborhood neighborhood(const Node node, const Index h) const
+  Place place_on_edge(const Node node, const Index h) const
   {
     const Index p = node - m_first_point, e = m_points.edge(h);
     const double length = m_triangulation.length(h);
-    const auto stop = [&](const Index q) {
-      return Stop{m_first_point + q, length * m_points.part_before(e, q),
-                  length * m_points.part_behind(e, q)};
-    };
-    return {h, p == m_points.first_point(e) ? Stop{node_at_source(h), 0, length} : stop(p - 1),
-            stop(p),
-            p + 1 == m_points.beyond_point(e) ? Stop{node_at_target(h), length, 0} : stop(p + 1)};
+    return {h,
+            node,
+            length * m_points.part_before(e, p),
+            length * m_points.part_behind(e, p),
+            p == m_points.first_point(e) ? node_at_source(h) : node - 1,
+            p + 1 == m_points.beyond_point(e) ? node_at_target(h) : node + 1};
   }
 
   template <typename F>
-  void expand_along_edge(const Neighborhood& n, F& f) const
+  void expand_along_edge(const Place& place, F& f) const
   {
-    const double weight = weight_along(n.halfedge);
+    const double weight = weight_along(place.halfedge);
     if(weight == infinity)
       return;
-    f(n.toward_source.node, weight * gap(n.toward_source, n.point));
-    f(n.toward_target.node, weight * gap(n.point, n.toward_target));
+    f(place.toward_source, weight * (is_point(place.toward_source) ? gap(place, place.toward_source)
+                                                                   : place.from_source));
+    f(place.toward_target, weight * (is_point(place.toward_target) ? gap(place, place.toward_target)
+                                                                   : place.from_target));
   }
 
-  // The distance of two neighbours on an edge, measured from the end that they are closer to.
-  static double gap(const Stop& first, const Stop& second)
+  bool is_point(const Node node) const { return node >= m_first_point && node < m_first_sector; }
+
+  // The distance to another point of the edge, measured from the end that the place is closer to.
+  double gap(const Place& place, const Node other) const
   {
-    return first.from_source < second.from_target ? second.from_source - first.from_source
-                                                  : first.from_target - second.from_target;
+    return place.from_source < place.from_target
+               ? std::abs(distance_from_end(place.halfedge, other, true) - place.from_source)
+               : std::abs(distance_from_end(place.halfedge, other, false) - place.from_target);
+  }
+
+  // The distance of a point on the edge of `h` from the source or the target of `h`.
+  double distance_from_end(const Index h, const Node node, const bool is_from_source) const
+  {
+    const Index p = node - m_first_point, e = m_points.edge(h);
+    const bool is_from_first_end = m_points.is_first(h) == is_from_source;
+    return m_triangulation.length(h) *
+           (is_from_first_end ? m_points.part_before(e, p) : m_points.part_behind(e, p));
   }
 
   // Whether a node is on one of the two edges of a face that are not the first, and not at an end
   // of that.
-  bool is_opposite(const Node node, const Neighborhood& n, const Face& face) const
+  bool is_opposite(const Node node, const Place& place, const Face& face) const
   {
-    if(node < m_first_point || node >= m_first_sector) // among them the null node
-      return node != n.toward_source.node && node != n.toward_target.node &&
+    if(!is_point(node)) // but a vertex, or null
+      return node != place.toward_source && node != place.toward_target &&
              node == corner_node(m_triangulation.target(face.second), face.third);
     const Index e = m_points.edge(m_points.halfedge(node - m_first_point));
     return e == m_points.edge(face.second) || e == m_points.edge(face.third);
   }
 
-  // The arcs across a face, whose first halfedge is that of `n`.
+  // The arcs across a face, whose first halfedge is that of the place.
   template <typename Labels, typename F>
-  void expand_face(const Neighborhood& n, const Face& face, const Labels& labels, F& f) const
+  void expand_face(const Place& place, const Face& face, const Labels& labels, F& f) const
   {
-    const double weight = m_triangulation.weight(n.halfedge);
-    const double length = m_triangulation.length(n.halfedge);
+    const double weight = m_triangulation.weight(place.halfedge);
+    const double length = m_triangulation.length(place.halfedge);
     const Row at_target = row_from_source(face.second), at_source = row_from_target(face.third);
-    const auto reached = [&](const Stop& s, const double x) {
-      return Reached_point{labels.distance(s.node), x};
-    };
 
     const internal::Corner corner(length, at_target.length(), at_source.length());
-    const double x = n.point.from_target;
     f(corner_node(m_triangulation.target(face.second), face.third),
-      weight * corner.distance(x, at_target.length()));
+      weight * corner.distance(place.from_target, at_target.length()));
     if(at_target.size() > 0)
-      visit(at_target,
-            worthwhile(at_target, corner, weight, reached(n.point, x),
-                       reached(n.toward_target, n.toward_target.from_target),
-                       reached(n.toward_source, n.toward_source.from_target)),
-            corner, x, weight, f);
+      visit(at_target, worthwhile(at_target, corner, weight, place, false, labels), corner,
+            place.from_target, weight, f);
     if(at_source.size() > 0)
     {
       const internal::Corner other_corner(length, at_source.length(), at_target.length());
-      const double y = n.point.from_source;
-      visit(at_source,
-            worthwhile(at_source, other_corner, weight, reached(n.point, y),
-                       reached(n.toward_source, n.toward_source.from_source),
-                       reached(n.toward_target, n.toward_target.from_source)),
-            other_corner, y, weight, f);
+      visit(at_source, worthwhile(at_source, other_corner, weight, place, true, labels),
+            other_corner, place.from_source, weight, f);
     }
   }
 
-  // The ranks of the points of a row that a path over a point may be the cheapest one to, given
-  // its neighbours.
-  static std::pair<Index, Index> worthwhile(const Row& row,
-                                            const internal::Corner& corner,
-                                            const double weight,
-                                            const Reached_point& point,
-                                            const Reached_point& nearer,
-                                            const Reached_point& farther)
+  // The ranks of the points of a row that a path over a place may be the cheapest one to, given its
+  // neighbours. The row starts from the corner at the source or target of the place's halfedge.
+  template <typename Labels>
+  std::pair<Index, Index> worthwhile(const Row& row,
+                                     const internal::Corner& corner,
+                                     const double weight,
+                                     const Place& place,
+                                     const bool is_at_source,
+                                     const Labels& labels) const
   {
     if(row.size() < LONG_ROW)
       return {0, row.size()};
-    return internal::cell(row, corner, weight, point, nearer, farther);
+    const auto reached = [&](const Node node, const double distance_if_vertex) {
+      return Reached_point{labels.distance(node),
+                           is_point(node) ? distance_from_end(place.halfedge, node, is_at_source)
+                                          : distance_if_vertex};
+    };
+    const double length = m_triangulation.length(place.halfedge);
+    return internal::cell(
+        row, corner, weight, reached(place.node, 0),
+        reached(is_at_source ? place.toward_source : place.toward_target, 0),
+        reached(is_at_source ? place.toward_target : place.toward_source, length));
   }
 
   // ----- set-up

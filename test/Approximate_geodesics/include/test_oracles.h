@@ -210,7 +210,7 @@ public:
     {
       result.distance[v.idx()] = m_search.distance(node(v));
       const Node predecessor = m_search.predecessor(node(v));
-      if(predecessor != Search::null_node)
+      if(predecessor < m_mesh.num_vertices()) // neither none nor a point on an edge
         result.predecessor[v.idx()] = vertex(predecessor);
     }
     return result;

@@ -43,7 +43,7 @@ public:
       m_size(size),
       m_positions(positions),
       m_length(length),
-      m_starts_at_first_end(starts_at_first_end)
+      m_is_reversed(starts_at_first_end ? 0 : 1)
   {
   }
 
@@ -54,31 +54,36 @@ public:
 
   double distance_from_corner(const Index rank) const
   {
-    const Index i = m_starts_at_first_end ? rank : m_size - 1 - rank;
+    const Index i = m_is_reversed == 0 ? rank : m_size - 1 - rank;
     return m_positions == nullptr ? equal_parts()(i) : stored_positions()(i);
   }
 
-  // Calls `f(node, distance)` for the points with ranks from `first` to before `beyond`, with their
-  // distances from the point of the corner's other side that is at the distance `x` from it.
+  // Calls `f(node, costs, number)` for consecutive points with ranks from `first` to before
+  // `beyond`, with their distances from the point of the corner's other side that is at the
+  // distance `x` from it, times `weight`.
   template <typename F>
-  void
-  for_each(const Index first, const Index beyond, const Corner& corner, const double x, F f) const
+  void for_each_block(const Index first,
+                      const Index beyond,
+                      const Corner& corner,
+                      const double x,
+                      const double weight,
+                      F f) const
   {
-    const Index begin = m_starts_at_first_end ? first : m_size - beyond;
+    const Index begin = first + m_is_reversed * (m_size - beyond - first);
     const Index end = begin + (beyond - first);
     if(m_positions == nullptr)
-      measure(begin, end, corner, x, equal_parts(), f);
+      measure(begin, end, corner, x, weight, equal_parts(), f);
     else
-      measure(begin, end, corner, x, stored_positions(), f);
+      measure(begin, end, corner, x, weight, stored_positions(), f);
   }
 
 private:
-  static constexpr Index SIZE_OF_BLOCK = 16;
+  static constexpr Index SIZE_OF_BLOCK = 8;
 
   // Distances from the corner, by the order on the edge.
   struct Equal_parts
   {
-    double operator()(const Index i) const { return start + step * double(std::int32_t(i)); }
+    double operator()(const Index i) const { return start + step * number(i); }
 
     double start, step;
   };
@@ -95,44 +100,53 @@ private:
     double start, start_of_second_half, step;
   };
 
+  // Without branches, as what direction an edge has cannot be predicted.
   Equal_parts equal_parts() const
   {
-    const double part = m_length / (double(m_size) + 1);
-    return m_starts_at_first_end ? Equal_parts{part, part}
-                                 : Equal_parts{part * double(m_size), -part};
+    const double part = m_length / number(m_size + 1);
+    return {part * number(1 + m_is_reversed * (m_size - 1)), direction() * part};
   }
 
   Stored_positions stored_positions() const
   {
-    return m_starts_at_first_end ? Stored_positions{m_positions, 0, m_length, m_length}
-                                 : Stored_positions{m_positions, m_length, 0, -m_length};
+    return {m_positions, number(m_is_reversed) * m_length, number(1 - m_is_reversed) * m_length,
+            direction() * m_length};
   }
 
-  // In blocks, so that compilers turn the first of the two loops into vector instructions.
+  double direction() const { return number(1) - 2 * number(m_is_reversed); }
+
+  // which is faster for signed integers
+  static double number(const Index i) { return static_cast<double>(std::int32_t(i)); }
+
   template <typename Distance_from_corner, typename F>
-  void measure(const Index begin,
+  void measure(Index begin,
                const Index end,
                const Corner& corner,
                const double x,
+               const double weight,
                const Distance_from_corner& distance_from_corner,
                F& f) const
   {
-    std::array<double, SIZE_OF_BLOCK> squared_distances;
-    for(Index block = begin; block < end; block += SIZE_OF_BLOCK)
+    const auto cost = [&](const Index i) {
+      return weight * corner.distance(x, distance_from_corner(i));
+    };
+    std::array<double, SIZE_OF_BLOCK> costs;
+    for(; end - begin >= SIZE_OF_BLOCK; begin += SIZE_OF_BLOCK)
     {
-      const Index size = (std::min)(SIZE_OF_BLOCK, end - block);
-      for(Index i = 0; i < size; ++i)
-        squared_distances[i] = corner.squared_distance(x, distance_from_corner(block + i));
-      for(Index i = 0; i < size; ++i)
-        f(m_first_node + block + i, std::sqrt(squared_distances[i]));
+      for(Index i = 0; i < SIZE_OF_BLOCK; ++i) // in vector instructions
+        costs[i] = cost(begin + i);
+      f(m_first_node + begin, costs.data(), SIZE_OF_BLOCK);
     }
+    for(Index i = 0; begin + i < end; ++i)
+      costs[i] = cost(begin + i);
+    f(m_first_node + begin, costs.data(), end - begin);
   }
 
   Index m_first_node;
   Index m_size;
   const float* m_positions;
   double m_length;
-  bool m_starts_at_first_end;
+  Index m_is_reversed; // 0 or 1
 };
 
 // A point that is reached at some cost, and its distance from a corner.

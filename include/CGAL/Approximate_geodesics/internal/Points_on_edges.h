@@ -58,7 +58,9 @@ public:
     {
       m_position.resize(number_of_points());
       for_each_first_halfedge([&](const Index h, const Index e) {
-        placement.place(triangulation, h, m_position.data() + first_point(e), number_of_points(e));
+        if(number_of_points(e) > 0)
+          placement.place(triangulation, h, m_position.data() + first_point(e),
+                          number_of_points(e));
       });
     }
   }

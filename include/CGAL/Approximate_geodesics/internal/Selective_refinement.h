@@ -25,7 +25,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A placement of equally spaced points on the edges near a path, and of none on others.
+ * A placement of equally spaced points on the edges near a path, and of none on others: on those of
+ * the faces that the path touches, and of so many rings of faces around these.
  */
 class Points_near_path
 {
@@ -36,19 +37,22 @@ public:
 
   Points_near_path(const Intrinsic_triangulation& triangulation,
                    const Path& path,
+                   const std::size_t number_of_rings,
                    const std::size_t number_of_points_per_edge)
     : m_number_of_points(number_of_points_per_edge),
       m_is_near(triangulation.number_of_vertices(), false)
   {
     for(const Path_point& p : path.points)
       mark_vertices_of_faces(triangulation, p);
+    for(std::size_t ring = 0; ring < number_of_rings; ++ring)
+      mark_neighbors(triangulation);
   }
 
   void prepare(const Intrinsic_triangulation& /* triangulation */) {}
 
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
-    return m_is_near[triangulation.source(h)] || m_is_near[triangulation.target(h)]
+    return m_is_near[triangulation.source(h)] && m_is_near[triangulation.target(h)]
                ? m_number_of_points
                : 0;
   }
@@ -80,13 +84,22 @@ private:
       }
   }
 
+  void mark_neighbors(const Intrinsic_triangulation& triangulation)
+  {
+    const std::vector<bool> was_near = m_is_near;
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+      if(was_near[v])
+        for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+          m_is_near[triangulation.target(h)] = true;
+  }
+
   std::size_t m_number_of_points;
   std::vector<bool> m_is_near; // per vertex
 };
 
 /*
  * A path from one vertex to another that is searched for again and again, each time in a graph with
- * twice as many points on edges near the path that was found before.
+ * twice as many points on edges near the path that was found before, and nearer from time to time.
  */
 template <typename PriorityQueue>
 class Selective_refinement
@@ -105,11 +118,14 @@ public:
   Path run(Equally_spaced_points first_placement, const double relative_tolerance)
   {
     std::size_t number_of_points = first_placement.number_of_points(m_triangulation, 0);
+    std::size_t number_of_rings = LARGEST_NUMBER_OF_RINGS;
     Path result = search(std::move(first_placement));
     while(!result.points.empty() && number_of_points < LARGEST_NUMBER_OF_POINTS)
     {
       number_of_points = 2 * number_of_points + 1; // the points so far among them
-      Path refined = search(Points_near_path(m_triangulation, result, number_of_points));
+      Path refined =
+          search(Points_near_path(m_triangulation, result, number_of_rings, number_of_points));
+      number_of_rings -= (std::min)(number_of_rings, std::size_t(1));
       const double gain = result.length - refined.length;
       if(gain > 0)
         result = std::move(refined);
@@ -121,6 +137,7 @@ public:
 
 private:
   static constexpr std::size_t LARGEST_NUMBER_OF_POINTS = 4096;
+  static constexpr std::size_t LARGEST_NUMBER_OF_RINGS = 3; // a coarse path can be this far off
 
   // The path is empty if the target cannot be reached; its length is in the unit of the graph.
   template <typename Placement>

@@ -25,24 +25,27 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Per halfedge that of the face to its left, infinity where there is none, in a unit in which the
-// largest finite one is from 1 to 2: products with lengths neither overflow nor vanish.
+// Per halfedge that of the face to its left, infinity where there is none.
 struct Face_weights
 {
   std::vector<double> of_halfedge;
   double unit = 1;
 };
 
-// Expresses weights in a power of two, without rounding.
-inline void normalize(Face_weights& weights)
+// Expresses weights in a power of two, without rounding, in which the largest finite one is from 1
+// to 2, or smaller if costs would have too small a unit: products with lengths neither overflow nor
+// vanish.
+inline void normalize(Face_weights& weights, const double unit_of_lengths)
 {
   double largest = 0;
   for(const double w : weights.of_halfedge)
     largest = std::isinf(w) ? largest : (std::max)(largest, w);
   if(largest == 0)
     return;
+  constexpr int smallest_of_costs = -1000;
   constexpr double smallest = std::numeric_limits<double>::denorm_min(); // is not free yet
-  const int exponent = std::ilogb(largest);
+  const int exponent =
+      (std::max)(std::ilogb(largest), smallest_of_costs - std::ilogb(unit_of_lengths));
   weights.unit = std::ldexp(1., exponent);
   for(double& w : weights.of_halfedge)
     if(w > 0)
@@ -76,7 +79,7 @@ Face_weights read_face_weights(const TriangleMesh& tmesh,
     }
     result.of_halfedge[h] = weight + 0.0; // turns a negative zero into a positive one
   }
-  normalize(result);
+  normalize(result, triangulation.unit());
   return result;
 }
 
@@ -92,21 +95,27 @@ auto halfedges_in_groups(const TriangleMesh& tmesh,
   std::vector<typename Graph_traits::halfedge_descriptor> result(
       triangulation.number_of_halfedges(), Graph_traits::null_halfedge());
   std::size_t number_found = 0;
+  std::size_t number_of_vertices = 0, number_of_halfedges = 0;
   for(const auto v : vertices(tmesh))
   {
+    ++number_of_vertices;
     const Index node = triangulation.vertex(static_cast<std::size_t>(get(vertex_index_map, v)));
-    auto h = first_halfedge_from(v, tmesh);
-    if(node == Intrinsic_triangulation::null_index)
+    const auto first = first_halfedge_from(v, tmesh);
+    if(node == Intrinsic_triangulation::null_index || first == Graph_traits::null_halfedge())
       continue;
-    for(Index i = triangulation.first_halfedge(node);
-        i < triangulation.beyond_halfedge(node) && h != Graph_traits::null_halfedge(); ++i)
+    Index i = triangulation.first_halfedge(node);
+    auto h = first;
+    do
     {
-      result[i] = h;
+      if(i < triangulation.beyond_halfedge(node))
+        result[i++] = h;
+      ++number_of_halfedges;
       h = counterclockwise(h, tmesh);
-      ++number_found;
-    }
+    } while(h != first);
   }
-  if(number_found != triangulation.number_of_halfedges())
+  if(number_of_vertices != triangulation.number_of_vertices() ||
+     number_of_halfedges != triangulation.number_of_halfedges() ||
+     std::count(result.begin(), result.end(), Graph_traits::null_halfedge()) > 0)
     reject("the mesh is not the one that the triangulation was made from");
   return result;
 }
