@@ -88,8 +88,7 @@ TEST(Steiner_graph, does_not_change_if_all_weights_are_one)
     const Vertex source = random_vertex(mesh, random);
     expect_unweighted(mesh, Equally_spaced_points(0), source);
     expect_unweighted(mesh, Equally_spaced_points(3), source);
-    if(!has_edge_of_length_zero(mesh))
-      expect_unweighted(mesh, Geometric_points(0.3), source);
+    expect_unweighted(mesh, Geometric_points(0.3), source);
   });
 }
 
@@ -506,8 +505,6 @@ TEST(Equally_spaced_points, divide_edges_into_equal_parts)
 TEST(Geometric_points, ascend_and_are_not_at_the_border)
 {
   for_weighted_meshes([](const Mesh& mesh, const Weights& weights, Random&) {
-    if(has_edge_of_length_zero(mesh))
-      return;
     std::size_t last_number = 0;
     for(const double e : {0.5, 0.1, 0.03})
     {
@@ -527,7 +524,7 @@ TEST(Geometric_points, ascend_and_are_not_at_the_border)
 }
 
 // Such an edge has no points.
-TEST(Geometric_points, DISABLED_may_meet_edges_of_length_zero)
+TEST(Geometric_points, may_meet_edges_of_length_zero)
 {
   Random random(test_seed());
   for(const Named_mesh& named : generated_meshes(test_seed()))

@@ -47,8 +47,8 @@ namespace Approximate_geodesics {
  * \cgalBigO{\log(1 / \varepsilon) / \varepsilon} points.
  *
  * Faces with angles of almost `0` or 180 degrees would need points without end. Sines below
- * `SMALLEST_SINE` are taken for that, and the distance that a progression starts at is at least
- * `SMALLEST_START` times the length of the edge. Where this happens, there is no bound any more,
+ * `SMALLEST_SINE` are taken for that, and stars to have a radius of a thousand-millionth part of
+ * their longest edge at least. Where this happens, there is no bound any more,
  * and `epsilon()` is infinity; paths that cross such a face can be too long by about its width.
  *
  * \cgalModels{SteinerPointPlacement}
@@ -65,8 +65,9 @@ public:
   /// angles are taken to have at least this sine.
   static constexpr double SMALLEST_SINE = 0.02;
 
-  /// progressions start at least this far from the end, in lengths of the edge.
-  static constexpr double SMALLEST_START = 1e-30;
+  /// progressions start at least this far from the end, in lengths of the edge; less matters only
+  /// if weights differ by more than a `double` can tell.
+  static constexpr double SMALLEST_START = 1e-36;
 
   /*!
    * places points for the bound `epsilon`.
@@ -121,7 +122,7 @@ public:
 
     m_start.resize(number_of_vertices);
     for(Index v = 0; v < number_of_vertices; ++v)
-      m_start[v] = relative_start(weights[v]) * internal::radius_of_star(triangulation, v);
+      m_start[v] = relative_start(weights[v]) * internal::Star(triangulation, v).radius();
   }
 
   /// returns the number of points on the edge of `h`.
@@ -147,9 +148,10 @@ public:
     double of_crossings = m_epsilon_of_crossings, of_vicinities = 0;
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     {
-      if(is_degenerate(triangulation, v))
+      const internal::Star star(triangulation, v);
+      if(star.is_degenerate() || has_thin_corner(triangulation, v))
         return std::numeric_limits<double>::infinity();
-      const double start = m_start[v] / internal::radius_of_star(triangulation, v);
+      const double start = m_start[v] / star.radius();
       const internal::Vertex_weights weights(triangulation, v);
       if(weights.are_uniform())
         of_crossings = (std::max)(of_crossings, 1 / std::sqrt(1 - 4 * start * start) - 1);
@@ -218,12 +220,11 @@ private:
   }
 
   // whether points around `v` are not as they should be
-  bool is_degenerate(const Intrinsic_triangulation& triangulation, const Index v) const
+  static bool has_thin_corner(const Intrinsic_triangulation& triangulation, const Index v)
   {
     for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
       if(!triangulation.is_border(h) && !std::isinf(triangulation.weight(h)) &&
-         (m_start[v] < SMALLEST_START * triangulation.length(h) ||
-          internal::Face_shape(triangulation, h).sine_of_corner() < SMALLEST_SINE))
+         internal::Face_shape(triangulation, h).sine_of_corner() < SMALLEST_SINE)
         return true;
     return false;
   }

@@ -54,7 +54,7 @@ public:
   static constexpr double SMALLEST_SINE = 0.02;
 
   /// progressions start at least this far from the end, in lengths of the edge.
-  static constexpr double SMALLEST_START = 1e-30;
+  static constexpr double SMALLEST_START = 1e-36;
 
   /// places points for the bound `epsilon`.
   /// \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
@@ -82,7 +82,7 @@ public:
     {
       const double sine = (std::max)(smallest_sine(triangulation, v), SMALLEST_SINE);
       m_ends.push_back(
-          {m_delta * internal::radius_of_star(triangulation, v), sine, std::log1p(m_delta * sine)});
+          {m_delta * internal::Star(triangulation, v).radius(), sine, std::log1p(m_delta * sine)});
     }
   }
 
@@ -106,7 +106,8 @@ public:
   double epsilon(const Intrinsic_triangulation& triangulation) const
   {
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-      if(smallest_sine(triangulation, v) < SMALLEST_SINE)
+      if(smallest_sine(triangulation, v) < SMALLEST_SINE ||
+         internal::Star(triangulation, v).is_degenerate())
         return std::numeric_limits<double>::infinity();
     constexpr double tolerance = 1e-9;
     const double result = bound(m_delta, ratio_of_weights(triangulation));

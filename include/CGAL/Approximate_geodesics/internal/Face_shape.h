@@ -73,16 +73,37 @@ private:
   double m_area;
 };
 
-// The distance from `v` to the border of the union of its faces; infinity if it has none.
-inline double radius_of_star(const Intrinsic_triangulation& triangulation,
-                             const Intrinsic_triangulation::Index v)
+/*
+ * The union of the faces around a vertex.
+ */
+class Star
 {
-  double result = std::numeric_limits<double>::infinity();
-  for(auto h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-    if(!triangulation.is_border(h))
-      result = (std::min)(result, Face_shape(triangulation, h).distance_to_opposite_edge());
-  return result;
-}
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // stars are taken to have at least this radius, in lengths of the longest edge in them
+  static constexpr double SMALLEST_RADIUS = 1e-9;
+
+  Star(const Intrinsic_triangulation& triangulation, const Index v)
+  {
+    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+    {
+      m_longest_edge = (std::max)(m_longest_edge, triangulation.length(h));
+      if(!triangulation.is_border(h))
+        m_radius = (std::min)(m_radius, Face_shape(triangulation, h).distance_to_opposite_edge());
+    }
+  }
+
+  // the distance from the vertex to the border of the star; infinity if there is no face
+  double radius() const { return (std::max)(m_radius, SMALLEST_RADIUS * m_longest_edge); }
+
+  // whether the radius is smaller than it is taken for
+  bool is_degenerate() const { return m_radius < SMALLEST_RADIUS * m_longest_edge; }
+
+private:
+  double m_radius = std::numeric_limits<double>::infinity();
+  double m_longest_edge = 0;
+};
 
 } // namespace internal
 } // namespace Approximate_geodesics

@@ -179,11 +179,15 @@ inline std::pair<Point_row::Index, Point_row::Index> cell(const Point_row& row,
                                                           const Reached_point& farther)
 {
   using Index = Point_row::Index;
-  // Of two points that reach a third at the same cost, at least one has to be kept.
-  constexpr double SAFETY = 1 + 8 * std::numeric_limits<double>::epsilon();
+  // At the same cost, the one with the smaller label wins; if labels are the same as well, neither.
+  // What is the same is a matter of rounding, and no point must be lost between two that both take
+  // the other for better.
+  constexpr double tolerance = 8 * std::numeric_limits<double>::epsilon();
   const auto reaches = [&](const Reached_point& rival, const Index rank) {
     const double y = row.distance_from_corner(rank);
-    return SAFETY * rival.cost_to(y, corner, weight) < point.cost_to(y, corner, weight);
+    const double factor =
+        rival.label < (1 - tolerance) * point.label ? 1 - tolerance : 1 + tolerance;
+    return factor * rival.cost_to(y, corner, weight) < point.cost_to(y, corner, weight);
   };
   // the first rank from `low` on of which this is not, or is, the case
   const auto search = [&](const Reached_point& rival, Index low, const bool is_nearer) {

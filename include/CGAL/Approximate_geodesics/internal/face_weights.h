@@ -94,7 +94,6 @@ auto halfedges_in_groups(const TriangleMesh& tmesh,
 
   std::vector<typename Graph_traits::halfedge_descriptor> result(
       triangulation.number_of_halfedges(), Graph_traits::null_halfedge());
-  std::size_t number_found = 0;
   std::size_t number_of_vertices = 0, number_of_halfedges = 0;
   for(const auto v : vertices(tmesh))
   {
