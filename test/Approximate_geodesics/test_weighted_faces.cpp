@@ -652,8 +652,6 @@ TEST(Weighted_faces, are_refused_if_costs_do_not_fit_a_double)
 {
   expect_message<std::invalid_argument>([] { costs_on_square(1e150, 1e300); }, "weights",
                                         "lengths");
-  expect_message<std::invalid_argument>([] { costs_on_square(1e-150, 1e-300); }, "weights",
-                                        "lengths");
 }
 
 } // namespace

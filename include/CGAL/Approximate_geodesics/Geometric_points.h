@@ -46,10 +46,11 @@ namespace Approximate_geodesics {
  * \cgalCite{alms-eawsp-98}, whose own progressions, `Published_geometric_points`, have
  * \cgalBigO{\log(1 / \varepsilon) / \varepsilon} points.
  *
- * Faces with angles of almost `0` or 180 degrees would need points without end. Sines below
- * `SMALLEST_SINE` are taken for that, and stars to have a radius of a thousand-millionth part of
- * their longest edge at least. Where this happens, there is no bound any more,
- * and `epsilon()` is infinity; paths that cross such a face can be too long by about its width.
+ * Faces with angles of almost `0` or 180 degrees would need points without end. Where a sine is
+ * below `SMALLEST_SINE`, there are at most `LARGEST_NUMBER_IF_THIN` points in a progression, and
+ * stars are taken to have a radius of at least a thousand-millionth part of their longest edge.
+ * There is no bound then, and `epsilon()` is infinity; paths that cross such a face can be too long
+ * by about the distance of points there.
  *
  * \cgalModels{SteinerPointPlacement}
  */
@@ -62,8 +63,11 @@ public:
   /// whether points divide every edge into equal parts, so that their number says where they are.
   static constexpr bool makes_equal_parts = false;
 
-  /// angles are taken to have at least this sine.
+  /// there is no bound for angles with smaller sines.
   static constexpr double SMALLEST_SINE = 0.02;
+
+  /// with such an angle, a progression has at most so many points.
+  static constexpr int LARGEST_NUMBER_IF_THIN = 64;
 
   /// progressions start at least this far from the end, in lengths of the edge; less matters only
   /// if weights differ by more than a `double` can tell.
@@ -214,9 +218,14 @@ private:
   internal::Geometric_progressions::End end(const double start, const double sine) const
   {
     constexpr double largest_start = 0.49;
-    const double s = (std::max)(sine, SMALLEST_SINE);
-    return {(std::clamp)(start, SMALLEST_START, largest_start), s,
-            2 * std::asinh(s * std::sqrt(SAFETY * m_epsilon_of_crossings))};
+    internal::Geometric_progressions::End result;
+    result.start = (std::clamp)(start, SMALLEST_START, largest_start);
+    result.sine = (std::max)(sine, SMALLEST_SINE);
+    result.log_of_ratio = 2 * std::asinh(result.sine * std::sqrt(SAFETY * m_epsilon_of_crossings));
+    if(sine < SMALLEST_SINE)
+      result.log_of_ratio =
+          (std::max)(result.log_of_ratio, -std::log(result.start) / LARGEST_NUMBER_IF_THIN);
+    return result;
   }
 
   // whether points around `v` are not as they should be

@@ -83,7 +83,7 @@ public:
    *           placement
    *
    * \throws std::invalid_argument if a face breaks the triangle inequality, if the weights are so
-   *         large or small that costs do not fit a `double`, or as the placement does.
+   *         large that costs do not fit a `double`, or as the placement does.
    * \throws std::length_error if there would be more nodes than 32-bit numbers can tell apart.
    *
    * Run time and memory are \cgalBigO{n} for `n` nodes.
