@@ -96,7 +96,7 @@ public:
     CGAL_precondition(!is_final(key));
     const Index index = bucket_index(key);
     if(index - m_first_in_circle < m_number_in_circle)
-      push_into(bucket(index), {key, node});
+      bucket(index).push_back({key, node});
     else
       push_onto_heap({key, node});
     ++m_size;
@@ -142,10 +142,7 @@ public:
   void clear()
   {
     for(Bucket& b : m_buckets)
-    {
       b.clear();
-      set_aside(b);
-    }
     m_heap.clear();
     m_policy.update(statistics());
     set_up_circle();
@@ -163,11 +160,9 @@ public:
   std::size_t memory() const
   {
     std::size_t entries = m_round.capacity() + m_heap.capacity();
-    for(const auto* buckets : {&m_buckets, &m_spare_buckets})
-      for(const Bucket& b : *buckets)
-        entries += b.capacity();
-    return (m_buckets.capacity() + m_spare_buckets.capacity()) * sizeof(Bucket) +
-           entries * sizeof(Entry);
+    for(const Bucket& b : m_buckets)
+      entries += b.capacity();
+    return m_buckets.capacity() * sizeof(Bucket) + entries * sizeof(Entry);
   }
 
 private:
@@ -196,30 +191,6 @@ private:
   }
 
   Bucket& bucket(const Index index) { return m_buckets[index & m_mask]; }
-
-  void push_into(Bucket& b, const Entry& e)
-  {
-    if(b.capacity() == 0)
-      reuse_memory(b);
-    b.push_back(e);
-  }
-
-  // The memory of a bucket that has become empty goes to the next one that needs some: it is still
-  // in the cache, and there is no more of it than is in use at a time.
-  void set_aside(Bucket& b)
-  {
-    if(b.capacity() > 0)
-      m_spare_buckets.push_back(std::move(b));
-    b = Bucket();
-  }
-
-  BOOST_NOINLINE void reuse_memory(Bucket& b)
-  {
-    if(m_spare_buckets.empty())
-      return;
-    b = std::move(m_spare_buckets.back());
-    m_spare_buckets.pop_back();
-  }
 
   void set_up_circle()
   {
@@ -283,7 +254,8 @@ private:
   {
     add_current_bucket(m_statistics);
     m_statistics.visited_buckets += m_drained == 0 ? 1 : 0;
-    set_aside(current_bucket());
+    if(m_round.capacity() > current_bucket().capacity())
+      std::swap(m_round, current_bucket()); // or each bucket would get the memory of the largest
     m_trust -= (std::min)(m_trust, m_drained);
 
     const bool circle_is_empty = m_size == m_heap.size();
@@ -333,7 +305,7 @@ private:
 
   void move_nearest_into_circle()
   {
-    push_into(bucket(nearest_index()), m_heap.front());
+    bucket(nearest_index()).push_back(m_heap.front());
     pop_from_heap();
   }
 
@@ -356,12 +328,11 @@ private:
   }
 
   std::vector<Bucket> m_buckets; // a circle; their number is a power of two
-  std::vector<Bucket> m_spare_buckets;
-  Bucket m_heap;          // what is beyond the circle, or shall come out in order
-  Bucket m_round;         // what was in the current bucket
-  std::size_t m_next = 0; // the entry of the round that comes out next
-  std::size_t m_size = 0; // the number of entries that did not come out
-  Index m_mask = 0;       // reduces an index to the circle
+  Bucket m_heap;                 // what is beyond the circle, or shall come out in order
+  Bucket m_round;                // what was in the current bucket
+  std::size_t m_next = 0;        // the entry of the round that comes out next
+  std::size_t m_size = 0;        // the number of entries that did not come out
+  Index m_mask = 0;              // reduces an index to the circle
   double m_buckets_per_unit = 1;
 
   // which buckets are in the circle; all others' entries go to the heap
