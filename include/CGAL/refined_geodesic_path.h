@@ -34,7 +34,8 @@ namespace CGAL {
  * graphs with twice as many points, but only on edges near the path found last, until it gets
  * shorter by less than a given part of its length. This is much faster than a graph that is fine
  * everywhere, and finds about the same path, unless the first one took another way round an
- * obstacle: the result is a path that is short among its neighbours, without a bound.
+ * obstacle: the result is a path that is short among its neighbours, without a bound. Where weights
+ * differ by orders of magnitude, it can cost many times as much as the cheapest one.
  *
  * The method is that of Kanai and Suzuki \cgalCite{ks-asppa-01}.
  *

@@ -402,4 +402,26 @@ TEST(Barriers, do_the_same_as_cuts_with_many_points)
     }
 }
 
+// Two triangles that touch at a vertex, and a square somewhere else: a barrier there changes
+// nothing here.
+TEST(Barriers, do_not_divide_vertices_that_have_none)
+{
+  Mesh mesh;
+  const auto vertex = [&](const double x, const double y) {
+    return mesh.add_vertex(Point(x, y, 0));
+  };
+  const Vertex c = vertex(0, 0), a = vertex(-1, 0), b = vertex(-1, 1), d = vertex(1, 0);
+  mesh.add_face(c, b, a);
+  mesh.add_face(c, d, vertex(1, 1));
+  const Vertex p = vertex(5, 0), q = vertex(6, 1);
+  mesh.add_face(p, vertex(6, 0), q);
+  mesh.add_face(p, q, vertex(5, 1));
+  Barriers barriers(mesh.num_edges());
+  barriers[mesh.edge(mesh.halfedge(p, q)).idx()] = true;
+  std::vector<Point> points;
+  EXPECT_NEAR(CGAL::approximate_geodesic_path(mesh, a, d, std::back_inserter(points),
+                                              with_barriers(barriers).number_of_points_per_edge(2)),
+              2, 1e-12);
+}
+
 } // namespace

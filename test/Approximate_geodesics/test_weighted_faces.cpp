@@ -503,6 +503,36 @@ TEST(Exchanged_weights, are_refused_for_another_mesh)
       [&] { graph.set_face_weights(smaller, weight_map(weights)); }, "mesh");
 }
 
+// Weights that are refused for what costs would be do not take the place of those before.
+TEST(Exchanged_weights, are_not_exchanged_if_costs_do_not_fit_a_double)
+{
+  const Mesh mesh = to_mesh(flat_grid(4, 4).transformed(
+      [](const Point& p) { return Point(p.x() * 1e200, p.y() * 1e200, 0); }));
+  const Weights ones(mesh.num_faces(), 1), large(mesh.num_faces(), 1e200);
+  auto graph = steiner_graph(mesh, ones, Equally_spaced_points(1));
+  const double unit = graph.unit();
+  expect_message<std::invalid_argument>([&] { graph.set_face_weights(mesh, weight_map(large)); },
+                                        "weights", "lengths");
+  EXPECT_EQ(graph.unit(), unit);
+
+  AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Equally_spaced_points>> paths(mesh, graph);
+  paths.add_source_point(Vertex(0));
+  const double distance = paths.shortest_distance_to_source_points(Vertex(15)).first;
+  expect_message<std::invalid_argument>([&] { paths.set_face_weights(weight_map(large)); },
+                                        "weights");
+  EXPECT_EQ(paths.shortest_distance_to_source_points(Vertex(15)).first, distance);
+  EXPECT_NEAR(distance, std::sqrt(18.) * 1e200, 1e187);
+}
+
+// ... nor is anything left of them if all faces become forbidden.
+TEST(Exchanged_weights, may_forbid_everything)
+{
+  const Mesh mesh = to_mesh(flat_grid(3, 3));
+  auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 1), Equally_spaced_points(1));
+  graph.set_face_weights(mesh, weight_map(Weights(mesh.num_faces(), infinity)));
+  EXPECT_EQ(graph.arc_lengths().longest, 0);
+}
+
 // ----- weights that are wrong or extreme
 
 TEST(Bad_weights, are_refused_by_name_of_the_face)

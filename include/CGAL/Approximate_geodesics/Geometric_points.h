@@ -155,10 +155,12 @@ public:
       const internal::Star star(triangulation, v);
       if(star.is_degenerate() || has_thin_corner(triangulation, v))
         return std::numeric_limits<double>::infinity();
+      if(std::isinf(star.radius())) // no face
+        continue;
       const double start = m_start[v] / star.radius();
       const internal::Vertex_weights weights(triangulation, v);
       if(weights.are_uniform())
-        of_crossings = (std::max)(of_crossings, 1 / std::sqrt(1 - 4 * start * start) - 1);
+        of_crossings = (std::max)(of_crossings, std::expm1(-std::log1p(-4 * start * start) / 2));
       else
         of_vicinities = (std::max)(of_vicinities, 2 * start * weights.ratio() / (1 - 2 * start));
     }
@@ -175,8 +177,8 @@ private:
   // makes for about as few points as possible.
   static constexpr double SHARE_OF_CROSSINGS = 0.65;
 
-  // for the rounding of positions
-  static constexpr double SAFETY = 1 - 1e-6;
+  // what positions are rounded by can bring two neighbours apart
+  static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7;
 
   // Where progressions start, in proportion to the radius of the star.
   double relative_start(const internal::Vertex_weights& weights) const
@@ -221,7 +223,9 @@ private:
     internal::Geometric_progressions::End result;
     result.start = (std::clamp)(start, SMALLEST_START, largest_start);
     result.sine = (std::max)(sine, SMALLEST_SINE);
-    result.log_of_ratio = 2 * std::asinh(result.sine * std::sqrt(SAFETY * m_epsilon_of_crossings));
+    const double log_of_ratio = 2 * std::asinh(result.sine * std::sqrt(m_epsilon_of_crossings));
+    result.log_of_ratio =
+        (std::max)(log_of_ratio - ROUNDING_OF_LOGARITHM, log_of_ratio / 2); // of tiny ones
     if(sine < SMALLEST_SINE)
       result.log_of_ratio =
           (std::max)(result.log_of_ratio, -std::log(result.start) / LARGEST_NUMBER_IF_THIN);

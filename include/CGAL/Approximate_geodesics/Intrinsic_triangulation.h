@@ -149,8 +149,9 @@ public:
    *
    * \throws std::invalid_argument if a face is not a triangle, if a coordinate or a length is
    *         infinite or not a number, if a length is negative or does not fit a `double`, if a
-   *         weight is negative or not a number, if an index is out of range or given twice, or if
-   *         the halfedges around a vertex do not form one cycle. The message names the element.
+   *         weight is negative or not a number, or costs do not fit a `double`, if an index is out
+   *         of range or given twice, or if the halfedges around a vertex do not form one cycle. The
+   *         message names the element.
    * \throws std::length_error if `tmesh` has more halfedges than 32-bit numbers can tell apart.
    *
    * Run time and memory are \cgalBigO{n} for `n` vertices.
@@ -295,8 +296,9 @@ public:
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
    *           `vertex_index_map`, if one was given to the constructor
    *
-   * \throws std::invalid_argument if a weight is negative or not a number, or if `tmesh` has
-   *         another number of vertices or halfedges; the weights are those that they were before.
+   * \throws std::invalid_argument if a weight is negative or not a number, if costs do not fit a
+   *         `double`, or if `tmesh` has another number of vertices or halfedges; the weights are
+   *         then those that they were before.
    *
    * Run time is \cgalBigO{n}.
    */

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/internal/Face_shape.h>
 #include <CGAL/Approximate_geodesics/internal/Geometric_progressions.h>
 #include <CGAL/Approximate_geodesics/internal/epsilon.h>
+#include <CGAL/Approximate_geodesics/internal/messages.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,10 +73,16 @@ public:
   }
 
   /// computes where the progressions of every vertex start, and their factors.
+  /// \throws std::invalid_argument if some faces, but not all, have weight `0`.
+  ///
   /// Run time is \cgalBigO{n}.
   void prepare(const Intrinsic_triangulation& triangulation)
   {
-    m_delta = delta(ratio_of_weights(triangulation));
+    const double ratio = ratio_of_weights(triangulation);
+    if(std::isinf(ratio))
+      internal::reject("a face has weight 0, for which the published placement has no points; use "
+                       "Geometric_points");
+    m_delta = delta(ratio);
     m_ends.clear();
     m_ends.reserve(triangulation.number_of_vertices());
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)

@@ -82,9 +82,9 @@ public:
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": that of the
    *           placement
    *
-   * \throws std::invalid_argument if a face breaks the triangle inequality, if the weights are so
-   *         large that costs do not fit a `double`, or as the placement does.
-   * \throws std::length_error if there would be more nodes than 32-bit numbers can tell apart.
+   * \throws std::invalid_argument if there are points, and a face breaks the triangle inequality,
+   * or as the placement does. \throws std::length_error if there would be more nodes than 32-bit
+   * numbers can tell apart.
    *
    * Run time and memory are \cgalBigO{n} for `n` nodes.
    */
@@ -141,7 +141,8 @@ public:
   /// returns the unit of costs, in the unit of the mesh times that of the weights.
   double unit() const { return m_triangulation.unit() * m_triangulation.weight_unit(); }
 
-  /// returns a summary of the costs of the arcs along edges, which are the shortest ones.
+  /// returns a summary of the costs of the arcs along edges, which are the shortest ones, as if
+  /// points divided every edge into equal parts.
   const Arc_lengths& arc_lengths() const { return m_arc_lengths; }
 
   /// returns an upper bound of the number of arcs that start from a node.
@@ -548,9 +549,7 @@ private:
 
   void summarize_arcs()
   {
-    if(!(unit() > 0) || std::isinf(unit()))
-      internal::reject("the weights and the lengths of the mesh do not fit each other: costs would "
-                       "be beyond what a double can hold");
+    m_arc_lengths = Arc_lengths();
     double shortest = infinity, sum = 0, longest = 0;
     std::size_t number_of_arcs = 0;
     m_points.for_each_first_halfedge([&](const Index h, const Index e) {

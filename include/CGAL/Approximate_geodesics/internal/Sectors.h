@@ -20,8 +20,9 @@ namespace internal {
 
 /*
  * The sectors that barriers divide the surroundings of vertices into. A vertex where there are at
- * least two is called divided: no path leads through it from one sector to another. Sectors are
- * numbered from 0, those of a vertex in a row.
+ * least two is called divided: no path leads through it from one sector to another. The border
+ * divides as barriers do, but only where there is a barrier as well: a vertex where two parts of
+ * the surface touch is none otherwise. Sectors are numbered from 0, those of a vertex in a row.
  */
 class Sectors
 {
@@ -81,16 +82,18 @@ private:
   void divide(const Intrinsic_triangulation& triangulation, const Index v)
   {
     const std::size_t number_before = m_vertex.size();
+    bool has_barrier = false;
     for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
     {
       const bool is_at_border = triangulation.is_border(triangulation.opposite(h));
+      has_barrier = has_barrier || triangulation.is_barrier(h);
       if(!triangulation.is_border(h) && (is_at_border || triangulation.is_barrier(h)))
       {
         m_vertex.push_back(v);
         m_first_halfedge.push_back(h);
       }
     }
-    if(m_vertex.size() < number_before + 2) // a single sector is all there is around the vertex
+    if(!has_barrier || m_vertex.size() < number_before + 2) // nothing is divided
     {
       m_vertex.resize(number_before);
       m_first_halfedge.resize(number_before);

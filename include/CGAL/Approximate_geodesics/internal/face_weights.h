@@ -80,6 +80,9 @@ Face_weights read_face_weights(const TriangleMesh& tmesh,
     result.of_halfedge[h] = weight + 0.0; // turns a negative zero into a positive one
   }
   normalize(result, triangulation.unit());
+  if(std::isinf(triangulation.unit() * result.unit))
+    reject("the weights and the lengths of the mesh do not fit each other: costs would be beyond "
+           "what a double can hold");
   return result;
 }
 
