@@ -47,7 +47,8 @@ namespace Approximate_geodesics {
  * \cgalBigO{\log(1 / \varepsilon) / \varepsilon} points.
  *
  * Faces with angles of almost `0` or 180 degrees would need points without end. Where a sine is
- * below `SMALLEST_SINE`, there are at most `LARGEST_NUMBER_IF_THIN` points in a progression, and
+ * below `SMALLEST_SINE`, there are at most `LARGEST_NUMBER_IF_THIN` /
+ * \f$\sqrt\varepsilon\f$ points in a progression, and
  * stars are taken to have a radius of at least a thousand-millionth part of their longest edge.
  * There is no bound then, and `epsilon()` is infinity; paths that cross such a face can be too long
  * by about the distance of points there.
@@ -66,8 +67,8 @@ public:
   /// there is no bound for angles with smaller sines.
   static constexpr double SMALLEST_SINE = 0.02;
 
-  /// with such an angle, a progression has at most so many points.
-  static constexpr int LARGEST_NUMBER_IF_THIN = 64;
+  /// with such an angle, a progression has at most so many points, divided by the root of epsilon.
+  static constexpr int LARGEST_NUMBER_IF_THIN = 20;
 
   /// progressions start at least this far from the end, in lengths of the edge; less matters only
   /// if weights differ by more than a `double` can tell.
@@ -227,8 +228,11 @@ private:
     result.log_of_ratio =
         (std::max)(log_of_ratio - ROUNDING_OF_LOGARITHM, log_of_ratio / 2); // of tiny ones
     if(sine < SMALLEST_SINE)
+    {
+      const double largest_number = LARGEST_NUMBER_IF_THIN / std::sqrt(m_epsilon_of_crossings);
       result.log_of_ratio =
-          (std::max)(result.log_of_ratio, -std::log(result.start) / LARGEST_NUMBER_IF_THIN);
+          (std::max)(result.log_of_ratio, -std::log(result.start) / largest_number);
+    }
     return result;
   }
 

@@ -291,10 +291,7 @@ private:
   }
 
   // Whether paths may enter the face to the left of `h`.
-  bool is_open(const Index h) const
-  {
-    return !m_triangulation.is_border(h) && m_triangulation.weight(h) < infinity;
-  }
+  bool is_open(const Index h) const { return m_triangulation.weight(h) < infinity; }
 
   // ----- arcs from vertices
 
