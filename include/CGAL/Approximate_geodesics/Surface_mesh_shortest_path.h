@@ -302,8 +302,8 @@ public:
    *
    * \pre `Graph` has a member function of the same name, as `Steiner_graph` does.
    *
-   * \throws std::invalid_argument if a weight is negative or not a number; the weights are then
-   * those that they were before.
+   * \throws std::invalid_argument if a weight is negative or not a number, or if costs do not fit a
+   *         `double`; the weights are then those that they were before.
    */
   template <typename FaceWeightMap>
   void set_face_weights(const FaceWeightMap& face_weight_map)
