@@ -279,10 +279,13 @@ public:
     return is_border(h) ? std::numeric_limits<double>::infinity() : 1;
   }
 
-  /// returns the weight of the edge of `h`: the smaller one of its two faces'.
+  /// returns the weight of the edge of `h`: the smaller one of its two faces'. A barrier is an edge
+  /// on either side: that to the left of `h` is meant.
   double weight_of_edge(const Index h) const
   {
-    return has_weights() ? (std::min)(m_weight[h], m_weight[opposite(h)]) : 1;
+    if(!has_weights())
+      return 1;
+    return is_barrier(h) ? m_weight[h] : (std::min)(m_weight[h], m_weight[opposite(h)]);
   }
 
   /// returns the unit of weights, a power of two.

@@ -11,18 +11,14 @@
 #include <CGAL/Approximate_geodesics/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/internal/Corner.h>
-#include <CGAL/Approximate_geodesics/internal/Point_row.h>
 #include <CGAL/Approximate_geodesics/internal/Points_on_edges.h>
-#include <CGAL/Approximate_geodesics/internal/Sectors.h>
-#include <CGAL/Approximate_geodesics/internal/messages.h>
+#include <CGAL/Approximate_geodesics/internal/Steiner_arcs.h>
+#include <CGAL/Approximate_geodesics/internal/Steiner_nodes.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -83,8 +79,8 @@ public:
    *           placement
    *
    * \throws std::invalid_argument if there are points, and a face breaks the triangle inequality,
-   * or as the placement does. \throws std::length_error if there would be more nodes than 32-bit
-   * numbers can tell apart.
+   *         or as the placement does.
+   * \throws std::length_error if there would be more nodes than 32-bit numbers can tell apart.
    *
    * Run time and memory are \cgalBigO{n} for `n` nodes.
    */
@@ -99,16 +95,10 @@ public:
   Steiner_graph(Intrinsic_triangulation triangulation, Placement placement)
     : m_triangulation(std::move(triangulation)), m_placement(std::move(placement))
   {
-    m_sectors = internal::Sectors(m_triangulation);
-    const std::size_t number_of_others =
-        m_triangulation.number_of_vertices() + std::size_t(m_sectors.number_of_sectors());
     m_placement.prepare(m_triangulation);
-    m_points = internal::Points_on_edges(m_triangulation, m_placement,
-                                         Intrinsic_triangulation::null_index - number_of_others);
-    if(m_points.number_of_points() > 0) // there are arcs across faces
+    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement);
+    if(number_of_points() > 0) // there are arcs across faces
       m_triangulation.check_triangle_inequality();
-    m_first_point = m_triangulation.number_of_vertices();
-    m_first_sector = m_first_point + m_points.number_of_points();
     find_maximum_degree();
     summarize_arcs();
   }
@@ -130,13 +120,10 @@ public:
   double epsilon() const { return m_placement.epsilon(m_triangulation); }
 
   /// returns the number of nodes.
-  std::size_t number_of_nodes() const
-  {
-    return std::size_t(m_first_sector) + m_sectors.number_of_sectors();
-  }
+  std::size_t number_of_nodes() const { return m_nodes.size(); }
 
   /// returns the number of points on edges. On barriers, those of both sides count.
-  std::size_t number_of_points() const { return m_points.number_of_points(); }
+  std::size_t number_of_points() const { return m_nodes.points().number_of_points(); }
 
   /// returns the unit of costs, in the unit of the mesh times that of the weights.
   double unit() const { return m_triangulation.unit() * m_triangulation.weight_unit(); }
@@ -152,11 +139,8 @@ public:
   /// The part is `0` if the node stands for a vertex. \pre `node` is not one of the vertices.
   std::pair<Node, double> place(const Node node) const
   {
-    CGAL_precondition(node >= m_first_point);
-    if(node >= m_first_sector)
-      return {m_sectors.first_halfedge(node - m_first_sector), 0};
-    const Node p = node - m_first_point, h = m_points.halfedge(p);
-    return {h, m_points.part_before(m_points.edge(h), p)};
+    CGAL_precondition(!m_nodes.is_vertex(node));
+    return m_nodes.place(node);
   }
 
   /// calls `f(target, cost)` for the arcs that start from `node` and may be part of a cheapest path
@@ -164,14 +148,7 @@ public:
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    if(node >= m_first_sector)
-      expand_sector(node, f);
-    else if(node >= m_first_point)
-      expand_point(node, labels, f);
-    else if(is_divided(node))
-      expand_divided_vertex(node, labels, f);
-    else
-      expand_vertex(node, f);
+    internal::Steiner_arcs(m_triangulation, m_nodes).for_each(node, labels, f);
   }
 
   /// returns `cost`: arcs run straight across a face, or along an edge.
@@ -184,16 +161,16 @@ public:
   /// asks for what it takes to find the arcs of `node`, which will be needed soon.
   void prefetch(const Node node) const
   {
-    if(node < m_first_point)
+    if(m_nodes.is_vertex(node))
       m_triangulation.prefetch(m_triangulation.first_halfedge(node));
-    else if(node < m_first_sector)
-      m_points.prefetch(node - m_first_point);
+    else if(m_nodes.is_point(node))
+      m_nodes.points().prefetch(m_nodes.point(node));
   }
 
   /// returns the number of bytes that the graph takes, its triangulation included.
   std::size_t memory() const
   {
-    return m_triangulation.memory() + m_placement.memory() + m_points.memory() + m_sectors.memory();
+    return m_triangulation.memory() + m_placement.memory() + m_nodes.memory();
   }
 
   /// returns whether the triangulation is valid.
@@ -230,330 +207,20 @@ public:
 
 private:
   using Index = Node;
-  using Row = internal::Point_row;
-  using Reached_point = internal::Reached_point;
 
-  static constexpr Node null_node = Intrinsic_triangulation::null_index;
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  // From so many points on, it pays to search for those that are worth looking at.
-  static constexpr Index LONG_ROW = 16;
-
-  // ----- nodes and edges
-
-  bool is_divided(const Node v) const
-  {
-    return !m_sectors.is_empty() && m_sectors.first_sector(v) != m_sectors.beyond_sector(v);
-  }
-
-  // The node at the vertex `v` in the face to the left of `h`, which starts there.
-  Node corner_node(const Node v, const Index h) const
-  {
-    if(m_sectors.is_empty())
-      return v;
-    const Index sector = m_sectors.sector(v, h);
-    return sector == null_node ? v : m_first_sector + sector;
-  }
-
-  // The nodes at the ends of the edge of `h`, or of its left side.
-  Node node_at_source(const Index h) const
-  {
-    const Index twin = m_triangulation.opposite(h);
-    const Node v = m_triangulation.target(twin);
-    if(m_sectors.is_empty() || (m_triangulation.is_border(h) && m_triangulation.is_border(twin)))
-      return v;
-    return corner_node(v, m_triangulation.is_border(h) ? m_triangulation.next(twin) : h);
-  }
-  Node node_at_target(const Index h) const
-  {
-    const Node v = m_triangulation.target(h);
-    if(m_sectors.is_empty())
-      return v;
-    return m_triangulation.is_border(h) ? node_at_source(m_triangulation.opposite(h))
-                                        : corner_node(v, m_triangulation.next(h));
-  }
-
-  // Costs are in proportion to this along the edge of `h`, or along its left side.
-  double weight_along(const Index h) const
-  {
-    return m_triangulation.is_barrier(h) ? m_triangulation.weight(h)
-                                         : m_triangulation.weight_of_edge(h);
-  }
-
-  // The points of the edge of `h`, as seen from its source or its target.
-  Row row_from_source(const Index h) const { return row(h, true); }
-  Row row_from_target(const Index h) const { return row(h, false); }
-  Row row(const Index h, const bool is_from_source) const
-  {
-    const Index e = m_points.edge(h), first = m_points.first_point(e);
-    return Row(m_first_point + first, m_points.number_of_points(e), m_points.positions(first),
-               m_triangulation.length(h), m_points.is_first(h) == is_from_source);
-  }
-
-  // Whether paths may enter the face to the left of `h`.
-  bool is_open(const Index h) const { return m_triangulation.weight(h) < infinity; }
-
-  // ----- arcs from vertices
-
-  // A search can start at a divided vertex, and get there, but not go through it.
-  template <typename Labels, typename F>
-  void expand_divided_vertex(const Node v, const Labels& labels, F& f) const
-  {
-    if(labels.predecessor(v) == null_node)
-      for(Index s = m_sectors.first_sector(v); s < m_sectors.beyond_sector(v); ++s)
-        f(m_first_sector + s, 0.);
-  }
-
-  template <typename F>
-  void expand_sector(const Node node, F& f) const
-  {
-    const Index sector = node - m_first_sector;
-    const Node v = m_sectors.vertex(sector);
-    f(v, 0.);
-    Index h = m_sectors.first_halfedge(sector);
-    do
-    {
-      expand_corner(v, h, f);
-      h = m_triangulation.counterclockwise(v, h);
-    } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
-    // of a barrier, the side that faces the sector
-    expand_edge(m_triangulation.opposite(h), false, f);
-  }
-
-  template <typename F>
-  void expand_vertex(const Node v, F& f) const
-  {
-    const Index beyond = m_triangulation.beyond_halfedge(v);
-    for(Index h = m_triangulation.first_halfedge(v); h < beyond; ++h)
-    {
-      expand_corner(v, h, f);
-      if(m_triangulation.is_barrier(h)) // both sides of which start here
-        expand_edge(m_triangulation.opposite(h), false, f);
-    }
-  }
-
-  // The arcs from the source `v` of `h` along it and across the face to its left.
-  template <typename F>
-  void expand_corner(const Node v, const Index h, F& f) const
-  {
-    expand_edge(h, true, f);
-    if(!is_open(h))
-      return;
-    const Row row = row_from_source(m_triangulation.next(h));
-    if(row.size() == 0)
-      return;
-    const double x = m_triangulation.length(h);
-    const double third = m_triangulation.length(m_triangulation.counterclockwise(v, h));
-    visit(row, {0, row.size()}, internal::Corner(x, row.length(), third), x,
-          m_triangulation.weight(h), f);
-  }
-
-  // The arc along the edge of `h`, or along its left side, from its source or target.
-  template <typename F>
-  void expand_edge(const Index h, const bool starts_at_source, F& f) const
-  {
-    const double weight = weight_along(h);
-    if(weight == infinity)
-      return;
-    const Index e = m_points.edge(h);
-    const Index first = m_points.first_point(e), beyond = m_points.beyond_point(e);
-    const double length = m_triangulation.length(h);
-    if(first == beyond)
-      f(starts_at_source ? node_at_target(h) : node_at_source(h), weight * length);
-    else if(starts_at_source == m_points.is_first(h))
-      f(m_first_point + first, weight * (length * m_points.part_before(e, first)));
-    else
-      f(m_first_point + beyond - 1, weight * (length * m_points.part_behind(e, beyond - 1)));
-  }
-
-  // The arcs to points of a row, from the point at the distance `x` from its corner.
-  template <typename F>
-  void visit(const Row& row,
-             const std::pair<Index, Index> ranks,
-             const internal::Corner& corner,
-             const double x,
-             const double weight,
-             F& f) const
-  {
-    row.for_each_block(ranks.first, ranks.second, corner, x, weight,
-                       [&](const Node first, const double* const costs, const Index number) {
-                         if constexpr(std::is_invocable_v<F, Node, const double*, std::size_t>)
-                           f(first, costs, std::size_t(number));
-                         else
-                           for(Index i = 0; i < number; ++i)
-                             f(first + i, costs[i]);
-                       });
-  }
-
-  // ----- arcs from points on edges
-
-  // A point on an edge, seen from the face to the left of a halfedge.
-  struct Place
-  {
-    Place reversed(const Index twin) const
-    {
-      return {twin, node, from_target, from_source, toward_target, toward_source};
-    }
-
-    Index halfedge;
-    Node node;
-    double from_source, from_target;   // distances
-    Node toward_source, toward_target; // neighbours
-  };
-
-  // The halfedges of the face to the left of the first of them.
-  struct Face
-  {
-    Index first, second, third;
-  };
-
-  Face face(const Index h) const
-  {
-    const Index second = m_triangulation.next(h);
-    return {h, second, m_triangulation.next(second)};
-  }
-
-  template <typename Labels, typename F>
-  void expand_point(const Node node, const Labels& labels, F& f) const
-  {
-    const Index h = m_points.halfedge(node - m_first_point), twin = m_triangulation.opposite(h);
-    const Place left = place_on_edge(node, h);
-    expand_along_edge(left, f);
-
-    const Node predecessor = labels.predecessor(node);
-    const bool has_right = m_points.edge(twin) == m_points.edge(h) && is_open(twin);
-    if(!has_right)
-    {
-      if(is_open(h))
-        expand_face(left, face(h), labels, f);
-      return;
-    }
-    const Face face_to_right = face(twin);
-    const bool comes_from_right = is_opposite(predecessor, left, face_to_right);
-    bool comes_from_left = false;
-    if(is_open(h))
-    {
-      const Face face_to_left = face(h);
-      comes_from_left = is_opposite(predecessor, left, face_to_left);
-      if(!comes_from_left || comes_from_right)
-        expand_face(left, face_to_left, labels, f);
-    }
-    if(!comes_from_right || comes_from_left)
-      expand_face(left.reversed(twin), face_to_right, labels, f);
-  }
-
-  Place place_on_edge(const Node node, const Index h) const
-  {
-    const Index p = node - m_first_point, e = m_points.edge(h);
-    const double length = m_triangulation.length(h);
-    return {h,
-            node,
-            length * m_points.part_before(e, p),
-            length * m_points.part_behind(e, p),
-            p == m_points.first_point(e) ? node_at_source(h) : node - 1,
-            p + 1 == m_points.beyond_point(e) ? node_at_target(h) : node + 1};
-  }
-
-  template <typename F>
-  void expand_along_edge(const Place& place, F& f) const
-  {
-    const double weight = weight_along(place.halfedge);
-    if(weight == infinity)
-      return;
-    f(place.toward_source, weight * (is_point(place.toward_source) ? gap(place, place.toward_source)
-                                                                   : place.from_source));
-    f(place.toward_target, weight * (is_point(place.toward_target) ? gap(place, place.toward_target)
-                                                                   : place.from_target));
-  }
-
-  bool is_point(const Node node) const { return node >= m_first_point && node < m_first_sector; }
-
-  // The distance to another point of the edge, measured from the end that the place is closer to.
-  double gap(const Place& place, const Node other) const
-  {
-    return place.from_source < place.from_target
-               ? std::abs(distance_from_end(place.halfedge, other, true) - place.from_source)
-               : std::abs(distance_from_end(place.halfedge, other, false) - place.from_target);
-  }
-
-  // The distance of a point on the edge of `h` from the source or the target of `h`.
-  double distance_from_end(const Index h, const Node node, const bool is_from_source) const
-  {
-    const Index p = node - m_first_point, e = m_points.edge(h);
-    const bool is_from_first_end = m_points.is_first(h) == is_from_source;
-    return m_triangulation.length(h) *
-           (is_from_first_end ? m_points.part_before(e, p) : m_points.part_behind(e, p));
-  }
-
-  // Whether a node is on one of the two edges of a face that are not the first, and not at an end
-  // of that.
-  bool is_opposite(const Node node, const Place& place, const Face& face) const
-  {
-    if(!is_point(node)) // but a vertex, or null
-      return node != place.toward_source && node != place.toward_target &&
-             node == corner_node(m_triangulation.target(face.second), face.third);
-    const Index e = m_points.edge(m_points.halfedge(node - m_first_point));
-    return e == m_points.edge(face.second) || e == m_points.edge(face.third);
-  }
-
-  // The arcs across a face, whose first halfedge is that of the place.
-  template <typename Labels, typename F>
-  void expand_face(const Place& place, const Face& face, const Labels& labels, F& f) const
-  {
-    const double weight = m_triangulation.weight(place.halfedge);
-    const double length = m_triangulation.length(place.halfedge);
-    const Row at_target = row_from_source(face.second), at_source = row_from_target(face.third);
-
-    const internal::Corner corner(length, at_target.length(), at_source.length());
-    f(corner_node(m_triangulation.target(face.second), face.third),
-      weight * corner.distance(place.from_target, at_target.length()));
-    if(at_target.size() > 0)
-      visit(at_target, worthwhile(at_target, corner, weight, place, false, labels), corner,
-            place.from_target, weight, f);
-    if(at_source.size() > 0)
-    {
-      const internal::Corner other_corner(length, at_source.length(), at_target.length());
-      visit(at_source, worthwhile(at_source, other_corner, weight, place, true, labels),
-            other_corner, place.from_source, weight, f);
-    }
-  }
-
-  // The ranks of the points of a row that a path over a place may be the cheapest one to, given its
-  // neighbours. The row starts from the corner at the source or target of the place's halfedge.
-  template <typename Labels>
-  std::pair<Index, Index> worthwhile(const Row& row,
-                                     const internal::Corner& corner,
-                                     const double weight,
-                                     const Place& place,
-                                     const bool is_at_source,
-                                     const Labels& labels) const
-  {
-    if(row.size() < LONG_ROW)
-      return {0, row.size()};
-    const auto reached = [&](const Node node, const double distance_if_vertex) {
-      return Reached_point{labels.distance(node),
-                           is_point(node) ? distance_from_end(place.halfedge, node, is_at_source)
-                                          : distance_if_vertex};
-    };
-    const double length = m_triangulation.length(place.halfedge);
-    return internal::cell(
-        row, corner, weight, reached(place.node, 0),
-        reached(is_at_source ? place.toward_source : place.toward_target, 0),
-        reached(is_at_source ? place.toward_target : place.toward_source, length));
-  }
-
-  // ----- set-up
+  const internal::Points_on_edges& points() const { return m_nodes.points(); }
 
   void summarize_arcs()
   {
     m_arc_lengths = Arc_lengths();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     double shortest = infinity, sum = 0, longest = 0;
     std::size_t number_of_arcs = 0;
-    m_points.for_each_first_halfedge([&](const Index h, const Index e) {
-      const double cost = weight_along(h) * m_triangulation.length(h);
+    points().for_each_first_halfedge([&](const Index h, const Index e) {
+      const double cost = m_triangulation.weight_of_edge(h) * m_triangulation.length(h);
       if(!(cost < infinity)) // nor a forbidden edge of length zero
         return;
-      const std::size_t number = m_points.number_of_points(e) + std::size_t(1);
+      const std::size_t number = points().number_of_points(e) + std::size_t(1);
       shortest = (std::min)(shortest, cost / double(number));
       sum += cost;
       longest = (std::max)(longest, cost);
@@ -573,7 +240,7 @@ private:
         degree += 2 + number_of_opposite_points(h); // a barrier is two edges
       largest = (std::max)(largest, degree);
     }
-    m_points.for_each_first_halfedge([&](const Index h, Index /* edge */) {
+    points().for_each_first_halfedge([&](const Index h, Index /* edge */) {
       const Index twin = m_triangulation.opposite(h);
       std::size_t degree = 4; // along the edge, and to the third vertices of both faces
       for(const Index side : {h, twin})
@@ -590,15 +257,12 @@ private:
   {
     return m_triangulation.is_border(h)
                ? 0
-               : m_points.number_of_points(m_points.edge(m_triangulation.next(h)));
+               : points().number_of_points(points().edge(m_triangulation.next(h)));
   }
 
   Intrinsic_triangulation m_triangulation;
   Placement m_placement;
-  internal::Sectors m_sectors;
-  internal::Points_on_edges m_points;
-  Node m_first_point = 0;  // the vertices come before
-  Node m_first_sector = 0; // the points do
+  internal::Steiner_nodes m_nodes;
   Arc_lengths m_arc_lengths;
   std::size_t m_maximum_degree = 0;
 };

@@ -108,6 +108,15 @@ public:
     return m_position[p] < 0 ? -double(m_position[p]) : 1 - double(m_position[p]);
   }
 
+  // the part of the edge `e` between its point `p` and the next one
+  double part_between(const Index e, const Index p) const
+  {
+    if(m_position.empty())
+      return 1 / double(number_of_points(e) + 1);
+    const double difference = double(m_position[p + 1]) - double(m_position[p]);
+    return m_position[p] >= 0 && m_position[p + 1] < 0 ? 1 + difference : difference;
+  }
+
   // The positions from that of `p` on, or a null pointer if points divide edges into equal parts.
   const float* positions(const Index p) const
   {
