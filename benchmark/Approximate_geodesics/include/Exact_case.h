@@ -160,4 +160,13 @@ private:
   Tree m_tree; // of the faces, if it was needed
 };
 
+// from the first vertex and random ones
+inline Exact_case first_and_random_case(const std::string& name,
+                                        const std::size_t number_of_sources)
+{
+  const Mesh mesh = read_mesh(name);
+  return Exact_case(name, mesh, first_and_random(random_sources(mesh, number_of_sources)),
+                    Limits());
+}
+
 #endif // BENCHMARK_EXACT_CASE_H

@@ -72,13 +72,27 @@ inline Mesh read_mesh(const std::string& name)
   return mesh;
 }
 
-inline std::vector<Vertex> random_sources(const Mesh& mesh, const std::size_t count)
+// Another seed gives other vertices.
+inline std::vector<Vertex>
+random_vertices(const Mesh& mesh, const std::size_t count, const unsigned seed)
 {
-  std::mt19937_64 random(1);
+  std::mt19937_64 random(seed);
   std::vector<Vertex> result;
   while(result.size() < count)
     result.push_back(Vertex(static_cast<Mesh::size_type>(random() % mesh.number_of_vertices())));
   return result;
+}
+
+inline std::vector<Vertex> random_sources(const Mesh& mesh, const std::size_t count)
+{
+  return random_vertices(mesh, count, 1);
+}
+
+// Of random sources, which are at least one: the first vertex of the mesh, and all but one of them.
+inline std::vector<Vertex> first_and_random(std::vector<Vertex> sources)
+{
+  sources.front() = Vertex(0);
+  return sources;
 }
 
 #endif // BENCHMARK_MESH_H
