@@ -445,10 +445,10 @@ void for_each_row(const Graph& graph, F f)
   Node n = graph.triangulation().number_of_vertices();
   while(n < graph.number_of_nodes())
   {
-    const Node h = graph.place(n).first;
+    const Node h = graph.place(n).halfedge;
     std::vector<double> parts;
-    for(; n < graph.number_of_nodes() && graph.place(n).first == h; ++n)
-      parts.push_back(graph.place(n).second);
+    for(; n < graph.number_of_nodes() && graph.place(n).halfedge == h; ++n)
+      parts.push_back(graph.place(n).t);
     f(h, parts);
   }
 }

@@ -66,11 +66,10 @@ public:
   /// `triangulation().unit()`.
   double unit() const;
 
-  /// returns where a node is that is not one of the vertices of `triangulation()`: a halfedge that
-  /// it lies on, and the part of that, from `0` to less than `1`, between its source and the node.
-  /// The part is `0` if the node stands for a vertex. Only graphs with such nodes have this member
-  /// function. The search does not need it; whoever draws paths does.
-  std::pair<Node, double> place(Node node) const;
+  /// returns where a node is that is not one of the vertices of `triangulation()`; it may stand for
+  /// one of them, or lie on an edge. Only graphs with such nodes have this member function. The
+  /// search does not need it; whoever draws paths does.
+  CGAL::Approximate_geodesics::Place place(Node node) const;
 
   /// returns a summary of the lengths of the arcs, or an estimate. Queues set themselves up with
   /// it; they work with arcs of other lengths, too, only not as fast.

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Place.h>
 #include <CGAL/Approximate_geodesics/internal/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/internal/Steiner_arcs.h>
 #include <CGAL/Approximate_geodesics/internal/Steiner_nodes.h>
@@ -135,13 +136,8 @@ public:
   /// returns an upper bound of the number of arcs that start from a node.
   std::size_t maximum_degree() const { return m_maximum_degree; }
 
-  /// returns a halfedge that `node` lies on, and how far along: a part of it between `0` and `1`.
-  /// The part is `0` if the node stands for a vertex. \pre `node` is not one of the vertices.
-  std::pair<Node, double> place(const Node node) const
-  {
-    CGAL_precondition(!m_nodes.is_vertex(node));
-    return m_nodes.place(node);
-  }
+  /// returns where a node is, which may be one of the vertices.
+  Place place(const Node node) const { return m_nodes.place(node); }
 
   /// calls `f(target, cost)` for the arcs that start from `node` and may be part of a cheapest path
   /// that arrives there as `labels` says.

@@ -347,7 +347,7 @@ public:
                                                              OutputIterator points)
   {
     const Shortest_path_result result = shortest_distance_to_source_points(v);
-    for(const internal::Path_point& p : internal::find_path(m_search, m_vertices.node(v)).points)
+    for(const Place& p : internal::find_path(m_search, m_vertices.node(v)).points)
       *points++ = point(p);
     return result;
   }
@@ -364,8 +364,8 @@ public:
                                                                Visitor& visitor)
   {
     const Shortest_path_result result = shortest_distance_to_source_points(v);
-    for(const internal::Path_point& p : internal::find_path(m_search, m_vertices.node(v)).points)
-      if(p.halfedge == Intrinsic_triangulation::null_index)
+    for(const Place& p : internal::find_path(m_search, m_vertices.node(v)).points)
+      if(p.is_vertex())
         visitor(m_vertices.vertex(p.vertex));
       else
         visitor(m_vertices.halfedge(p.halfedge), p.t);
@@ -429,7 +429,7 @@ private:
   using Node = typename Search::Node;
   using Index_function = internal::Function_property_map<vertex_descriptor, std::size_t>;
 
-  Point_3 point(const internal::Path_point& p) const
+  Point_3 point(const Place& p) const
   {
     if constexpr(internal::has_crossing_arcs<Graph>)
       return m_vertices.point(p, m_point_map, typename Kernel_traits<Point_3>::Kernel());

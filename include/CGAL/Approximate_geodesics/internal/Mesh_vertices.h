@@ -77,16 +77,16 @@ public:
   }
 
   template <typename VertexPointMap>
-  auto point_of_vertex(const Path_point& p, const VertexPointMap& point_map) const
+  auto point_of_vertex(const Place& p, const VertexPointMap& point_map) const
   {
     return get(point_map, vertex(p.vertex));
   }
 
   template <typename VertexPointMap, typename Traits>
-  auto point(const Path_point& p, const VertexPointMap& point_map, const Traits& traits) const
+  auto point(const Place& p, const VertexPointMap& point_map, const Traits& traits) const
   {
     using Result = std::decay_t<decltype(point_of_vertex(p, point_map))>;
-    if(p.halfedge == Intrinsic_triangulation::null_index)
+    if(p.is_vertex())
       return Result(point_of_vertex(p, point_map));
     return Result(traits.construct_barycenter_3_object()(
         get(point_map, vertex(m_triangulation->target(p.halfedge))), typename Traits::FT(p.t),

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Place.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,16 +21,6 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-// A point of a path: a vertex, or a point of an edge.
-struct Path_point
-{
-  using Index = Intrinsic_triangulation::Index;
-
-  Index vertex;   // or null_index
-  Index halfedge; // or null_index
-  double t = 0;   // the part of the way from the halfedge's source to its target
-};
 
 // Whether paths have points other than vertices. If not, points can be of any type.
 template <typename GeodesicGraph>
@@ -46,32 +37,27 @@ constexpr bool has_places<GeodesicGraph,
 
 // Where a node of a graph is.
 template <typename GeodesicGraph>
-Path_point path_point(const GeodesicGraph& graph, const typename GeodesicGraph::Node node)
+Place place(const GeodesicGraph& graph, const typename GeodesicGraph::Node node)
 {
-  constexpr auto null_index = Intrinsic_triangulation::null_index;
   if constexpr(has_places<GeodesicGraph>)
     if(node >= graph.triangulation().number_of_vertices())
-    {
-      const auto [halfedge, t] = graph.place(node);
-      return t > 0 ? Path_point{null_index, halfedge, t}
-                   : Path_point{graph.triangulation().source(halfedge), null_index};
-    }
-  return {node, null_index};
+      return graph.place(node);
+  return Place::at_vertex(node);
 }
 
 struct Path
 {
   // Between two of them, the path runs straight through a face, or along an edge.
-  std::vector<Path_point> points;
+  std::vector<Place> points;
   double length = 0; // in units of the graph
 };
 
 // Whether a point lies on the edge of a halfedge.
-inline bool is_on_edge(const Path_point& p,
+inline bool is_on_edge(const Place& p,
                        const Intrinsic_triangulation& triangulation,
                        const Intrinsic_triangulation::Index halfedge)
 {
-  if(p.vertex == Intrinsic_triangulation::null_index)
+  if(!p.is_vertex())
     return p.halfedge == halfedge || p.halfedge == triangulation.opposite(halfedge);
   return p.vertex == triangulation.source(halfedge) || p.vertex == triangulation.target(halfedge);
 }
@@ -79,11 +65,10 @@ inline bool is_on_edge(const Path_point& p,
 // Appends a point to a path, unless it is at the vertex where the path has got to, which several
 // nodes of a graph can stand for. Removes the last point if the path goes straight on there, along
 // an edge.
-inline void
-append(const Path_point& point, const Intrinsic_triangulation& triangulation, Path& path)
+inline void append(const Place& point, const Intrinsic_triangulation& triangulation, Path& path)
 {
   auto& points = path.points;
-  if(point.vertex != Intrinsic_triangulation::null_index && point.vertex == points.back().vertex)
+  if(point.is_vertex() && point.vertex == points.back().vertex)
     return;
   const auto h = points.back().halfedge;
   if(points.size() > 1 && h != Intrinsic_triangulation::null_index &&
@@ -97,11 +82,10 @@ append(const Path_point& point, const Intrinsic_triangulation& triangulation, Pa
 template <typename Search>
 Path find_path(const Search& search, typename Search::Node node)
 {
-  constexpr auto null_index = Intrinsic_triangulation::null_index;
   Path result;
   if(!search.is_reached(node))
     return result;
-  result.points.push_back(path_point(search.graph(), node));
+  result.points.push_back(place(search.graph(), node));
   for(auto previous = search.predecessor(node); previous != Search::null_node;
       previous = search.predecessor(node))
   {
@@ -110,10 +94,10 @@ Path find_path(const Search& search, typename Search::Node node)
     const auto first = static_cast<std::ptrdiff_t>(result.points.size());
     result.length += search.graph().for_each_crossing(
         previous, node, length, [&](const auto halfedge, const double t) {
-          result.points.push_back({null_index, halfedge, t});
+          result.points.push_back(Place::on_edge(halfedge, t));
         });
     std::reverse(result.points.begin() + first, result.points.end());
-    append(path_point(search.graph(), previous), search.graph().triangulation(), result);
+    append(place(search.graph(), previous), search.graph().triangulation(), result);
     node = previous;
   }
   return result;

@@ -42,7 +42,7 @@ public:
     : m_number_of_points(number_of_points_per_edge),
       m_is_near(triangulation.number_of_vertices(), false)
   {
-    for(const Path_point& p : path.points)
+    for(const Place& p : path.points)
       mark_vertices_of_faces(triangulation, p);
     for(std::size_t ring = 0; ring < number_of_rings; ++ring)
       mark_neighbors(triangulation);
@@ -66,9 +66,9 @@ public:
 
 private:
   // those of the faces that a point of the path lies in
-  void mark_vertices_of_faces(const Intrinsic_triangulation& triangulation, const Path_point& p)
+  void mark_vertices_of_faces(const Intrinsic_triangulation& triangulation, const Place& p)
   {
-    if(p.vertex != Intrinsic_triangulation::null_index)
+    if(p.is_vertex())
     {
       m_is_near[p.vertex] = true;
       for(Index h = triangulation.first_halfedge(p.vertex);

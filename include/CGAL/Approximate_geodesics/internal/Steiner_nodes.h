@@ -9,11 +9,11 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Place.h>
 #include <CGAL/Approximate_geodesics/internal/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/internal/Sectors.h>
 
 #include <cstddef>
-#include <utility>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -59,14 +59,14 @@ public:
   Node node_of_point(const Node p) const { return m_first_point + p; }
   Node node_of_sector(const Node s) const { return m_first_sector + s; }
 
-  // A halfedge that a node lies on that is not a vertex, and the part of it before the node; 0 if
-  // the node is a sector.
-  std::pair<Node, double> place(const Node node) const
+  Place place(const Node node) const
   {
     if(is_sector(node))
-      return {m_sectors.first_halfedge(sector(node)), 0};
+      return Place::at_vertex(m_sectors.vertex(sector(node)));
+    if(is_vertex(node))
+      return Place::at_vertex(node);
     const Node p = point(node), h = m_points.halfedge(p);
-    return {h, m_points.part_before(m_points.edge(h), p)};
+    return Place::on_edge(h, m_points.part_before(m_points.edge(h), p));
   }
 
   std::size_t memory() const { return m_points.memory() + m_sectors.memory(); }

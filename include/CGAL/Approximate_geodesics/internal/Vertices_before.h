@@ -46,9 +46,9 @@ public:
       if(previous == Search::null_node)
         return keep(Search::null_node);
       m_way.push_back(n);
-      const Node place = vertex_of(previous);
-      if(place != Search::null_node && place != vertex)
-        return keep(place);
+      const Node candidate = vertex_of(previous);
+      if(candidate != Search::null_node && candidate != vertex)
+        return keep(candidate);
       n = previous;
     }
     return keep(m_before[n]);
@@ -56,7 +56,7 @@ public:
 
 private:
   // null_node if it is not a vertex, nor stands for one
-  Node vertex_of(const Node node) const { return path_point(m_search.graph(), node).vertex; }
+  Node vertex_of(const Node node) const { return place(m_search.graph(), node).vertex; }
 
   Node keep(const Node before)
   {
