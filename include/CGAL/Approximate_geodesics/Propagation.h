@@ -15,10 +15,12 @@
 #include <CGAL/Approximate_geodesics/internal/Nearest_sources.h>
 #include <CGAL/Approximate_geodesics/internal/Progress_watch.h>
 #include <CGAL/Approximate_geodesics/internal/counters.h>
+#include <CGAL/Approximate_geodesics/internal/estimates.h>
 #include <CGAL/Approximate_geodesics/internal/has_maximum_degree.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -78,13 +80,25 @@ public:
     std::size_t source = 0;
   };
 
+  /// an arc from a node to a place that is not a node.
+  struct Last_arc
+  {
+    /// the node.
+    Node node;
+    /// the length of the arc, in the unit of the mesh: not negative.
+    double length;
+  };
+
   /// when a run may end early.
   struct Stop_rule
   {
     /// nodes farther than this are not reached.
     double maximum_distance = std::numeric_limits<double>::infinity();
-    /// the run ends as soon as all of these are settled, if there are any.
+    /// the run ends as soon as all of these are settled, if there are any, ...
     std::vector<Node> targets = {};
+    /// ... and if it is certain which of these arcs, if there are any, is the last one of the
+    /// shortest path to the place where they lead.
+    std::vector<Last_arc> last_arcs = {};
   };
 
   /// @}
@@ -137,23 +151,8 @@ public:
   void run(const std::vector<Seed>& seeds, const Stop_rule& stop, Visitor&& visitor = Visitor())
   {
     check(seeds, stop);
-    try
-    {
-      prepare(seeds, stop);
-      if(m_counts)
-        count_and_run(stop, visitor);
-      else if(stop.targets.empty() && internal::is_idle_visitor<Visitor>)
-        propagate(stop, internal::No_watch(), internal::No_counter());
-      else
-        propagate(stop, watch(stop, visitor), internal::No_counter());
-      m_sources.forget_all(); // a visitor may have asked, too early
-    }
-    catch(...)
-    {
-      m_sources.forget_all();
-      m_labels.forget_all();
-      throw;
-    }
+    forget();
+    search(seeds, stop, visitor, internal::No_estimate());
   }
 
   /// finds the distances from the nearest of the seeds to all nodes.
@@ -164,6 +163,42 @@ public:
   std::enable_if_t<std::is_integral_v<Integer>> run(const Integer node)
   {
     run(std::vector<Seed>{Seed{static_cast<Node>(node)}});
+  }
+
+  /*!
+   * does the same in another order, which leads to a goal: nodes from where the rest of the way is
+   * short come first. This is the A* algorithm \cgalCite{hnr-fbhdm-68}. If the run ends early, it
+   * has reached fewer nodes than another one would.
+   *
+   * \param seeds where to start
+   * \param stop when the run may end early
+   * \param estimate a function object: `estimate(node)` is a lower bound of the distance from
+   *        `node` to the goal, in units of the graph, and not more than the length of an arc from
+   *        `node` and the estimate at its end together, but for rounding. The goal is the target,
+   *        or the place where the last arcs lead.
+   */
+  template <typename Estimate>
+  void run_toward(const std::vector<Seed>& seeds, const Stop_rule& stop, const Estimate& estimate)
+  {
+    check(seeds, stop);
+    forget();
+    search(seeds, stop, Geodesic_visitor_base(), estimate);
+  }
+
+  /*!
+   * adds seeds to those of the last run, and lowers the distances of the nodes that are nearer to
+   * the new ones. Results are those of a run from all seeds; but only the nodes whose distances
+   * fall are expanded, which `reached_nodes()` then has again.
+   *
+   * \pre The last run did not end early.
+   *
+   * \throws std::invalid_argument as `run()` does.
+   */
+  void run_further(const std::vector<Seed>& seeds)
+  {
+    check(seeds, Stop_rule());
+    m_sources.forget(m_labels);
+    search(seeds, Stop_rule(), Geodesic_visitor_base(), internal::No_estimate());
   }
 
   /// says whether the runs to come shall count what they do; this makes them a bit slower.
@@ -236,6 +271,8 @@ private:
     }
     for(const Node target : stop.targets)
       check(target, "target");
+    for(const Last_arc& arc : stop.last_arcs)
+      check(arc.node, "target");
     if(!(stop.maximum_distance >= 0))
       internal::reject("the maximum distance is " + internal::text_of(stop.maximum_distance) +
                        "; it must be a number that is not negative");
@@ -251,37 +288,70 @@ private:
 
   double to_graph_unit(const double distance) const { return distance / m_graph->unit(); }
 
-  void prepare(const std::vector<Seed>& seeds, const Stop_rule& stop)
+  void forget()
   {
     m_sources.forget(m_labels);
     m_labels.forget();
+    m_seeds.clear();
+  }
+
+  template <typename Visitor, typename Estimate>
+  void search(const std::vector<Seed>& seeds,
+              const Stop_rule& stop,
+              Visitor&& visitor,
+              const Estimate& estimate)
+  {
+    try
+    {
+      prepare(seeds, stop, estimate);
+      if(m_counts)
+        count_and_propagate(stop, visitor, estimate);
+      else if(stop.targets.empty() && stop.last_arcs.empty() && internal::is_idle_visitor<Visitor>)
+        propagate(stop, internal::No_watch(), estimate, internal::No_counter());
+      else
+        propagate(stop, watch(stop, visitor, estimate), estimate, internal::No_counter());
+      m_sources.forget_all(); // a visitor may have asked, too early
+    }
+    catch(...)
+    {
+      m_sources.forget_all();
+      m_labels.forget_all();
+      throw;
+    }
+  }
+
+  template <typename Estimate>
+  void prepare(const std::vector<Seed>& seeds, const Stop_rule& stop, const Estimate& estimate)
+  {
     m_queue.clear();
     m_statistics = Propagation_statistics();
-    m_seeds = seeds;
-
     const double limit = to_graph_unit(stop.maximum_distance);
-    for(Seed& seed : m_seeds)
+    for(Seed seed : seeds)
     {
       seed.distance = to_graph_unit(seed.distance);
+      m_seeds.push_back(seed);
       if(seed.distance < m_labels.distance(seed.node) && seed.distance <= limit)
       {
         m_labels.set(seed.node, seed.distance, null_node);
-        m_queue.push(seed.node, seed.distance);
+        m_queue.push(seed.node, seed.distance + estimate(seed.node));
       }
     }
   }
 
-  template <typename Visitor>
-  auto watch(const Stop_rule& stop, Visitor& visitor)
+  template <typename Visitor, typename Estimate>
+  auto watch(const Stop_rule& stop, Visitor& visitor, const Estimate& estimate)
   {
-    return internal::Progress_watch<Graph, Queue, Visitor>(*m_graph, m_labels, m_queue,
-                                                           stop.targets, visitor);
+    std::vector<Last_arc> last_arcs = stop.last_arcs;
+    for(Last_arc& arc : last_arcs)
+      arc.length = to_graph_unit(arc.length);
+    return internal::Progress_watch<Graph, Queue, Visitor, Estimate, Last_arc>(
+        *m_graph, m_labels, m_queue, stop.targets, std::move(last_arcs), visitor, estimate);
   }
 
-  template <typename Visitor>
-  void count_and_run(const Stop_rule& stop, Visitor& visitor)
+  template <typename Visitor, typename Estimate>
+  void count_and_propagate(const Stop_rule& stop, Visitor& visitor, const Estimate& estimate)
   {
-    propagate(stop, watch(stop, visitor), internal::Counter{m_statistics});
+    propagate(stop, watch(stop, visitor, estimate), estimate, internal::Counter{m_statistics});
     m_statistics.settled_nodes = m_labels.order().size(); // a watched order has no repetitions
     if constexpr(internal::counts_comparisons<Queue>)
       m_statistics.queue_comparisons =
@@ -291,25 +361,26 @@ private:
   // The algorithm. A batch of entries is worked through in three loops, the longest of which has no
   // branch that depends on a distance. Such branches are hard to predict, and in one loop most of
   // the time would go into wrong predictions.
-  template <typename Watch, typename Counter>
-  void propagate(const Stop_rule& stop, Watch watch, Counter counter)
+  template <typename Watch, typename Estimate, typename Counter>
+  void propagate(const Stop_rule& stop, Watch watch, const Estimate& estimate, Counter counter)
   {
     const double limit = to_graph_unit(stop.maximum_distance);
     while(!m_queue.is_empty())
     {
-      const std::size_t size = append_to_order(m_queue.extract_min(), counter);
+      const std::size_t size = append_to_order(m_queue.extract_min(), estimate, counter);
       if(!watch.go_further(size))
-        return discard_uncertain(size);
+        return discard_uncertain(size, estimate);
       find_candidates(size, counter);
-      take_candidates(limit, counter);
+      take_candidates(limit, estimate, counter);
     }
     watch.finish();
   }
 
   // An entry whose node has got a smaller distance since has been expanded with that, or will be.
   // Returns the number of the others, whose nodes are now the last of the order.
-  template <typename Counter>
-  std::size_t append_to_order(const typename Queue::Batch& batch, Counter& counter)
+  template <typename Estimate, typename Counter>
+  std::size_t
+  append_to_order(const typename Queue::Batch& batch, const Estimate& estimate, Counter& counter)
   {
     auto& order = m_labels.order();
     const std::size_t first = order.size();
@@ -319,7 +390,7 @@ private:
     {
       m_graph->prefetch(node);
       *end = node;
-      const bool is_stale = m_labels.distance(node) < key;
+      const bool is_stale = internal::is_larger(key, m_labels.distance(node), node, estimate);
       end += static_cast<std::ptrdiff_t>(!is_stale);
       counter.on_stale_pops(is_stale ? 1 : 0);
     }
@@ -410,8 +481,8 @@ private:
     return end_of_candidates();
   }
 
-  template <typename Counter>
-  void take_candidates(const double limit, Counter& counter)
+  template <typename Estimate, typename Counter>
+  void take_candidates(const double limit, const Estimate& estimate, Counter& counter)
   {
     for(std::size_t i = 0; i < m_number_of_candidates; ++i)
     {
@@ -420,17 +491,30 @@ private:
       {
         counter.on_improvement();
         m_labels.set(c.node, c.distance, c.predecessor);
-        m_queue.push(c.node, c.distance);
+        m_queue.push(c.node, key(c, estimate));
       }
     }
   }
 
+  // An estimate falls along an arc by no more than the length of that, but for rounding; and keys
+  // must not fall.
+  template <typename Estimate>
+  double key(const Candidate& c, const Estimate& estimate) const
+  {
+    if constexpr(std::is_same_v<Estimate, internal::No_estimate>)
+      return c.distance;
+    else
+      return (std::max)(c.distance + estimate(c.node),
+                        m_labels.distance(c.predecessor) + estimate(c.predecessor));
+  }
+
   // The run ends before the queue is empty: what is still in it, or came out last, is not final.
-  void discard_uncertain(const std::size_t size_of_batch)
+  template <typename Estimate>
+  void discard_uncertain(const std::size_t size_of_batch, const Estimate& estimate)
   {
     m_labels.discard_last_of_order(size_of_batch);
-    m_queue.for_each_node([this](const Node node) {
-      if(m_labels.is_reached(node) && !m_queue.is_final(m_labels.distance(node)))
+    m_queue.for_each_node([&](const Node node) {
+      if(m_labels.is_reached(node) && !m_queue.is_final(m_labels.distance(node) + estimate(node)))
         m_labels.discard(node);
     });
   }

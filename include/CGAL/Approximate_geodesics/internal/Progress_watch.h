@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -38,7 +39,7 @@ struct No_watch
  * before. The nodes expanded since the last time are final all at once: as soon as the queue
  * goes on to larger keys. The last ones in the order are those that just came out.
  */
-template <typename Graph, typename Queue, typename Visitor>
+template <typename Graph, typename Queue, typename Visitor, typename Estimate, typename LastArc>
 class Progress_watch
 {
   using Node = Labels::Node;
@@ -48,8 +49,17 @@ public:
                  Labels& labels,
                  const Queue& queue,
                  const std::vector<Node>& targets,
-                 Visitor& visitor)
-    : m_graph(graph), m_labels(labels), m_queue(queue), m_targets(targets), m_visitor(visitor)
+                 std::vector<LastArc> last_arcs,
+                 Visitor& visitor,
+                 const Estimate& estimate)
+    : m_graph(graph),
+      m_labels(labels),
+      m_queue(queue),
+      m_targets(targets),
+      m_last_arcs(std::move(last_arcs)),
+      m_has_goal(!m_targets.empty() || !m_last_arcs.empty()),
+      m_visitor(visitor),
+      m_estimate(estimate)
   {
   }
 
@@ -57,11 +67,11 @@ public:
   bool go_further(const std::size_t number_appended)
   {
     const std::size_t number_of_earlier = m_labels.order().size() - number_appended;
-    if(m_number_settled == number_of_earlier ||
-       !m_queue.is_final(m_labels.distance(m_labels.order()[m_number_settled])))
+    if(m_number_settled == number_of_earlier || !is_settled(m_labels.order()[m_number_settled]))
       return true;
     settle(number_of_earlier);
-    return !targets_are_settled() && m_visitor.go_further();
+    return !(m_has_goal && targets_are_settled() && last_arc_is_certain()) &&
+           m_visitor.go_further();
   }
 
   // To be called when the queue is empty.
@@ -91,21 +101,38 @@ private:
     m_visitor.on_progress(m_number_settled, m_labels.number_of_nodes());
   }
 
+  bool is_settled(const Node node) const
+  {
+    return m_queue.is_final(m_labels.distance(node) + m_estimate(node));
+  }
+
   // Looks at one target at a time, so that many of them cost no more than few.
   bool targets_are_settled()
   {
-    if(m_targets.empty())
-      return false;
-    while(!m_targets.empty() && m_queue.is_final(m_labels.distance(m_targets.back())))
+    while(!m_targets.empty() && is_settled(m_targets.back()))
       m_targets.pop_back();
     return m_targets.empty();
+  }
+
+  // Whether no node that is not settled can be on the shortest path to the end of these arcs.
+  bool last_arc_is_certain() const
+  {
+    if(m_last_arcs.empty())
+      return true;
+    double shortest = std::numeric_limits<double>::infinity();
+    for(const LastArc& arc : m_last_arcs)
+      shortest = (std::min)(shortest, m_labels.distance(arc.node) + arc.length);
+    return m_queue.is_final(shortest);
   }
 
   const Graph& m_graph;
   Labels& m_labels;
   const Queue& m_queue;
   std::vector<Node> m_targets; // those that are not settled
+  std::vector<LastArc> m_last_arcs;
+  bool m_has_goal;
   Visitor& m_visitor;
+  const Estimate& m_estimate;
   std::size_t m_number_settled = 0;
 };
 
