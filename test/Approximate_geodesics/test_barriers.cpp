@@ -3,7 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "test_weights.h"
+#include "Cut_mesh.h"
+#include "expect_costs.h"
+#include "steiner_meshes.h"
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -15,7 +17,6 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 // Distances where edges are barriers.
@@ -248,11 +249,7 @@ TEST(Barriers, may_cross_each_other)
 
 TEST(Barriers, change_nothing_at_the_border)
 {
-  Random random(test_seed());
-  for(const Named_mesh& named : generated_meshes(test_seed()))
-  {
-    SCOPED_TRACE(named.name);
-    const Mesh& mesh = named.mesh;
+  for_generated_meshes([](const Mesh& mesh, Random& random) {
     Barriers border(mesh.num_edges());
     for(const Edge e : mesh.edges())
       border[e.idx()] = mesh.is_border(e);
@@ -260,105 +257,10 @@ TEST(Barriers, change_nothing_at_the_border)
     const Barriers none(mesh.num_edges());
     EXPECT_TRUE(have_same_bits(distances(mesh, border, Equally_spaced_points(3), source),
                                distances(mesh, none, Equally_spaced_points(3), source)));
-  }
+  });
 }
 
 // ----- cutting a mesh open
-
-/*
- * Cuts a mesh along its barriers: an edge gets a second one beside it, both at the border, and a
- * vertex one copy for every fan of faces that is left of its surroundings. Faces stay.
- */
-class Cut_mesh
-{
-public:
-  Cut_mesh(const Mesh& mesh, const Barriers& barriers) : m_mesh(mesh), m_copies(mesh.num_vertices())
-  {
-    for(const Edge e : mesh.edges())
-      if(barriers[e.idx()] && !mesh.is_border(e))
-        open(mesh.halfedge(e));
-    link_border();
-    split_vertices();
-  }
-
-  const Mesh& mesh() const { return m_mesh; }
-  const std::vector<Vertex>& copies(const Vertex v) const { return m_copies[v.idx()]; }
-
-  // by the vertices of the mesh as it was: that of the nearest copy
-  std::vector<double> nearest(const std::vector<double>& distances) const
-  {
-    std::vector<double> result;
-    for(const std::vector<Vertex>& copies : m_copies)
-    {
-      result.push_back(infinity);
-      for(const Vertex v : copies)
-        result.back() = (std::min)(result.back(), distances[v.idx()]);
-    }
-    return result;
-  }
-
-private:
-  // gives the face of `h` an edge of its own
-  void open(const Halfedge h)
-  {
-    const Halfedge g = m_mesh.add_edge(m_mesh.source(h), m_mesh.target(h));
-    const Face f = m_mesh.face(h);
-    m_mesh.set_next(m_mesh.prev(h), g);
-    m_mesh.set_next(g, m_mesh.next(h));
-    m_mesh.set_face(g, f);
-    m_mesh.set_halfedge(f, g);
-    m_mesh.set_face(h, Mesh::null_face());
-    m_mesh.set_face(m_mesh.opposite(g), Mesh::null_face());
-  }
-
-  void link_border()
-  {
-    for(const Halfedge h : m_mesh.halfedges())
-      if(m_mesh.is_border(h))
-      {
-        Halfedge g = m_mesh.opposite(h);
-        while(!m_mesh.is_border(g))
-          g = m_mesh.opposite(m_mesh.prev(g));
-        m_mesh.set_next(h, g);
-      }
-  }
-
-  void split_vertices()
-  {
-    std::vector<bool> is_done(m_mesh.num_halfedges());
-    for(const Halfedge first : m_mesh.halfedges())
-    {
-      if(is_done[first.idx()])
-        continue;
-      const Vertex v = m_mesh.target(first);
-      const Point p = m_mesh.point(v);
-      std::vector<Vertex>& copies = m_copies[v.idx()];
-      copies.push_back(copies.empty() ? v : m_mesh.add_vertex(p));
-      Halfedge h = first;
-      do
-      {
-        is_done[h.idx()] = true;
-        m_mesh.set_target(h, copies.back());
-        m_mesh.set_halfedge(copies.back(), h);
-        h = m_mesh.opposite(m_mesh.next(h));
-      } while(h != first);
-    }
-    for(std::size_t i = 0; i < m_copies.size(); ++i)
-      if(m_copies[i].empty()) // isolated
-        m_copies[i].push_back(Vertex(static_cast<Mesh::size_type>(i)));
-  }
-
-  Mesh m_mesh;
-  std::vector<std::vector<Vertex>> m_copies;
-};
-
-Barriers random_barriers(const Mesh& mesh, const double share, Random& random)
-{
-  Barriers result(mesh.num_edges());
-  for(std::size_t i = 0; i < result.size(); ++i)
-    result[i] = random.between(0, 1) < share;
-  return result;
-}
 
 TEST(Barriers, do_the_same_as_cuts)
 {

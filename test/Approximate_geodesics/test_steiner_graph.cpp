@@ -3,74 +3,46 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Full_graph.h"
+#include "Random_points.h"
+#include "exact_distances.h"
+#include "expect_costs.h"
 #include "expect_message.h"
-#include "test_weights.h"
+#include "sample_meshes.h"
+#include "steiner_meshes.h"
 
 #include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Equally_dense_points.h>
 #include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
-#include <CGAL/approximate_geodesic_distances.h>
-#include <CGAL/approximate_geodesic_path.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
-#include <set>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
-// Relations that hold on all meshes, whatever the weights, and what is refused.
+// Relations that hold on all meshes, whatever the weights; next to brute force and the exact class.
 
 namespace {
 
 namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
-using AG::Equally_dense_points;
-
-constexpr double rounding = 1e-12;
-
-// Calls `f(mesh, weights, random)` for all kinds of meshes, with weights that are much different,
-// some of them zero and some infinite.
-template <typename F>
-void for_weighted_meshes(F f)
-{
-  Random random(test_seed());
-  for(const Named_mesh& named : generated_meshes(test_seed()))
-  {
-    SCOPED_TRACE(named.name);
-    f(named.mesh, random_weights(named.mesh, random, 0.05, 20, 0.05), random);
-  }
-}
-
-bool has_edge_of_length_zero(const Mesh& mesh)
-{
-  const std::vector<double> lengths = edge_lengths(mesh);
-  return std::find(lengths.begin(), lengths.end(), 0.) != lengths.end();
-}
 
 // ----- special cases
 
 TEST(Steiner_graph, is_the_edge_graph_if_there_are_no_points)
 {
-  Random random(test_seed());
-  for(const Named_mesh& named : generated_meshes(test_seed()))
-  {
-    SCOPED_TRACE(named.name);
-    const Mesh& mesh = named.mesh;
+  for_generated_meshes([](const Mesh& mesh, Random& random) {
     const Vertex source = random_vertex(mesh, random);
     Basic_mesh_search<Steiner_graph<Equally_spaced_points>> search(
         mesh, parameters::number_of_points_per_edge(0));
     EXPECT_EQ(search.graph().number_of_nodes(), mesh.number_of_vertices());
     EXPECT_TRUE(have_same_bits(search.distances({source}), Mesh_search(mesh).distances({source})));
-  }
+  });
 }
 
 template <typename Placement>
@@ -110,6 +82,29 @@ TEST(Steiner_graph, has_costs_in_exact_proportion_to_powers_of_two)
   });
 }
 
+TEST(Steiner_graph, may_be_empty)
+{
+  const Steiner_graph<> graph;
+  EXPECT_EQ(graph.number_of_nodes(), 0u);
+  const Mesh mesh;
+  const Weights weights;
+  EXPECT_EQ(steiner_graph(mesh, weights, Equally_spaced_points(4)).number_of_nodes(), 0u);
+}
+
+TEST(Bad_meshes, are_refused_only_if_paths_run_across_faces)
+{
+  const Mesh mesh = to_mesh(flat_grid(3, 3));
+  std::vector<double> lengths(mesh.num_edges(), 1);
+  lengths[0] = 3;
+  const auto np = parameters::edge_length_map(
+      boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh)));
+  const Triangulation triangulation(mesh, np);
+  using Graph = Steiner_graph<Equally_spaced_points>;
+  EXPECT_NO_THROW(Graph(triangulation, Equally_spaced_points(0)));
+  expect_message<std::invalid_argument>([&] { Graph g(triangulation, Equally_spaced_points(1)); },
+                                        "triangle inequality");
+}
+
 // ----- arcs
 
 // All arcs are looked at by the reference, and only few by the graph.
@@ -142,18 +137,6 @@ TEST(Steiner_graph, finds_the_cheapest_of_all_paths)
     expect_all_arcs(mesh, Weights(mesh.num_faces(), 1), Equally_spaced_points(3), random);
     expect_all_arcs(mesh, weights, Random_points(6), random);
   });
-}
-
-std::vector<Soup> small_soups(Random& random)
-{
-  const auto pull = [](const Point& p) { return Point(p.x(), 8 * p.y(), p.z()); };
-  return {terrain(6, 5, random),
-          terrain(5, 4, random).transformed(pull),
-          sphere(6, 4),
-          fan(9, 1),
-          flat_grid(5, 5),
-          growing_strip(12, 1e-2, 1e2),
-          random_soup(15, 30, random)};
 }
 
 // A row of points is not looked at from end to end if it is long.
@@ -190,9 +173,7 @@ TEST(Steiner_graph, has_no_more_arcs_than_its_maximum_degree)
     for(const double share : {0., 0.3})
       for(const std::size_t m : {0u, 1u, 30u})
       {
-        Barriers barriers(mesh.num_edges());
-        for(std::size_t i = 0; i < barriers.size(); ++i)
-          barriers[i] = random.between(0, 1) < share;
+        const Barriers barriers = random_barriers(mesh, share, random);
         const Triangulation triangulation(
             mesh, with_weights(weights).edge_is_constrained_map(barrier_map(barriers)));
         const Steiner_graph<Equally_spaced_points> graph(triangulation, Equally_spaced_points(m));
@@ -312,321 +293,42 @@ TEST(Steiner_graph, does_not_depend_on_where_the_mesh_is)
   }
 }
 
-// ----- paths
+// ----- next to exact distances
 
-// Remembers, for each point of a path, where it is and which faces touch it.
-struct Weighted_path
+// Where the bound is infinite, because of thin faces, costs are still those of paths.
+void expect_bound_on(const Mesh& mesh, const Vertex source)
 {
-  void operator()(const Vertex v)
+  const std::vector<double> exact = exact_distances(mesh, source);
+  for(const double e : {0.5, 0.1, 0.01})
   {
-    points.push_back(mesh.point(v));
-    faces.emplace_back();
-    if(!mesh.is_isolated(v))
-      for(const Face f : mesh.faces_around_target(mesh.halfedge(v)))
-        faces.back().insert(f);
-  }
-
-  void operator()(const Halfedge h, const double t)
-  {
-    EXPECT_GE(t, 0);
-    EXPECT_LE(t, 1);
-    points.push_back(CGAL::barycenter(mesh.point(mesh.target(h)), t, mesh.point(mesh.source(h))));
-    faces.push_back({mesh.face(h), mesh.face(mesh.opposite(h))});
-  }
-
-  // infinity where the path leaves the surface
-  double cost() const
-  {
-    double result = 0;
-    for(std::size_t i = 1; i < points.size(); ++i)
-    {
-      double weight = infinity;
-      for(const Face f : faces[i])
-        if(f != Mesh::null_face() && faces[i - 1].count(f) > 0)
-          weight = (std::min)(weight, weights[f.idx()]);
-      if(points[i] != points[i - 1])
-        result += weight * std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
-    }
-    return result;
-  }
-
-  const Mesh& mesh;
-  const Weights& weights;
-  std::vector<Point> points = {};
-  std::vector<std::set<Face>> faces = {};
-};
-
-TEST(Weighted_paths, cost_what_they_say)
-{
-  for_weighted_meshes([](const Mesh& mesh, const Weights& weights, Random& random) {
-    const std::size_t m = 3;
-    using Graph = Steiner_graph<Equally_spaced_points>;
-    AG::Surface_mesh_shortest_path<Mesh, Graph> paths(
-        mesh, steiner_graph(mesh, weights, Equally_spaced_points(m)));
-    const Vertex source = random_vertex(mesh, random);
-    paths.add_source_point(source);
-    for(const Vertex v : mesh.vertices())
-    {
-      Weighted_path path{mesh, weights};
-      std::vector<Point> points;
-      const double cost = paths.shortest_path_sequence_to_source_points(v, path).first;
-      paths.shortest_path_points_to_source_points(v, std::back_inserter(points));
-      EXPECT_EQ(points.empty(), cost < 0);
-      ASSERT_EQ(points.size(), path.points.size());
-      if(points.empty())
-        continue;
-      EXPECT_EQ(points.front(), mesh.point(v));
-      EXPECT_EQ(points.back(), mesh.point(source));
-      EXPECT_EQ(points, path.points);
-      EXPECT_NEAR(path.cost(), cost, cost * 1e-9) << "to " << v;
-    }
-    const Vertex target = random_vertex(mesh, random);
-    std::vector<Point> points, backward;
-    const double cost =
-        CGAL::approximate_geodesic_path(mesh, source, target, std::back_inserter(points),
-                                        with_weights(weights).number_of_points_per_edge(m));
-    const double expected =
-        paths.shortest_path_points_to_source_points(target, std::back_inserter(backward)).first;
-    if(expected < 0)
-      EXPECT_EQ(cost, infinity);
-    else
-      EXPECT_NEAR(cost, expected, expected * rounding);
-    EXPECT_EQ(points.empty(), backward.empty());
-    if(!points.empty())
-    {
-      EXPECT_EQ(points.front(), mesh.point(source));
-      EXPECT_EQ(points.back(), mesh.point(target));
-    }
-  });
-}
-
-// Every vertex is told the one that its path comes through last.
-TEST(Weighted_paths, lead_from_predecessor_to_vertex)
-{
-  for_weighted_meshes([](const Mesh& const_mesh, const Weights& weights, Random& random) {
-    Mesh mesh = const_mesh;
-    auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
-    auto predecessor = mesh.add_property_map<Vertex, Vertex>("v:predecessor").first;
-    const Vertex source = random_vertex(mesh, random);
-    CGAL::approximate_geodesic_distances(
-        mesh, distance, source,
-        with_weights(weights).predecessor_map(predecessor).number_of_points_per_edge(2));
-    Basic_mesh_search<Steiner_graph<Equally_spaced_points>> search(
-        mesh, steiner_graph(mesh, weights, Equally_spaced_points(2)));
-    EXPECT_EQ(predecessor[source], source);
-    EXPECT_EQ(distance[source], 0);
-    std::size_t number_of_checks = 0;
-    for(const Vertex v : mesh.vertices())
-    {
-      const Vertex p = predecessor[v];
-      EXPECT_EQ(p == Mesh::null_vertex(), distance[v] == infinity);
-      if(p == Mesh::null_vertex() || v == source)
-        continue;
-      EXPECT_NE(p, v);
-      EXPECT_LE(distance[p], distance[v]);
-      if(++number_of_checks % 37 == 1)
-      {
-        EXPECT_NEAR(distance[p] + search.distances({p})[v], distance[v], distance[v] * 1e-9);
-      }
-      Vertex root = v;
-      for(std::size_t steps = 0; root != source && steps <= mesh.num_vertices(); ++steps)
-        root = predecessor[root];
-      EXPECT_EQ(root, source);
-    }
-  });
-}
-
-// ----- where points are
-
-// Calls `f(halfedge, parts)` for all edges with points, with the places of these.
-template <typename Graph, typename F>
-void for_each_row(const Graph& graph, F f)
-{
-  Node n = graph.triangulation().number_of_vertices();
-  while(n < graph.number_of_nodes())
-  {
-    const Node h = graph.place(n).halfedge;
-    std::vector<double> parts;
-    for(; n < graph.number_of_nodes() && graph.place(n).halfedge == h; ++n)
-      parts.push_back(graph.place(n).t);
-    f(h, parts);
+    Basic_mesh_search<Steiner_graph<>> search(mesh, parameters::epsilon(e));
+    const double bound = search.graph().epsilon();
+    EXPECT_TRUE(bound == e || bound == infinity);
+    expect_within_bound(search.distances({source}), exact, bound);
   }
 }
 
-TEST(Equally_dense_points, are_as_dense_as_asked_for_and_not_denser)
+TEST(Faces_of_equal_weight, have_the_bound_on_generated_meshes)
 {
   Random random(test_seed());
-  for(const Soup& soup : small_soups(random))
-    for(const double density : {0.3, 2., 7.})
-    {
-      const Mesh mesh = to_mesh(soup);
-      const Steiner_graph<Equally_dense_points> graph(
-          Triangulation(mesh), parameters::number_of_points_per_distance_unit(density));
-      std::size_t smallest = 0, largest = 0, found = 0;
-      for(const double length : edge_lengths(mesh)) // which can be multiples of the spacing
-      {
-        const double parts = length * density;
-        smallest += static_cast<std::size_t>(std::ceil(parts * (1 - rounding))) - 1;
-        largest += static_cast<std::size_t>(std::ceil(parts * (1 + rounding))) - 1;
-      }
-      for_each_row(graph, [&](const Node h, const std::vector<double>& parts) {
-        const double length = graph.triangulation().length(h) * graph.triangulation().unit();
-        found += parts.size();
-        double last = 0;
-        for(const double part : parts)
-        {
-          EXPECT_GT(part, last);
-          EXPECT_LE((part - last) * length, (1 + 1e-6) / density);
-          last = part;
-        }
-        EXPECT_LE((1 - last) * length, (1 + 1e-6) / density);
-      });
-      EXPECT_GE(found, smallest);
-      EXPECT_LE(found, largest);
-      EXPECT_EQ(graph.number_of_points(), found);
-    }
-}
-
-TEST(Equally_spaced_points, divide_edges_into_equal_parts)
-{
-  const Mesh mesh = to_mesh(sphere(7, 5));
-  for(const std::size_t m : {1u, 2u, 7u, 40u})
+  for(const Soup& soup : {flat_grid(12, 9), terrain(16, 12, random), sphere(20, 9), fan(40, 3),
+                          fan(9), growing_strip(30, 1e-3, 1e3)})
   {
-    const auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 1), Equally_spaced_points(m));
-    EXPECT_EQ(graph.number_of_points(), m * mesh.num_edges());
-    for_each_row(graph, [&](const Node, const std::vector<double>& parts) {
-      ASSERT_EQ(parts.size(), m);
-      for(std::size_t i = 0; i < m; ++i)
-        EXPECT_NEAR(parts[i], double(i + 1) / double(m + 1), 1e-7);
-    });
+    const Mesh mesh = to_mesh(soup);
+    expect_bound_on(mesh, random_vertex(mesh, random));
   }
 }
 
-TEST(Geometric_points, ascend_and_are_not_at_the_border)
+TEST(Faces_of_equal_weight, have_the_bound_on_sample_meshes)
 {
-  for_weighted_meshes([](const Mesh& mesh, const Weights& weights, Random&) {
-    std::size_t last_number = 0;
-    for(const double e : {0.5, 0.1, 0.03})
-    {
-      const auto graph = steiner_graph(mesh, weights, Geometric_points(e));
-      const Triangulation& t = graph.triangulation();
-      for_each_row(graph, [&](const Node h, const std::vector<double>& parts) {
-        EXPECT_FALSE(t.is_border(h) || t.is_border(t.opposite(h)));
-        EXPECT_GE(parts.front(), Geometric_points::SMALLEST_START * (1 - 1e-6));
-        EXPECT_LE(parts.back(), 1);
-        for(std::size_t i = 1; i < parts.size(); ++i)
-          EXPECT_GE(parts[i], parts[i - 1]);
-      });
-      EXPECT_GE(graph.number_of_points(), last_number);
-      last_number = graph.number_of_points();
-    }
-  });
-}
-
-// Such an edge has no points.
-TEST(Geometric_points, may_meet_edges_of_length_zero)
-{
-  Random random(test_seed());
-  for(const Named_mesh& named : generated_meshes(test_seed()))
-    if(has_edge_of_length_zero(named.mesh))
-    {
-      const Weights weights = random_weights(named.mesh, random, 0.1, 10, 0.05);
-      const std::vector<double> found =
-          costs(named.mesh, weights, Geometric_points(0.1), {Vertex(0)});
-      const std::vector<double> along_edges =
-          costs(named.mesh, weights, Equally_spaced_points(0), {Vertex(0)});
-      for(std::size_t i = 0; i < found.size(); ++i)
-        EXPECT_LE(found[i], along_edges[i] * (1 + rounding));
-    }
-}
-
-// ----- bad parameters
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-TEST(Bad_parameters, are_refused)
-{
-  const Mesh mesh = to_mesh(flat_grid(4, 4));
-  const Triangulation triangulation(mesh);
-  const Weights weights(mesh.num_faces(), 1);
-  for(const double e : {0., -0.1, nan, infinity, -infinity})
+  SKIP_WITHOUT_SAMPLE_MESHES();
+  for(const std::string name : {"cube.off", "mesh_with_border.off", "eight.off", "oblong.off"})
   {
-    const auto np = parameters::epsilon(e);
-    expect_message<std::invalid_argument>([&] { Geometric_points points(e); }, "epsilon");
-    expect_message<std::invalid_argument>([&] { Steiner_graph<> g(triangulation, np); }, "epsilon");
-    expect_message<std::invalid_argument>(
-        [&] {
-          std::vector<Point> points;
-          CGAL::approximate_geodesic_path(mesh, Vertex(0), Vertex(1), std::back_inserter(points),
-                                          with_weights(weights).epsilon(e));
-        },
-        "epsilon");
+    SCOPED_TRACE(name);
+    const Mesh mesh = sample_mesh(name);
+    ASSERT_GT(mesh.num_vertices(), 0u);
+    expect_bound_on(mesh, Vertex(mesh.number_of_vertices() / 3));
   }
-  using Spaced_graph = Steiner_graph<Equally_spaced_points>;
-  for(const int m : {-1, std::numeric_limits<int>::min()})
-    expect_message<std::invalid_argument>(
-        [&] { Spaced_graph g(triangulation, parameters::number_of_points_per_edge(m)); },
-        "points per edge", std::to_string(m));
-  for(const double m : {-1., 2.5, nan, infinity})
-    expect_message<std::invalid_argument>(
-        [&] { Spaced_graph g(triangulation, parameters::number_of_points_per_edge(m)); },
-        "points per edge");
-  using Dense_graph = Steiner_graph<Equally_dense_points>;
-  for(const double d : {0., -1., nan})
-  {
-    expect_message<std::invalid_argument>([&] { Equally_dense_points points(d); }, "spacing");
-    expect_message<std::invalid_argument>(
-        [&] { Dense_graph g(triangulation, parameters::number_of_points_per_distance_unit(d)); },
-        "points per distance unit");
-  }
-  expect_message<std::invalid_argument>(
-      [&] {
-        Dense_graph g(triangulation, parameters::number_of_points_per_distance_unit(infinity));
-      },
-      "points per distance unit");
-}
-
-// Counting comes first: there is no memory for so many.
-TEST(Bad_parameters, are_refused_if_there_would_be_too_many_points)
-{
-  const Triangulation triangulation(to_mesh(flat_grid(4, 4)));
-  for(const std::size_t m :
-      {std::size_t(1) << 31, std::size_t(1) << 32, (std::numeric_limits<std::size_t>::max)()})
-    expect_message<std::length_error>(
-        [&] { Steiner_graph<Equally_spaced_points> g(triangulation, Equally_spaced_points(m)); },
-        "points");
-  for(const double spacing : {1e-9, 1e-300})
-    expect_message<std::length_error>(
-        [&] {
-          Steiner_graph<Equally_dense_points> g(triangulation, Equally_dense_points(spacing));
-        },
-        "points");
-  for(const double e : {1e-18, 1e-300})
-    expect_message<std::length_error>(
-        [&] { Steiner_graph<> g(triangulation, Geometric_points(e)); }, "points");
-}
-
-TEST(Bad_meshes, are_refused_only_if_paths_run_across_faces)
-{
-  const Mesh mesh = to_mesh(flat_grid(3, 3));
-  std::vector<double> lengths(mesh.num_edges(), 1);
-  lengths[0] = 3;
-  const auto np = parameters::edge_length_map(
-      boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh)));
-  const Triangulation triangulation(mesh, np);
-  using Graph = Steiner_graph<Equally_spaced_points>;
-  EXPECT_NO_THROW(Graph(triangulation, Equally_spaced_points(0)));
-  expect_message<std::invalid_argument>([&] { Graph g(triangulation, Equally_spaced_points(1)); },
-                                        "triangle inequality");
-}
-
-TEST(Steiner_graph, may_be_empty)
-{
-  const Steiner_graph<> graph;
-  EXPECT_EQ(graph.number_of_nodes(), 0u);
-  const Mesh mesh;
-  const Weights weights;
-  EXPECT_EQ(steiner_graph(mesh, weights, Equally_spaced_points(4)).number_of_nodes(), 0u);
 }
 
 } // namespace

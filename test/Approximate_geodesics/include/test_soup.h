@@ -50,6 +50,20 @@ struct Soup
   }
 };
 
+// Makes every halfedge without a face be followed by the next one around the hole.
+inline void link_border(Mesh& mesh)
+{
+  for(const Halfedge h : mesh.halfedges())
+    if(mesh.is_border(h))
+    {
+      Halfedge g = mesh.opposite(h);
+      while(!mesh.is_border(g))
+        g = mesh.opposite(mesh.prev(g));
+      mesh.set_next(h, g);
+      mesh.set_halfedge(mesh.target(h), h); // as Surface_mesh likes it
+    }
+}
+
 // Makes a mesh whose vertices have the indices that the points have in the soup.
 class Mesh_maker
 {
@@ -60,7 +74,7 @@ public:
       m_mesh.add_vertex(p);
     for(const auto& t : soup.triangles)
       add_face(t);
-    link_border();
+    link_border(m_mesh);
     std::size_t number_of_halfedges = 0;
     for(const Vertex v : m_mesh.vertices())
       number_of_halfedges += m_mesh.is_isolated(v) ? 0 : m_mesh.degree(v);
@@ -96,19 +110,6 @@ private:
       m_mesh.set_next(h[i], h[(i + 1) % 3]);
       m_mesh.set_halfedge(m_mesh.target(h[i]), h[i]);
     }
-  }
-
-  void link_border()
-  {
-    for(const Halfedge h : m_mesh.halfedges())
-      if(m_mesh.is_border(h))
-      {
-        Halfedge g = m_mesh.opposite(h);
-        while(!m_mesh.is_border(g))
-          g = m_mesh.opposite(m_mesh.prev(g));
-        m_mesh.set_next(h, g);
-        m_mesh.set_halfedge(m_mesh.target(h), h); // as Surface_mesh likes it
-      }
   }
 
   using Index = Mesh::size_type;
