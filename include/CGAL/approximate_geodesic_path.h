@@ -141,19 +141,20 @@ namespace CGAL {
  */
 template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
           typename TriangleMesh,
+          typename Source,
+          typename Target,
           typename OutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-double approximate_geodesic_path(
-    const TriangleMesh& tmesh,
-    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
-    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
-    OutputIterator points,
-    const NamedParameters& np = parameters::default_values())
+double approximate_geodesic_path(const TriangleMesh& tmesh,
+                                 const Source& source,
+                                 const Target& target,
+                                 OutputIterator points,
+                                 const NamedParameters& np = parameters::default_values())
 {
   Approximate_geodesics::internal::Mesh_query<PriorityQueue, TriangleMesh, NamedParameters> query(
       tmesh, np);
   query.run(source, target);
-  return query.write_path(target, points);
+  return query.write_path(source, target, points);
 }
 
 } // namespace CGAL

@@ -71,10 +71,9 @@ typename Traits::Vector_3 gradient(const std::array<typename Traits::Point_3, 3>
  * computes the gradient of a function that is given at the vertices, and linear on each face.
  *
  * If the function is a distance, its gradient points away from the sources, and paths to them run
- * against it. On a face, the gradient of the distance along the surface has length `1`, and that of
- * approximate distances about that length: close to `1` if they were computed with an error bound
- * `epsilon` that is small, and often a good deal more where they are those along edges, and
- * on faces that a source is a corner of, or where fronts from two sides meet.
+ * against it. Its length is about `1`, or about the weight of the face if there are weights; it
+ * differs from that on faces next to a source and where fronts meet, and everywhere a bit if
+ * distances are those along edges.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam VertexDistanceMap a model of `ReadablePropertyMap` with

@@ -29,9 +29,9 @@ namespace internal {
 
 /*
  * The line between the vertices below a value and those that are not. A vertex that has exactly
- * this value counts as above; so there are no special cases: the line crosses a face twice or not at
- * all, once over a halfedge that goes up and once over one that goes down, whose opposite goes up in
- * the next face.
+ * this value counts as above; so there are no special cases: the line crosses a face twice or not
+ * at all, once over a halfedge that goes up and once over one that goes down, whose opposite goes
+ * up in the next face.
  */
 template <typename TriangleMesh, typename DistanceMap, typename PointMap, typename Traits>
 class Isoline
@@ -78,10 +78,7 @@ public:
   }
 
 private:
-  double value(const vertex_descriptor v) const
-  {
-    return CGAL::to_double(get(m_distance_map, v));
-  }
+  double value(const vertex_descriptor v) const { return CGAL::to_double(get(m_distance_map, v)); }
 
   bool is_above(const vertex_descriptor v) const { return value(v) >= m_isovalue; }
 
@@ -168,14 +165,14 @@ private:
  * each face, has one of the given values.
  *
  * An isoline separates the part of the surface where values are smaller, which is to its left, from
- * the part where they are not: those of a distance go counterclockwise around its sources, seen from
- * outside. They consist of polylines that cross one face after the other, and that are closed unless
- * they end at a border of the mesh, or of the part that was reached. Where a vertex has exactly one
- * of the values, polylines go through it, without repeating the point, and where all points of an
- * edge or face have it, polylines go around that.
+ * the part where they are not: those of a distance go counterclockwise around its sources, seen
+ * from outside. They consist of polylines that cross one face after the other, and that are closed
+ * unless they end at a border of the mesh, or of the part that was reached. Where a vertex has
+ * exactly one of the values, polylines go through it, without repeating the point, and where all
+ * points of an edge or face have it, polylines go around that.
  *
- * To cut the mesh along isolines, there is `CGAL::Polygon_mesh_processing::refine_mesh_at_isolevel()`
- * in \cgal 5.6 and later.
+ * To cut the mesh along isolines, there is
+ * `CGAL::Polygon_mesh_processing::refine_mesh_at_isolevel()` in \cgal 5.6 and later.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeGraph`
  * \tparam VertexDistanceMap a model of `ReadablePropertyMap` with

@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
+#include <CGAL/Approximate_geodesics/internal/Mesh_places.h>
 #include <CGAL/Approximate_geodesics/internal/Selective_refinement.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
@@ -102,13 +102,12 @@ refined_geodesic_path(const TriangleMesh& tmesh,
                          "; it must be a number that is not negative");
 
   const AG::Intrinsic_triangulation triangulation(tmesh, np);
-  const AG::internal::Mesh_vertices vertices(tmesh, AG::internal::vertex_index_map(tmesh, np),
-                                             triangulation);
-  AG::internal::Selective_refinement<PriorityQueue> refinement(triangulation, vertices.node(source),
-                                                               vertices.node(target));
+  const AG::internal::Mesh_places places(tmesh, AG::internal::vertex_index_map(tmesh, np),
+                                         triangulation);
+  AG::internal::Selective_refinement<PriorityQueue> refinement(triangulation, places.node(source),
+                                                               places.node(target));
   const AG::internal::Path path = refinement.run(AG::Equally_spaced_points(np), tolerance);
-  AG::internal::write_points<AG::Steiner_graph<AG::Equally_spaced_points>>(path, vertices, tmesh,
-                                                                           points, np);
+  AG::internal::write_points<true>(path, places, tmesh, points, np);
   return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;
 }
 

@@ -54,6 +54,12 @@ struct Path_recorder
     faces.push_back(touched);
   }
 
+  template <typename Coordinates>
+  void operator()(const Face, const Coordinates&)
+  {
+    ADD_FAILURE() << "the path ends in a face";
+  }
+
   void operator()(const Halfedge h, const double t)
   {
     EXPECT_GE(t, 0);

@@ -28,6 +28,11 @@ struct Vertex_sequence
 {
   void operator()(const Vertex v) { vertices.push_back(v); }
   void operator()(const Halfedge, const double) { ADD_FAILURE() << "an edge was crossed"; }
+  template <typename Coordinates>
+  void operator()(const Face, const Coordinates&)
+  {
+    ADD_FAILURE() << "a face was crossed";
+  }
   std::vector<Vertex> vertices = {};
 };
 

@@ -50,6 +50,12 @@ struct Weighted_path
         faces.back().insert(f);
   }
 
+  template <typename Coordinates>
+  void operator()(const Face, const Coordinates&)
+  {
+    ADD_FAILURE() << "the path ends in a face";
+  }
+
   void operator()(const Halfedge h, const double t)
   {
     EXPECT_GE(t, 0);

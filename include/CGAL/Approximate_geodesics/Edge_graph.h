@@ -10,6 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Place.h>
+#include <CGAL/Approximate_geodesics/internal/lines_in_faces.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/internal/prefetch.h>
 #include <CGAL/Approximate_geodesics/internal/refuse_weights.h>
@@ -92,10 +94,27 @@ public:
       f(target[h], length[h]);
   }
 
-  /// returns `length`: the arcs are edges, and cross none.
+  /// calls `f(node, length)` for the straight lines from a place to the corners of its face, or of
+  /// both if it is on an edge.
   template <typename F>
-  double
-  for_each_crossing(Node /* source */, Node /* target */, const double length, F /* f */) const
+  void for_each_arc(const Place& place, F f) const
+  {
+    internal::for_each_line_to_corner(m_triangulation, place, f);
+  }
+
+  /// calls `f(i, length)` for the straight lines from a place to those of `places` in its face.
+  template <typename Places, typename F>
+  void for_each_line(const Place& place, const Places& places, F f) const
+  {
+    internal::for_each_line_in_face(m_triangulation, place, places, f);
+  }
+
+  /// returns `length`: the arcs are edges, or lie in one face, and cross nothing.
+  template <typename Source, typename Target, typename F>
+  double for_each_crossing(const Source& /* source */,
+                           const Target& /* target */,
+                           const double length,
+                           F /* f */) const
   {
     return length;
   }

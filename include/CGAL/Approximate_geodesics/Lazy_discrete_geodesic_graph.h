@@ -10,7 +10,9 @@
 
 #include <CGAL/Approximate_geodesics/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Place.h>
 #include <CGAL/Approximate_geodesics/internal/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/internal/Cones_of_place.h>
 #include <CGAL/Approximate_geodesics/internal/Kept_arcs.h>
 #include <CGAL/Approximate_geodesics/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/internal/epsilon.h>
@@ -168,6 +170,38 @@ public:
     else
       return internal::trace_arc<internal::Leave_out_nothing>(m_triangulation, m_epsilon, source,
                                                               target, length, f);
+  }
+
+  /// calls `f(node, length)` for the straight lines from a place to the vertices that would have an
+  /// arc from there.
+  template <typename F>
+  void for_each_arc(const Place& place, F f) const
+  {
+    internal::Cones_of_place(m_triangulation, m_epsilon, place).for_each_arc(f);
+  }
+
+  /// calls `f(i, length)` for the straight lines from a place to those of `places` that are found
+  /// in the same way.
+  template <typename Places, typename F>
+  void for_each_line(const Place& place, const Places& places, F f) const
+  {
+    internal::Cones_of_place(m_triangulation, m_epsilon, place).for_each_line(places, f);
+  }
+
+  /// does the same as above for the arc of the given length from a place to `target`.
+  template <typename F>
+  double for_each_crossing(const Place& source, const Node target, const double length, F f) const
+  {
+    return internal::Cones_of_place(m_triangulation, m_epsilon, source)
+        .trace_arc(target, length, f);
+  }
+
+  /// does the same as above for the straight line of the given length from one place to another.
+  template <typename F>
+  double for_each_crossing(const Place& source, const Place& target, const double length, F f) const
+  {
+    return internal::Cones_of_place(m_triangulation, m_epsilon, source)
+        .trace_line(target, length, f);
   }
 
   /// asks for what it takes to find the first arcs of `node`, which will be needed soon.

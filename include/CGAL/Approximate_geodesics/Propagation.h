@@ -96,9 +96,9 @@ public:
     double maximum_distance = std::numeric_limits<double>::infinity();
     /// the run ends as soon as all of these are settled, if there are any, ...
     std::vector<Node> targets = {};
-    /// ... and if it is certain which of these arcs, if there are any, is the last one of the
-    /// shortest path to the place where they lead.
-    std::vector<Last_arc> last_arcs = {};
+    /// ... and the distances of all these places are certain, too. A place is given by the arcs
+    /// that lead there.
+    std::vector<std::vector<Last_arc>> places = {};
   };
 
   /// @}
@@ -175,7 +175,7 @@ public:
    * \param estimate a function object: `estimate(node)` is a lower bound of the distance from
    *        `node` to the goal, in units of the graph, and not more than the length of an arc from
    *        `node` and the estimate at its end together, but for rounding. The goal is the target,
-   *        or the place where the last arcs lead.
+   *        or the place.
    */
   template <typename Estimate>
   void run_toward(const std::vector<Seed>& seeds, const Stop_rule& stop, const Estimate& estimate)
@@ -211,6 +211,13 @@ public:
 
   /// returns the distance to `node`, or infinity if it was not reached.
   double distance(const Node node) const { return m_labels.distance(node) * m_graph->unit(); }
+
+  /// returns whether all nodes nearer than `distance` were reached: always, unless the run ended
+  /// early.
+  bool is_certain(const double distance) const
+  {
+    return !m_ended_early || m_queue.is_final(to_graph_unit(distance));
+  }
 
   /// returns whether `node` was reached.
   bool is_reached(const Node node) const { return m_labels.is_reached(node); }
@@ -271,8 +278,9 @@ private:
     }
     for(const Node target : stop.targets)
       check(target, "target");
-    for(const Last_arc& arc : stop.last_arcs)
-      check(arc.node, "target");
+    for(const std::vector<Last_arc>& arcs : stop.places)
+      for(const Last_arc& arc : arcs)
+        check(arc.node, "target");
     if(!(stop.maximum_distance >= 0))
       internal::reject("the maximum distance is " + internal::text_of(stop.maximum_distance) +
                        "; it must be a number that is not negative");
@@ -306,7 +314,7 @@ private:
       prepare(seeds, stop, estimate);
       if(m_counts)
         count_and_propagate(stop, visitor, estimate);
-      else if(stop.targets.empty() && stop.last_arcs.empty() && internal::is_idle_visitor<Visitor>)
+      else if(stop.targets.empty() && stop.places.empty() && internal::is_idle_visitor<Visitor>)
         propagate(stop, internal::No_watch(), estimate, internal::No_counter());
       else
         propagate(stop, watch(stop, visitor, estimate), estimate, internal::No_counter());
@@ -325,6 +333,7 @@ private:
   {
     m_queue.clear();
     m_statistics = Propagation_statistics();
+    m_ended_early = false;
     const double limit = to_graph_unit(stop.maximum_distance);
     for(Seed seed : seeds)
     {
@@ -341,11 +350,12 @@ private:
   template <typename Visitor, typename Estimate>
   auto watch(const Stop_rule& stop, Visitor& visitor, const Estimate& estimate)
   {
-    std::vector<Last_arc> last_arcs = stop.last_arcs;
-    for(Last_arc& arc : last_arcs)
-      arc.length = to_graph_unit(arc.length);
+    std::vector<std::vector<Last_arc>> places = stop.places;
+    for(std::vector<Last_arc>& arcs : places)
+      for(Last_arc& arc : arcs)
+        arc.length = to_graph_unit(arc.length);
     return internal::Progress_watch<Graph, Queue, Visitor, Estimate, Last_arc>(
-        *m_graph, m_labels, m_queue, stop.targets, std::move(last_arcs), visitor, estimate);
+        *m_graph, m_labels, m_queue, stop.targets, std::move(places), visitor, estimate);
   }
 
   template <typename Visitor, typename Estimate>
@@ -512,6 +522,7 @@ private:
   template <typename Estimate>
   void discard_uncertain(const std::size_t size_of_batch, const Estimate& estimate)
   {
+    m_ended_early = true;
     m_labels.discard_last_of_order(size_of_batch);
     m_queue.for_each_node([&](const Node node) {
       if(m_labels.is_reached(node) && !m_queue.is_final(m_labels.distance(node) + estimate(node)))
@@ -528,6 +539,7 @@ private:
   std::vector<Seed> m_seeds; // of the last run, distances in units of the graph
   Propagation_statistics m_statistics;
   bool m_counts = false;
+  bool m_ended_early = false;
 };
 
 } // namespace Approximate_geodesics

@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/internal/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/internal/Steiner_arcs.h>
 #include <CGAL/Approximate_geodesics/internal/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/internal/lines_in_faces.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -147,9 +148,28 @@ public:
     internal::Steiner_arcs(m_triangulation, m_nodes).for_each(node, labels, f);
   }
 
-  /// returns `cost`: arcs run straight across a face, or along an edge.
+  /// calls `f(node, cost)` for the straight lines from a place to the nodes on the sides of its
+  /// face, or of both if it is on an edge. If it is a vertex, `node` is what stands for it: more
+  /// than one node, if barriers divide its faces.
   template <typename F>
-  double for_each_crossing(Node /* source */, Node /* target */, const double cost, F /* f */) const
+  void for_each_arc(const Place& place, F f) const
+  {
+    internal::Steiner_arcs(m_triangulation, m_nodes).for_each(place, f);
+  }
+
+  /// calls `f(i, cost)` for the straight lines from a place to those of `places` in its face.
+  template <typename Places, typename F>
+  void for_each_line(const Place& place, const Places& places, F f) const
+  {
+    internal::for_each_line_in_face(m_triangulation, place, places, f);
+  }
+
+  /// returns `cost`: arcs run straight across a face, or along an edge.
+  template <typename Source, typename Target, typename F>
+  double for_each_crossing(const Source& /* source */,
+                           const Target& /* target */,
+                           const double cost,
+                           F /* f */) const
   {
     return cost;
   }

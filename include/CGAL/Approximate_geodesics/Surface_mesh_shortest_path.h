@@ -8,27 +8,38 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface_point.h>
 #include <CGAL/Approximate_geodesics/internal/Function_property_map.h>
-#include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
+#include <CGAL/Approximate_geodesics/internal/Mesh_places.h>
 #include <CGAL/Approximate_geodesics/internal/Path.h>
 #include <CGAL/Approximate_geodesics/internal/Source_list.h>
+#include <CGAL/Approximate_geodesics/internal/Surface_search.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/internal/locate.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
+#include <CGAL/Approximate_geodesics/internal/straighten.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Ray_3.h>
+#include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for programs
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -69,6 +80,7 @@ class Surface_mesh_shortest_path
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Sources = internal::Source_list<TriangleMesh>;
+  using Surface_search = internal::Surface_search<GeodesicGraph, PriorityQueue>;
 
 public:
   /// \name Types
@@ -104,7 +116,13 @@ public:
   using Barycentric_coordinates = std::array<FT, 3>;
 
   /// a place on the surface: a face, and barycentric coordinates in it.
-  using Face_location = std::pair<face_descriptor, Barycentric_coordinates>;
+  using Face_location = Approximate_geodesics::Face_location<TriangleMesh>;
+
+  /// a point of the surface: a vertex, a point on an edge, or a point in a face.
+  using Surface_point = Approximate_geodesics::Surface_point<TriangleMesh>;
+
+  /// the property map of the mesh's points.
+  using Vertex_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
 
 #ifdef DOXYGEN_RUNNING
   /// a model of `BidirectionalIterator` with value type `Face_location`. It stays valid until its
@@ -163,7 +181,7 @@ public:
                              const NamedParameters& np = parameters::default_values())
     : m_mesh(tmesh),
       m_graph(std::move(graph)),
-      m_vertices(tmesh, internal::vertex_index_map(tmesh, np), m_graph.triangulation()),
+      m_places(tmesh, internal::vertex_index_map(tmesh, np), m_graph.triangulation()),
       m_point_map(
           parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                        get_const_property_map(vertex_point, tmesh))),
@@ -181,18 +199,47 @@ public:
   /// \name Sources
   /// @{
 
-  /// adds `v` as a source, and returns an iterator to it.
-  /// \throws std::invalid_argument if `v` is not a vertex of the mesh.
-  Source_point_iterator add_source_point(const vertex_descriptor v)
+  /*!
+   * adds `v` as a source, and returns an iterator to it.
+   *
+   * \param v a vertex
+   * \param initial_distance what is added to all distances from this source
+   *
+   * \throws std::invalid_argument if `v` is not a vertex of the mesh, or the initial distance is
+   *         negative, infinite, or not a number.
+   */
+  Source_point_iterator add_source_point(const vertex_descriptor v, const FT initial_distance = 0)
   {
-    m_vertices.node(v); // throws if there is none
-    m_has_changed = true;
-    return m_sources.add(v, face_location(v));
+    return add_source(m_places.place(v), initial_distance, face_location(v));
   }
 
-  /// adds the vertices of a range as sources, and returns an iterator to the first of them, or
+  /// adds the point of the face `f` that has the given barycentric coordinates as a source.
+  /// \throws std::invalid_argument if `f` is not a face of the mesh, or the coordinates are not
+  ///         those of a point in it, or as above.
+  Source_point_iterator add_source_point(const face_descriptor f,
+                                         const Barycentric_coordinates& location,
+                                         const FT initial_distance = 0)
+  {
+    return add_source(m_places.place(f, location), initial_distance, {f, location});
+  }
+
+  /// does the same as `add_source_point(location.first, location.second, initial_distance)`.
+  Source_point_iterator add_source_point(const Face_location& location,
+                                         const FT initial_distance = 0)
+  {
+    return add_source_point(location.first, location.second, initial_distance);
+  }
+
+  /// adds a point of the surface as a source.
+  Source_point_iterator add_source_point(const Surface_point& point, const FT initial_distance = 0)
+  {
+    return add_source(m_places.place(point), initial_distance, face_location(point));
+  }
+
+  /// adds the points of a range as sources, and returns an iterator to the first of them, or
   /// `source_points_end()` if there is none.
-  /// \tparam InputIterator a model of `InputIterator` with value type `vertex_descriptor`
+  /// \tparam InputIterator a model of `InputIterator` with value type `vertex_descriptor`,
+  ///         `Face_location` or `Surface_point`
   template <typename InputIterator>
   Source_point_iterator add_source_points(InputIterator first, const InputIterator beyond)
   {
@@ -254,9 +301,10 @@ public:
    *     \cgalParamDefault{infinity}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{targets}
-   *     \cgalParamDescription{vertices; the run ends as soon as the distances to all of them are
-   *                           certain}
-   *     \cgalParamType{a model of `ConstRange` with value type `vertex_descriptor`}
+   *     \cgalParamDescription{points of the surface; the run ends as soon as the distances to all
+   *                           of them are certain}
+   *     \cgalParamType{a model of `ConstRange` with value type `vertex_descriptor`,
+   *                    `Face_location` or `Surface_point`}
    *     \cgalParamDefault{none: the run goes on to the end, as it does if the range is empty}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
@@ -272,15 +320,15 @@ public:
   void build_sequence_tree(const NamedParameters& np)
   {
     m_has_changed = true; // should the run throw
-    m_source_of_seed.clear();
-    std::vector<typename Search::Seed> seeds;
+    m_source_points.clear();
+    std::vector<internal::Source> sources;
     for(auto it = source_points_begin(); it != source_points_end(); ++it)
     {
-      seeds.push_back({m_vertices.node(Sources::vertex(it)), 0, seeds.size()});
-      m_source_of_seed.push_back(it);
+      sources.push_back(Sources::source(it));
+      m_source_points.push_back(it);
     }
-    const auto stop = internal::stop_rule<Search>(m_vertices, np);
-    internal::run(m_search, seeds, stop, m_vertices, np);
+    const auto stop = internal::stop_rule<Surface_search>(m_graph, m_places, np);
+    internal::run(m_search, std::move(sources), stop, m_places, np);
     m_has_changed = false;
   }
 
@@ -309,14 +357,15 @@ public:
   void set_face_weights(const FaceWeightMap& face_weight_map)
   {
     m_graph.set_face_weights(m_mesh, face_weight_map,
-                             parameters::vertex_index_map(m_vertices.index_map()));
-    m_search = Search(m_graph);
+                             parameters::vertex_index_map(m_places.index_map()));
+    m_search = Surface_search(m_graph);
+    m_pair_search.reset();
     m_has_changed = true;
   }
 
   /// @}
 
-  /// \name Distances and Paths
+  /// \name Distances
   /// @{
 
   /*!
@@ -328,82 +377,410 @@ public:
    */
   Shortest_path_result shortest_distance_to_source_points(const vertex_descriptor v)
   {
-    const Node node = m_vertices.node(v);
-    build_sequence_tree();
-    if(!m_search.is_reached(node))
-      return {-1, source_points_end()};
-    return {m_search.distance(node), m_source_of_seed[m_search.source(node)]};
+    return shortest_distance(m_places.place(v));
   }
 
-  /*!
-   * writes the points of a shortest path from `v` to the nearest source to `points`, and returns
-   * its length and that source. Nothing is written if no source reaches `v`. The points are those
-   * of the vertices on the path, and those where it crosses edges.
-   *
-   * \tparam OutputIterator a model of `OutputIterator` that takes values of type `Point_3`
-   */
-  template <typename OutputIterator>
-  Shortest_path_result shortest_path_points_to_source_points(const vertex_descriptor v,
-                                                             OutputIterator points)
+  /// returns the distance from a point in the face `f` to the nearest source, and that source.
+  /// \throws std::invalid_argument if `f` is not a face of the mesh, or the coordinates are not
+  ///         those of a point in it.
+  Shortest_path_result shortest_distance_to_source_points(const face_descriptor f,
+                                                          const Barycentric_coordinates& location)
   {
-    const Shortest_path_result result = shortest_distance_to_source_points(v);
-    for(const Place& p : internal::find_path(m_search, m_vertices.node(v)).points)
-      *points++ = point(p);
-    return result;
+    return shortest_distance(m_places.place(f, location));
   }
 
-  /*!
-   * tells `visitor` the sequence of vertices and edges that a shortest path from `v` to the nearest
-   * source goes through, and returns its length and that source. The visitor is not called if no
-   * source reaches `v`.
-   *
-   * \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
-   */
-  template <typename Visitor>
-  Shortest_path_result shortest_path_sequence_to_source_points(const vertex_descriptor v,
-                                                               Visitor& visitor)
+  /// returns the distance from a point of the surface to the nearest source, and that source.
+  Shortest_path_result shortest_distance_to_source_points(const Surface_point& point)
   {
-    const Shortest_path_result result = shortest_distance_to_source_points(v);
-    for(const Place& p : internal::find_path(m_search, m_vertices.node(v)).points)
-      if(p.is_vertex())
-        visitor(m_vertices.vertex(p.vertex));
-      else
-        visitor(m_vertices.halfedge(p.halfedge), p.t);
-    return result;
+    return shortest_distance(m_places.place(point));
   }
 
   /// @}
 
-  /// \name Places on the Surface
+  /*!
+   * \name Paths
+   *
+   * All these functions return the length of the path, and the source that it leads to. If no
+   * source reaches the point that it starts from, nothing is written, the length is negative, and
+   * the iterator is `source_points_end()`. The initial distance of the source is part of the
+   * length.
+   *
+   * They have a last parameter `np`, which is a sequence of \ref bgl_namedparameters
+   * "Named Parameters":
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{straighten}
+   *     \cgalParamDescription{whether the path is shortened to a locally shortest one on the
+   *                           surface}
+   *     \cgalParamType{Boolean}
+   *     \cgalParamDefault{`false`}
+   *     \cgalParamExtra{It cannot be asked for if faces have weights.}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   */
   /// @{
+
+  /*!
+   * writes the points of a shortest path from `v` to the nearest source to `points`: those of the
+   * vertices on the path, those where it crosses edges, and its ends.
+   *
+   * \tparam OutputIterator a model of `OutputIterator` that takes values of type `Point_3`
+   */
+  template <typename OutputIterator,
+            typename NamedParameters = parameters::Default_named_parameters>
+  Shortest_path_result
+  shortest_path_points_to_source_points(const vertex_descriptor v,
+                                        OutputIterator points,
+                                        const NamedParameters& np = parameters::default_values())
+  {
+    return for_each_point(m_places.place(v), np, [&](const Place& p) { *points++ = point(p); });
+  }
+
+  /// writes those of a shortest path from a point in the face `f`.
+  template <typename OutputIterator,
+            typename NamedParameters = parameters::Default_named_parameters>
+  Shortest_path_result
+  shortest_path_points_to_source_points(const face_descriptor f,
+                                        const Barycentric_coordinates& location,
+                                        OutputIterator points,
+                                        const NamedParameters& np = parameters::default_values())
+  {
+    return for_each_point(m_places.place(f, location), np,
+                          [&](const Place& p) { *points++ = point(p); });
+  }
+
+  /*!
+   * tells `visitor` the sequence of vertices, edges and faces that a shortest path from `v` to the
+   * nearest source goes through. Only the ends of the path can lie inside faces.
+   *
+   * \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
+   */
+  template <typename Visitor, typename NamedParameters = parameters::Default_named_parameters>
+  Shortest_path_result
+  shortest_path_sequence_to_source_points(const vertex_descriptor v,
+                                          Visitor& visitor,
+                                          const NamedParameters& np = parameters::default_values())
+  {
+    return for_each_point(m_places.place(v), np, [&](const Place& p) { visit(p, visitor); });
+  }
+
+  /// tells `visitor` that of a shortest path from a point in the face `f`.
+  template <typename Visitor, typename NamedParameters = parameters::Default_named_parameters>
+  Shortest_path_result
+  shortest_path_sequence_to_source_points(const face_descriptor f,
+                                          const Barycentric_coordinates& location,
+                                          Visitor& visitor,
+                                          const NamedParameters& np = parameters::default_values())
+  {
+    return for_each_point(m_places.place(f, location), np,
+                          [&](const Place& p) { visit(p, visitor); });
+  }
+
+  /*!
+   * writes the points of a shortest path from a point of the surface to the nearest source, as
+   * points of the surface. Any two consecutive ones lie in the same face.
+   *
+   * \tparam OutputIterator a model of `OutputIterator` that takes values of type `Surface_point`
+   */
+  template <typename OutputIterator,
+            typename NamedParameters = parameters::Default_named_parameters>
+  Shortest_path_result shortest_path_surface_points_to_source_points(
+      const Surface_point& start,
+      OutputIterator points,
+      const NamedParameters& np = parameters::default_values())
+  {
+    return for_each_point(m_places.place(start), np,
+                          [&](const Place& p) { *points++ = m_places.surface_point(p); });
+  }
+
+  /// @}
+
+  /*!
+   * \name Single Pairs
+   *
+   * These functions find paths between any two points of the surface, whatever the sources are. The
+   * search ends as soon as the distance is certain, and is led to the target by the straight line
+   * through space, unless faces have weights or lengths are not those of the mesh's points. It
+   * works in memory of its own, which takes 24 bytes per vertex more than that of the sources.
+   *
+   * They return the length of the path; it is negative, and nothing is written, if there is none.
+   * The named parameters are those above and `maximum_distance`.
+   *
+   * \tparam Source `vertex_descriptor`, `Face_location` or `Surface_point`
+   * \tparam Target the same
+   */
+  /// @{
+
+  /// returns the length of a shortest path from `source` to `target`.
+  template <typename Source,
+            typename Target,
+            typename NamedParameters = parameters::Default_named_parameters>
+  FT shortest_distance(const Source& source,
+                       const Target& target,
+                       const NamedParameters& np = parameters::default_values())
+  {
+    if constexpr(internal::is_given<NamedParameters, internal_np::straighten_t>)
+      return for_each_point_between(source, target, np, [](const Place&) {});
+    else
+    {
+      const double result =
+          search_pair(source, target, np).nearest(m_places.place(target)).distance;
+      return std::isinf(result) ? -1 : result;
+    }
+  }
+
+  /// writes the points of a shortest path from `source` to `target` to `points`, in this order.
+  template <typename Source,
+            typename Target,
+            typename OutputIterator,
+            typename NamedParameters = parameters::Default_named_parameters>
+  FT shortest_path_points(const Source& source,
+                          const Target& target,
+                          OutputIterator points,
+                          const NamedParameters& np = parameters::default_values())
+  {
+    return for_each_point_between(source, target, np,
+                                  [&](const Place& p) { *points++ = point(p); });
+  }
+
+  /// @}
+
+  /*!
+   * \name Points
+   *
+   * There are static versions of these functions, which take the mesh as a further argument, and
+   * may be given a vertex point map after that.
+   */
+  /// @{
+
+  /// returns the point with the given barycentric coordinates in the face `f`.
+  Point_3 point(const face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    return point(f, location, m_mesh, m_point_map);
+  }
+
+  /// returns the point at the part `t` of the way along `h`, from its source.
+  Point_3 point(const halfedge_descriptor h, const FT t) const
+  {
+    return point(h, t, m_mesh, m_point_map);
+  }
 
   /// returns the point of `v`.
   Point_3 point(const vertex_descriptor v) const { return get(m_point_map, v); }
 
+  /// returns a point of the surface.
+  Point_3 point(const Surface_point& p) const { return point(m_places.place(p)); }
+
+#ifndef DOXYGEN_RUNNING
+  static Point_3 point(const face_descriptor f,
+                       const Barycentric_coordinates& location,
+                       const Triangle_mesh& tmesh)
+  {
+    return point(f, location, tmesh, get(vertex_point, tmesh));
+  }
+
+  template <typename VertexPointMap>
+  static Point_3 point(const face_descriptor f,
+                       const Barycentric_coordinates& location,
+                       const Triangle_mesh& tmesh,
+                       const VertexPointMap& point_map)
+  {
+    using Kernel = typename Kernel_traits<Point_3>::Kernel;
+    const halfedge_descriptor h = halfedge(f, tmesh);
+    return Kernel().construct_barycenter_3_object()(
+        get(point_map, source(h, tmesh)), typename Kernel::FT(location[0]),
+        get(point_map, target(h, tmesh)), typename Kernel::FT(location[1]),
+        get(point_map, target(next(h, tmesh), tmesh)), typename Kernel::FT(location[2]));
+  }
+
+  static Point_3 point(const halfedge_descriptor h, const FT t, const Triangle_mesh& tmesh)
+  {
+    return point(h, t, tmesh, get(vertex_point, tmesh));
+  }
+
+  template <typename VertexPointMap>
+  static Point_3 point(const halfedge_descriptor h,
+                       const FT t,
+                       const Triangle_mesh& tmesh,
+                       const VertexPointMap& point_map)
+  {
+    using Kernel = typename Kernel_traits<Point_3>::Kernel;
+    return Kernel().construct_barycenter_3_object()(
+        get(point_map, target(h, tmesh)), typename Kernel::FT(t), get(point_map, source(h, tmesh)));
+  }
+
+  static Point_3 point(const vertex_descriptor v, const Triangle_mesh& tmesh)
+  {
+    return get(vertex_point, tmesh, v);
+  }
+#endif
+
+  /// @}
+
+  /*!
+   * \name Face Locations
+   *
+   * There are static versions of these functions, too.
+   */
+  /// @{
+
   /// returns a place of `v` in one of its faces. If it has none, the face is
   /// `boost::graph_traits<Triangle_mesh>::%null_face()`.
-  Face_location face_location(const vertex_descriptor v) const
+  Face_location face_location(const vertex_descriptor v) const { return face_location(v, m_mesh); }
+
+  /// returns the place at the part `t` of the way along `h` in the face to its left, or, at the
+  /// border, to its right.
+  Face_location face_location(const halfedge_descriptor h, const FT t) const
   {
-    Face_location result(Graph_traits::null_face(), {0, 0, 0});
-    if(halfedge(v, m_mesh) == Graph_traits::null_halfedge())
-      return result;
-    for(const halfedge_descriptor h : halfedges_around_target(v, m_mesh))
-      if(!is_border(h, m_mesh))
-      {
-        result.first = face(h, m_mesh);
-        break;
-      }
-    if(result.first != Graph_traits::null_face())
-    {
-      halfedge_descriptor h = halfedge(result.first, m_mesh);
-      for(FT& weight : result.second)
-      {
-        weight = source(h, m_mesh) == v ? 1 : 0;
-        h = next(h, m_mesh);
-      }
-    }
+    return face_location(h, t, m_mesh);
+  }
+
+  /// returns a place of a point of the surface in one of its faces.
+  Face_location face_location(const Surface_point& point) const
+  {
+    if(const auto* v = std::get_if<vertex_descriptor>(&point))
+      return face_location(*v);
+    if(const auto* p = std::get_if<std::pair<halfedge_descriptor, double>>(&point))
+      return face_location(p->first, p->second);
+    return std::get<Face_location>(point);
+  }
+
+#ifndef DOXYGEN_RUNNING
+  static Face_location face_location(const vertex_descriptor v, const Triangle_mesh& tmesh)
+  {
+    if(halfedge(v, tmesh) != Graph_traits::null_halfedge())
+      for(const halfedge_descriptor h : halfedges_around_target(v, tmesh))
+        if(!is_border(h, tmesh))
+          return face_location(h, 1, tmesh);
+    return {Graph_traits::null_face(), {0, 0, 0}};
+  }
+
+  static Face_location
+  face_location(const halfedge_descriptor h, const FT t, const Triangle_mesh& tmesh)
+  {
+    if(is_border(h, tmesh))
+      return face_location(opposite(h, tmesh), 1 - t, tmesh);
+    Face_location result(face(h, tmesh), {0, 0, 0});
+    std::size_t i = 0;
+    for(halfedge_descriptor g = halfedge(result.first, tmesh); g != h; g = next(g, tmesh))
+      ++i;
+    result.second[i] = 1 - t;
+    result.second[(i + 1) % 3] = t;
     return result;
   }
+#endif
+
+  /// @}
+
+  /*!
+   * \name Nearest Face Locations
+   *
+   * A location next to a corner or a side of its face is moved onto that: barycentric coordinates
+   * of at most `tolerance` are set to zero. What is returned is where paths from there start, to
+   * the last bit. The face is `boost::graph_traits<Triangle_mesh>::%null_face()` if the mesh has no
+   * faces, or the ray does not meet any.
+   *
+   * Those functions that are given no tree build one. There are static versions, which take the
+   * mesh and a vertex point map as arguments before the tolerance.
+   *
+   * \tparam AABBTraits a model of `AABBTraits` for the faces of the mesh
+   */
+  /// @{
+
+  /// returns the location on the mesh that is nearest to `p`.
+  template <typename AABBTraits>
+  Face_location locate(const Point_3& p, const FT tolerance = default_tolerance) const
+  {
+    return locate<AABBTraits>(p, m_mesh, m_point_map, tolerance);
+  }
+
+  /// does the same with a tree that was built before.
+  template <typename AABBTraits>
+  Face_location locate(const Point_3& p,
+                       const AABB_tree<AABBTraits>& tree,
+                       const FT tolerance = default_tolerance) const
+  {
+    return locate(p, tree, m_mesh, m_point_map, tolerance);
+  }
+
+  /// returns the location on the mesh where `ray` meets it first.
+  template <typename AABBTraits, typename Kernel>
+  Face_location locate(const Ray_3<Kernel>& ray, const FT tolerance = default_tolerance) const
+  {
+    return locate<AABBTraits>(ray, m_mesh, m_point_map, tolerance);
+  }
+
+  /// does the same with a tree that was built before.
+  template <typename AABBTraits, typename Kernel>
+  Face_location locate(const Ray_3<Kernel>& ray,
+                       const AABB_tree<AABBTraits>& tree,
+                       const FT tolerance = default_tolerance) const
+  {
+    return locate(ray, tree, m_mesh, m_point_map, tolerance);
+  }
+
+  /// builds a tree for `locate()`.
+  template <typename AABBTraits>
+  void build_aabb_tree(AABB_tree<AABBTraits>& tree) const
+  {
+    build_aabb_tree(m_mesh, tree, get(vertex_point, m_mesh));
+  }
+
+#ifndef DOXYGEN_RUNNING
+  template <typename AABBTraits, typename VertexPointMap>
+  static Face_location locate(const Point_3& p,
+                              const Triangle_mesh& tmesh,
+                              const VertexPointMap& point_map,
+                              const FT tolerance = default_tolerance)
+  {
+    AABB_tree<AABBTraits> tree;
+    build_aabb_tree(tmesh, tree, get(vertex_point, tmesh));
+    return locate(p, tree, tmesh, point_map, tolerance);
+  }
+
+  template <typename AABBTraits, typename VertexPointMap>
+  static Face_location locate(const Point_3& p,
+                              const AABB_tree<AABBTraits>& tree,
+                              const Triangle_mesh& tmesh,
+                              const VertexPointMap& point_map,
+                              const FT tolerance = default_tolerance)
+  {
+    return internal::locate_nearest(p, tree, tmesh, point_map, tolerance);
+  }
+
+  template <typename AABBTraits, typename Kernel, typename VertexPointMap>
+  static Face_location locate(const Ray_3<Kernel>& ray,
+                              const Triangle_mesh& tmesh,
+                              const VertexPointMap& point_map,
+                              const FT tolerance = default_tolerance)
+  {
+    AABB_tree<AABBTraits> tree;
+    build_aabb_tree(tmesh, tree, get(vertex_point, tmesh));
+    return locate(ray, tree, tmesh, point_map, tolerance);
+  }
+
+  template <typename AABBTraits, typename Kernel, typename VertexPointMap>
+  static Face_location locate(const Ray_3<Kernel>& ray,
+                              const AABB_tree<AABBTraits>& tree,
+                              const Triangle_mesh& tmesh,
+                              const VertexPointMap& point_map,
+                              const FT tolerance = default_tolerance)
+  {
+    return internal::locate_first(ray, tree, tmesh, point_map, tolerance);
+  }
+
+  template <typename AABBTraits, typename VertexPointMap>
+  static void build_aabb_tree(const Triangle_mesh& tmesh,
+                              AABB_tree<AABBTraits>& tree,
+                              const VertexPointMap& point_map)
+  {
+    tree.rebuild(faces(tmesh).begin(), faces(tmesh).end(), tmesh, point_map);
+    tree.build();
+  }
+#endif
+
+  /// the weight in barycentric coordinates that a location may be moved by.
+  static constexpr FT default_tolerance = 1e-10;
 
   /// @}
 
@@ -414,14 +791,14 @@ public:
   const Graph& graph() const { return m_graph; }
 
   /// returns the search, with its results and figures.
-  const Search& search() const { return m_search; }
+  const Search& search() const { return m_search.search(); }
 
   /// says whether the searches to come shall count what they do: see `search().statistics()`.
-  void collect_statistics(const bool counts) { m_search.collect_statistics(counts); }
+  void collect_statistics(const bool counts) { m_search.search().collect_statistics(counts); }
 
   /// returns the node of the graph that stands for `v`.
   /// \throws std::invalid_argument if `v` is not a vertex of the mesh.
-  typename Search::Node node(const vertex_descriptor v) const { return m_vertices.node(v); }
+  typename Search::Node node(const vertex_descriptor v) const { return m_places.node(v); }
 
   /// @}
 
@@ -429,12 +806,107 @@ private:
   using Node = typename Search::Node;
   using Index_function = internal::Function_property_map<vertex_descriptor, std::size_t>;
 
+  Source_point_iterator
+  add_source(const Place& place, const FT initial_distance, const Face_location& location)
+  {
+    if(!(initial_distance >= 0) || std::isinf(initial_distance))
+      internal::reject("the initial distance of a source is " +
+                       internal::text_of(initial_distance) +
+                       "; it must be a finite number that is not negative");
+    m_has_changed = true;
+    return m_sources.add({place, initial_distance}, location);
+  }
+
+  Shortest_path_result shortest_distance(const Place& place)
+  {
+    build_sequence_tree();
+    const typename Surface_search::Answer answer = m_search.nearest(place);
+    if(!answer.is_reached())
+      return {-1, source_points_end()};
+    return {answer.distance, m_source_points[answer.source]};
+  }
+
+  // Calls `f(place)` for the points of the path from a place to its nearest source.
+  template <typename NamedParameters, typename F>
+  Shortest_path_result for_each_point(const Place& place, const NamedParameters& np, F f)
+  {
+    Shortest_path_result result = shortest_distance(place);
+    if(result.second == source_points_end())
+      return result;
+    internal::Path path = m_search.find_path(place);
+    const bool is_straight = internal::straighten_if_wanted(m_graph.triangulation(), np, path);
+    for(const Place& p : path.points)
+      f(p);
+    if(internal::has_crossing_arcs<Graph> || is_straight)
+      result.first = path.length * m_graph.unit() + Sources::source(result.second).distance;
+    return result;
+  }
+
+  // A search that is not that of the sources.
+  struct Pair_search
+  {
+    Surface_search search;
+    internal::Vertex_positions positions;
+  };
+
+  template <typename Source, typename Target, typename NamedParameters>
+  const Surface_search&
+  search_pair(const Source& source, const Target& target, const NamedParameters& np)
+  {
+    if(!m_pair_search)
+      m_pair_search =
+          std::make_unique<Pair_search>(Pair_search{Surface_search(m_graph), positions()});
+    const auto stop = internal::stop_rule<Surface_search>(m_graph, m_places, np);
+    m_pair_search->search.run_to(m_places.place(target), {{m_places.place(source)}}, stop,
+                                 m_pair_search->positions);
+    return m_pair_search->search;
+  }
+
+  // Calls `f(place)` for the points of the path between two points of the surface.
+  template <typename Source, typename Target, typename NamedParameters, typename F>
+  FT for_each_point_between(const Source& source,
+                            const Target& target,
+                            const NamedParameters& np,
+                            F f)
+  {
+    internal::Path path = search_pair(source, target, np).find_path(m_places.place(target));
+    internal::straighten_if_wanted(m_graph.triangulation(), np, path);
+    std::for_each(path.points.rbegin(), path.points.rend(), f);
+    return path.points.empty() ? -1 : path.length * m_graph.unit();
+  }
+
+  template <typename Visitor>
+  void visit(const Place& p, Visitor& visitor) const
+  {
+    if(p.is_vertex())
+      visitor(m_places.vertex(p.vertex));
+    else if(p.is_on_edge())
+      visitor(m_places.mesh_halfedge(p.halfedge), p.t);
+    else
+    {
+      const Face_location location = m_places.face_location(p);
+      visitor(location.first, location.second);
+    }
+  }
+
+  // Along edges, paths between vertices do not need points that can be computed with.
   Point_3 point(const Place& p) const
   {
-    if constexpr(internal::has_crossing_arcs<Graph>)
-      return m_vertices.point(p, m_point_map, typename Kernel_traits<Point_3>::Kernel());
+    if constexpr(internal::is_point_of_kernel<Point_3>)
+      return m_places.point(p, m_point_map, typename Kernel_traits<Point_3>::Kernel());
+    else if(p.is_vertex())
+      return m_places.point_of_vertex(p, m_point_map);
     else
-      return m_vertices.point_of_vertex(p, m_point_map);
+      internal::reject(
+          "there are no points between vertices: the mesh's are not those of a kernel");
+  }
+
+  internal::Vertex_positions positions() const
+  {
+    if constexpr(internal::is_point_of_kernel<Point_3>)
+      return internal::Vertex_positions(m_graph.triangulation(), m_places, m_point_map);
+    else
+      return internal::Vertex_positions();
   }
 
   // Counts what is there: some meshes' numbers include what was removed.
@@ -454,11 +926,12 @@ private:
 
   const Triangle_mesh& m_mesh;
   Graph m_graph;
-  const internal::Mesh_vertices<Triangle_mesh, Index_function> m_vertices;
+  const internal::Mesh_places<Triangle_mesh, Index_function> m_places;
   const internal::Function_property_map<vertex_descriptor, Point_3> m_point_map;
-  Search m_search;
+  Surface_search m_search;
+  std::unique_ptr<Pair_search> m_pair_search; // made when first needed
   Sources m_sources;
-  std::vector<Source_point_iterator> m_source_of_seed; // of the last search
+  std::vector<Source_point_iterator> m_source_points; // of the last search
   bool m_has_changed = true;
 };
 

@@ -30,7 +30,8 @@ struct Straight_arc
   Index target;
   double length;
   Plane_vector position; // of the target, where the source is the origin and `start` lies along x
-  Index start;           // the halfedge that starts from the source, to the right of the line
+  Index start;           // the halfedge that starts from the source, to the right of the line; if
+                         // the source is not a vertex, what `expand_through()` was given
   std::uint32_t way;     // that of the last window on the line
 };
 
@@ -131,6 +132,7 @@ struct Cone
 struct Look_at_everything
 {
   static constexpr bool wants_distances = false;
+  static constexpr bool wants_faces = false; // to be told of, by `on_face(cone, apex)`
   bool operator()(const Window& /* window */) const { return false; }
   std::uint32_t way_through(Window::Index /* halfedge */, std::uint32_t /* way */) const
   {
@@ -201,6 +203,22 @@ public:
     }
   }
 
+  // The same for what is seen from the origin, which is not a vertex, through a window whose ends
+  // have distances above 0. All arcs get `start`.
+  template <typename F, typename Filter>
+  void expand_through(const Window& window, const Index start, F f, const Filter filter) const
+  {
+    if(filter(window) || !(cross(window.right_position, window.left_position) > 0))
+      return;
+    Stack cones;
+    Cone cone{window, side(window.left_position, window.left_distance),
+              side(window.right_position, window.right_distance), 0, null_index};
+    cone.window.way = filter.way_through(window.halfedge, 0);
+    bool is_open = true;
+    while(is_open || pop(cones, cone))
+      is_open = advance(cone, cones, null_index, start, f, filter);
+  }
+
 private:
   static bool pop(Stack& cones, Cone& cone)
   {
@@ -261,6 +279,8 @@ private:
       return false; // a shortest path does not come back to a face that it has left
     const Plane_vector apex =
         face.position_of_apex(cone.window.left_position, cone.window.right_position);
+    if constexpr(Filter::wants_faces)
+      filter.on_face(cone, apex);
     if(cone.left.is_passed(apex, cross(cone.left.direction, apex)))
       return go_right(cone.window, face, apex, filter);
     if(cone.right.is_passed(apex, cross(apex, cone.right.direction)))

@@ -8,19 +8,22 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Propagation.h>
-#include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
+#include <CGAL/Approximate_geodesics/internal/Mesh_places.h>
 #include <CGAL/Approximate_geodesics/internal/Path.h>
+#include <CGAL/Approximate_geodesics/internal/Surface_search.h>
 #include <CGAL/Approximate_geodesics/internal/Vertices_before.h>
 #include <CGAL/Approximate_geodesics/internal/graph_for_one_run.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
+#include <CGAL/Approximate_geodesics/internal/straighten.h>
 #include <CGAL/Approximate_geodesics/internal/write_points.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -38,10 +41,10 @@ class Mesh_query
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using Vertex_index_map = decltype(vertex_index_map(std::declval<const TriangleMesh&>(),
                                                      std::declval<const NamedParameters&>()));
-  using Vertices = Mesh_vertices<TriangleMesh, Vertex_index_map>;
+  using Places = Mesh_places<TriangleMesh, Vertex_index_map>;
   using Graph = decltype(graph_for_one_run(std::declval<const TriangleMesh&>(),
                                            std::declval<const NamedParameters&>()));
-  using Search = Propagation<Graph, PriorityQueue>;
+  using Search = Surface_search<Graph, PriorityQueue>;
   using Node = typename Search::Node;
 
 public:
@@ -49,45 +52,56 @@ public:
     : m_mesh(tmesh),
       m_np(np),
       m_graph(graph_for_one_run(tmesh, np)),
-      m_vertices(tmesh, vertex_index_map(tmesh, np), m_graph.triangulation()),
+      m_places(tmesh, vertex_index_map(tmesh, np), m_graph.triangulation()),
       m_search(m_graph)
   {
   }
 
-  // from one vertex or from a range of them
+  // from one point of the surface or from a range of them
   template <typename Sources>
   void run(const Sources& sources)
   {
-    run(sources, stop_rule<Search>(m_vertices, m_np));
+    internal::run(m_search, places_of(sources), stop_rule<Search>(m_graph, m_places, m_np),
+                  m_places, m_np);
   }
 
-  // ... until `target` is settled
-  template <typename Sources>
-  void run(const Sources& sources, const vertex_descriptor target)
+  // ... until the distance of `target` is certain
+  template <typename SurfacePoint, typename Target>
+  void run(const SurfacePoint& source, const Target& target)
   {
-    auto stop = stop_rule<Search>(m_vertices, m_np);
-    stop.targets.assign(1, m_vertices.node(target));
-    run(sources, stop);
+    auto stop = stop_rule<Search>(m_graph, m_places, m_np);
+    if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
+    {
+      add_target(stop, m_graph, m_places.place(target));
+      internal::run(m_search, places_of(source), stop, m_places, m_np);
+    }
+    else
+      m_search.run_to(m_places.place(target), places_of(source), stop, positions());
   }
 
-  double distance(const vertex_descriptor v) const { return m_search.distance(m_vertices.node(v)); }
-
-  // Writes the points of the path from the source to `v`, if `v` was reached. Returns its length,
-  // or infinity.
-  template <typename OutputIterator>
-  double write_path(const vertex_descriptor v, OutputIterator points) const
+  // Writes the points of the path from the source to `target`, if that was reached. Returns its
+  // length, or infinity.
+  template <typename SurfacePoint, typename Target, typename OutputIterator>
+  double
+  write_path(const SurfacePoint& /* source */, const Target& target, OutputIterator points) const
   {
-    const Path path = find_path(m_search, m_vertices.node(v));
-    write_points<Graph>(path, m_vertices, m_mesh, points, m_np);
-    return has_crossing_arcs<Graph> && !path.points.empty() ? path.length * m_graph.unit()
-                                                            : distance(v);
+    const Place place = m_places.place(target);
+    Path path = m_search.find_path(place);
+    straighten_if_wanted(m_graph.triangulation(), m_np, path);
+    constexpr bool has_points_between = has_crossing_arcs<Graph> ||
+                                        is_given<NamedParameters, internal_np::straighten_t> ||
+                                        !std::is_convertible_v<SurfacePoint, vertex_descriptor> ||
+                                        !std::is_convertible_v<Target, vertex_descriptor>;
+    write_points<has_points_between>(path, m_places, m_mesh, points, m_np);
+    return has_points_between && !path.points.empty() ? path.length * m_graph.unit()
+                                                      : m_search.nearest(place).distance;
   }
 
   template <typename VertexDistanceMap>
   void write_distances(VertexDistanceMap distances) const
   {
     for(const vertex_descriptor v : vertices(m_mesh))
-      put(distances, v, m_search.distance(m_vertices.node(v)));
+      put(distances, v, m_search.search().distance(m_places.node(v)));
   }
 
   template <typename NearestSourceMap>
@@ -95,44 +109,78 @@ public:
   {
     using Value = typename boost::property_traits<NearestSourceMap>::value_type;
     for(const vertex_descriptor v : vertices(m_mesh))
-      put(sources, v, static_cast<Value>(m_search.source(m_vertices.node(v))));
+      put(sources, v, static_cast<Value>(m_search.search().source(m_places.node(v))));
   }
 
   template <typename PredecessorMap>
   void write_predecessors(PredecessorMap predecessors) const
   {
-    Vertices_before<Search> before(m_search);
+    Vertices_before<typename Search::Search> before(m_search.search());
     for(const vertex_descriptor v : vertices(m_mesh))
       put(predecessors, v, predecessor(v, before));
   }
 
 private:
-  template <typename Sources>
-  void run(const Sources& sources, const typename Search::Stop_rule& stop)
+  // Positions lead the search to its goal. Where arcs are edges, finding these takes as long as the
+  // whole search.
+  Vertex_positions positions() const
   {
-    std::vector<typename Search::Seed> seeds;
-    if constexpr(std::is_convertible_v<Sources, vertex_descriptor>)
-      seeds.push_back({m_vertices.node(sources)});
+    if constexpr(has_crossing_arcs<Graph> && !is_given<NamedParameters, internal_np::edge_length_t>)
+      return Vertex_positions(m_graph.triangulation(), m_places, point_map());
     else
-      for(const vertex_descriptor v : sources)
-        seeds.push_back({m_vertices.node(v), 0, seeds.size()});
-    internal::run(m_search, seeds, stop, m_vertices, m_np);
+      return Vertex_positions();
+  }
+
+  auto point_map() const
+  {
+    return parameters::choose_parameter(parameters::get_parameter(m_np, internal_np::vertex_point),
+                                        get_const_property_map(CGAL::vertex_point, m_mesh));
+  }
+
+  template <typename Sources>
+  std::vector<Source> places_of(const Sources& sources) const
+  {
+    std::vector<Source> result;
+    if constexpr(is_surface_point<TriangleMesh, Sources>)
+      result.push_back({m_places.place(sources)});
+    else
+      for(const auto& source : sources)
+        result.push_back({m_places.place(source)});
+    set_initial_distances(result);
+    return result;
+  }
+
+  void set_initial_distances(std::vector<Source>& sources) const
+  {
+    if constexpr(is_given<NamedParameters, internal_np::initial_distances_t>)
+    {
+      std::size_t number = 0;
+      for(const auto& distance : parameters::get_parameter(m_np, internal_np::initial_distances))
+      {
+        if(number < sources.size())
+          sources[number].distance = CGAL::to_double(distance);
+        ++number;
+      }
+      if(number != sources.size())
+        reject("there are " + std::to_string(number) + " initial distances, and " +
+               std::to_string(sources.size()) + " sources");
+    }
   }
 
   vertex_descriptor predecessor(const vertex_descriptor v,
-                                Vertices_before<Search>& vertices_before) const
+                                Vertices_before<typename Search::Search>& vertices_before) const
   {
-    const Node node = m_vertices.node(v);
-    if(!m_search.is_reached(node))
+    const Node node = m_places.node(v);
+    if(!m_search.search().is_reached(node))
       return boost::graph_traits<TriangleMesh>::null_vertex();
     const Node before = vertices_before(node);
-    return before == Search::null_node ? v : m_vertices.vertex(before);
+    return before == Search::Search::null_node ? v : m_places.vertex(before);
   }
 
   const TriangleMesh& m_mesh;
   const NamedParameters& m_np;
   Graph m_graph;
-  Vertices m_vertices;
+  Places m_places;
   Search m_search;
 };
 

@@ -9,14 +9,11 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/internal/Path.h>
-#include <CGAL/Approximate_geodesics/internal/halfedge_groups.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,8 +22,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Translates between the vertices of a mesh and the nodes that stand for them, and from the numbers
- * of halfedges.
+ * Translates between the vertices of a mesh and the nodes that stand for them.
  */
 template <typename TriangleMesh, typename VertexIndexMap>
 class Mesh_vertices
@@ -36,7 +32,6 @@ class Mesh_vertices
 
 public:
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
   Mesh_vertices(const TriangleMesh& tmesh,
                 VertexIndexMap vertex_index_map,
@@ -66,35 +61,12 @@ public:
     return m_vertices[node];
   }
 
-  // The halfedge of the mesh that has number `h` in the triangulation, which keeps their order.
-  halfedge_descriptor halfedge(const Node h) const
-  {
-    const Node source = m_triangulation->source(h);
-    halfedge_descriptor result = first_halfedge_from(vertex(source), *m_mesh);
-    for(Node i = m_triangulation->first_halfedge(source); i < h; ++i)
-      result = counterclockwise(result, *m_mesh);
-    return result;
-  }
-
-  template <typename VertexPointMap>
-  auto point_of_vertex(const Place& p, const VertexPointMap& point_map) const
-  {
-    return get(point_map, vertex(p.vertex));
-  }
-
-  template <typename VertexPointMap, typename Traits>
-  auto point(const Place& p, const VertexPointMap& point_map, const Traits& traits) const
-  {
-    using Result = std::decay_t<decltype(point_of_vertex(p, point_map))>;
-    if(p.is_vertex())
-      return Result(point_of_vertex(p, point_map));
-    return Result(traits.construct_barycenter_3_object()(
-        get(point_map, vertex(m_triangulation->target(p.halfedge))), typename Traits::FT(p.t),
-        get(point_map, vertex(m_triangulation->source(p.halfedge)))));
-  }
-
   // whether a node is a vertex, and not a point that a graph has added
   bool is_vertex(const Node node) const { return node < m_triangulation->number_of_vertices(); }
+
+protected:
+  const TriangleMesh& mesh() const { return *m_mesh; }
+  const Intrinsic_triangulation& triangulation() const { return *m_triangulation; }
 
 private:
   void list_vertices() const

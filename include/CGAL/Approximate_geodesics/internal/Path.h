@@ -57,49 +57,70 @@ inline bool is_on_edge(const Place& p,
                        const Intrinsic_triangulation& triangulation,
                        const Intrinsic_triangulation::Index halfedge)
 {
-  if(!p.is_vertex())
+  if(p.is_in_face())
+    return false;
+  if(p.is_on_edge())
     return p.halfedge == halfedge || p.halfedge == triangulation.opposite(halfedge);
   return p.vertex == triangulation.source(halfedge) || p.vertex == triangulation.target(halfedge);
 }
 
-// Appends a point to a path, unless it is at the vertex where the path has got to, which several
-// nodes of a graph can stand for. Removes the last point if the path goes straight on there, along
-// an edge.
+// Whether two places are the same point of the same edge or face, or the same vertex.
+inline bool are_same(const Place& p, const Place& q, const Intrinsic_triangulation& triangulation)
+{
+  if(p.is_vertex() || q.is_vertex())
+    return p.vertex == q.vertex;
+  if(p.halfedge == q.halfedge)
+    return p.t == q.t && p.s == q.s;
+  return p.is_on_edge() && q.is_on_edge() && p.halfedge == triangulation.opposite(q.halfedge) &&
+         p.t == 1 - q.t;
+}
+
+// Appends a point to a path, unless it is where the path has got to. Removes the last point if the
+// path goes straight on there, along an edge.
 inline void append(const Place& point, const Intrinsic_triangulation& triangulation, Path& path)
 {
   auto& points = path.points;
-  if(point.is_vertex() && point.vertex == points.back().vertex)
+  if(are_same(point, points.back(), triangulation))
     return;
   const auto h = points.back().halfedge;
-  if(points.size() > 1 && h != Intrinsic_triangulation::null_index &&
+  if(points.size() > 1 && points.back().is_on_edge() &&
      is_on_edge(points[points.size() - 2], triangulation, h) && is_on_edge(point, triangulation, h))
     points.pop_back();
   points.push_back(point);
 }
 
-// The path that a search has found, from `node` back to where it starts; without points if `node`
-// was not reached.
+// Appends what follows `node` on the path back to where the search has started. Returns the node
+// there.
 template <typename Search>
-Path find_path(const Search& search, typename Search::Node node)
+typename Search::Node append_tree_path(const Search& search, typename Search::Node node, Path& path)
 {
-  Path result;
-  if(!search.is_reached(node))
-    return result;
-  result.points.push_back(place(search.graph(), node));
   for(auto previous = search.predecessor(node); previous != Search::null_node;
       previous = search.predecessor(node))
   {
     const double length =
         (search.distance(node) - search.distance(previous)) / search.graph().unit();
-    const auto first = static_cast<std::ptrdiff_t>(result.points.size());
-    result.length += search.graph().for_each_crossing(
+    const auto beyond = static_cast<std::ptrdiff_t>(path.points.size());
+    path.length += search.graph().for_each_crossing(
         previous, node, length, [&](const auto halfedge, const double t) {
-          result.points.push_back(Place::on_edge(halfedge, t));
+          path.points.push_back(Place::on_edge(halfedge, t));
         });
-    std::reverse(result.points.begin() + first, result.points.end());
-    append(place(search.graph(), previous), search.graph().triangulation(), result);
+    std::reverse(path.points.begin() + beyond, path.points.end());
+    append(place(search.graph(), previous), search.graph().triangulation(), path);
     node = previous;
   }
+  return node;
+}
+
+// The path that a search has found, from `node` back to where it starts; without points if `node`
+// was not reached.
+template <typename Search>
+Path find_path(const Search& search, const typename Search::Node node)
+{
+  Path result;
+  if(!search.is_reached(node))
+    return result;
+  result.points.push_back(place(search.graph(), node));
+  append_tree_path(search, node, result);
   return result;
 }
 

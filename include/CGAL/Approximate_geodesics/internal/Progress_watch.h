@@ -49,15 +49,15 @@ public:
                  Labels& labels,
                  const Queue& queue,
                  const std::vector<Node>& targets,
-                 std::vector<LastArc> last_arcs,
+                 std::vector<std::vector<LastArc>> places,
                  Visitor& visitor,
                  const Estimate& estimate)
     : m_graph(graph),
       m_labels(labels),
       m_queue(queue),
       m_targets(targets),
-      m_last_arcs(std::move(last_arcs)),
-      m_has_goal(!m_targets.empty() || !m_last_arcs.empty()),
+      m_places(std::move(places)),
+      m_has_goal(!m_targets.empty() || !m_places.empty()),
       m_visitor(visitor),
       m_estimate(estimate)
   {
@@ -70,8 +70,7 @@ public:
     if(m_number_settled == number_of_earlier || !is_settled(m_labels.order()[m_number_settled]))
       return true;
     settle(number_of_earlier);
-    return !(m_has_goal && targets_are_settled() && last_arc_is_certain()) &&
-           m_visitor.go_further();
+    return !(m_has_goal && targets_are_settled() && places_are_certain()) && m_visitor.go_further();
   }
 
   // To be called when the queue is empty.
@@ -114,13 +113,18 @@ private:
     return m_targets.empty();
   }
 
-  // Whether no node that is not settled can be on the shortest path to the end of these arcs.
-  bool last_arc_is_certain() const
+  bool places_are_certain()
   {
-    if(m_last_arcs.empty())
-      return true;
+    while(!m_places.empty() && is_certain(m_places.back()))
+      m_places.pop_back();
+    return m_places.empty();
+  }
+
+  // Whether no node that is not settled can be on the shortest path to where these arcs lead.
+  bool is_certain(const std::vector<LastArc>& arcs) const
+  {
     double shortest = std::numeric_limits<double>::infinity();
-    for(const LastArc& arc : m_last_arcs)
+    for(const LastArc& arc : arcs)
       shortest = (std::min)(shortest, m_labels.distance(arc.node) + arc.length);
     return m_queue.is_final(shortest);
   }
@@ -128,8 +132,8 @@ private:
   const Graph& m_graph;
   Labels& m_labels;
   const Queue& m_queue;
-  std::vector<Node> m_targets; // those that are not settled
-  std::vector<LastArc> m_last_arcs;
+  std::vector<Node> m_targets;                // those that are not settled
+  std::vector<std::vector<LastArc>> m_places; // those that are not certain
   bool m_has_goal;
   Visitor& m_visitor;
   const Estimate& m_estimate;

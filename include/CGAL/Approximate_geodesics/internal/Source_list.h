@@ -8,13 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Approximate_geodesics/Surface_point.h>
+#include <CGAL/Approximate_geodesics/internal/Surface_search.h>
+
 #include <boost/iterator/iterator_adaptor.hpp>
 
-#include <array>
 #include <cstddef>
 #include <list>
-#include <utility>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -27,16 +27,14 @@ namespace internal {
 template <typename TriangleMesh>
 class Source_list
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  using Face_location = std::pair<face_descriptor, std::array<double, 3>>;
+  using Face_location = Approximate_geodesics::Face_location<TriangleMesh>;
 
-  struct Source
+  struct Listed_source
   {
-    vertex_descriptor vertex;
+    Source source;
     Face_location location;
   };
-  using List = std::list<Source>;
+  using List = std::list<Listed_source>;
   using List_iterator = typename List::const_iterator;
 
 public:
@@ -57,15 +55,15 @@ public:
     const Face_location& dereference() const { return this->base()->location; }
   };
 
-  static vertex_descriptor vertex(const Iterator it) { return it.base()->vertex; }
+  static const Source& source(const Iterator it) { return it.base()->source; }
 
   Iterator begin() const { return Iterator(m_sources.begin()); }
   Iterator end() const { return Iterator(m_sources.end()); }
   std::size_t size() const { return m_sources.size(); }
 
-  Iterator add(const vertex_descriptor v, const Face_location& location)
+  Iterator add(const Source& source, const Face_location& location)
   {
-    return Iterator(m_sources.insert(m_sources.end(), Source{v, location}));
+    return Iterator(m_sources.insert(m_sources.end(), Listed_source{source, location}));
   }
 
   void remove(const Iterator it) { m_sources.erase(it.base()); }

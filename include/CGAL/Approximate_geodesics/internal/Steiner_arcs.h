@@ -9,10 +9,14 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Place.h>
 #include <CGAL/Approximate_geodesics/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/internal/Face_plane.h>
 #include <CGAL/Approximate_geodesics/internal/Point_row.h>
 #include <CGAL/Approximate_geodesics/internal/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/internal/faces_of_place.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -52,6 +56,26 @@ public:
       expand_divided_vertex(node, labels, f);
     else
       expand_vertex(node, f);
+  }
+
+  // Calls `f(node, cost)` for the straight lines from a place to the nodes on the sides of its
+  // faces, or, if it is a vertex, for all nodes that stand for it.
+  template <typename F>
+  void for_each(const Place& place, F f) const
+  {
+    if(place.is_vertex())
+    {
+      f(place.vertex, 0.);
+      if(is_divided(place.vertex))
+        for(Index s = m_sectors.first_sector(place.vertex);
+            s < m_sectors.beyond_sector(place.vertex); ++s)
+          f(m_nodes.node_of_sector(s), 0.);
+      return;
+    }
+    for_each_face(m_triangulation, place, [&](const Index h) { expand_place(place, h, f); });
+    if(place.is_on_edge())
+      for(const Index h : {place.halfedge, m_triangulation.opposite(place.halfedge)})
+        expand_along_edge(h == place.halfedge ? place.t : 1 - place.t, h, f);
   }
 
 private:
@@ -204,9 +228,9 @@ private:
   // ----- arcs from points on edges
 
   // A point on an edge, seen from the face to the left of a halfedge.
-  struct Place
+  struct Viewpoint
   {
-    Place reversed(const Index twin) const
+    Viewpoint reversed(const Index twin) const
     {
       return {twin, node, from_target, from_source, toward_target, toward_source};
     }
@@ -237,7 +261,7 @@ private:
     const Index p = m_nodes.point(node), h = m_points.halfedge(p);
     const Index twin = m_triangulation.opposite(h);
     const bool has_right = m_points.edge(twin) == m_points.edge(h) && is_open(twin);
-    const Place left = place_on_edge(p, h);
+    const Viewpoint left = place_on_edge(p, h);
     expand_along_edge(left, p, f);
 
     const Node origin = labels.predecessor(node);
@@ -252,9 +276,11 @@ private:
       expand_crossed_edge(left, origin, labels, f);
   }
 
-  // The arcs from a place between two faces, one of which the path has crossed from `origin` on.
+  // The arcs from a viewpoint between two faces, one of which the path has crossed from `origin`
+  // on.
   template <typename Labels, typename F>
-  void expand_crossed_edge(const Place& left, const Node origin, const Labels& labels, F& f) const
+  void
+  expand_crossed_edge(const Viewpoint& left, const Node origin, const Labels& labels, F& f) const
   {
     const Face right_face = face(m_triangulation.opposite(left.halfedge));
     const bool comes_from_right = is_opposite(origin, right_face);
@@ -270,7 +296,7 @@ private:
   }
 
   // The point `p`, whose edge has `h` as its first halfedge.
-  Place place_on_edge(const Index p, const Index h) const
+  Viewpoint place_on_edge(const Index p, const Index h) const
   {
     const Index e = m_points.edge(h);
     const double length = m_triangulation.length(h);
@@ -283,19 +309,19 @@ private:
             p + 1 == m_points.beyond_point(e) ? node_at_target(h) : node + 1};
   }
 
-  // The arcs from a place, which is that of the point `p`, to its neighbours.
+  // The arcs from a viewpoint, which is that of the point `p`, to its neighbours.
   template <typename F>
-  void expand_along_edge(const Place& place, const Index p, F& f) const
+  void expand_along_edge(const Viewpoint& view, const Index p, F& f) const
   {
-    const Index h = place.halfedge, e = m_points.edge(h);
+    const Index h = view.halfedge, e = m_points.edge(h);
     const double weight = m_triangulation.weight_of_edge(h), length = m_triangulation.length(h);
     if(weight == infinity)
       return;
-    f(place.toward_source,
-      weight * (p == m_points.first_point(e) ? place.from_source
+    f(view.toward_source,
+      weight * (p == m_points.first_point(e) ? view.from_source
                                              : length * m_points.part_between(e, p - 1)));
-    f(place.toward_target,
-      weight * (p + 1 == m_points.beyond_point(e) ? place.from_target
+    f(view.toward_target,
+      weight * (p + 1 == m_points.beyond_point(e) ? view.from_target
                                                   : length * m_points.part_between(e, p)));
   }
 
@@ -309,35 +335,35 @@ private:
     return e == m_points.edge(face.second) || e == m_points.edge(face.third);
   }
 
-  // The arcs across a face, whose first halfedge is that of the place.
+  // The arcs across a face, whose first halfedge is that of the viewpoint.
   template <typename Labels, typename F>
-  void expand_face(const Place& place, const Face& face, const Labels& labels, F& f) const
+  void expand_face(const Viewpoint& view, const Face& face, const Labels& labels, F& f) const
   {
-    const double weight = m_triangulation.weight(place.halfedge);
-    const double length = m_triangulation.length(place.halfedge);
+    const double weight = m_triangulation.weight(view.halfedge);
+    const double length = m_triangulation.length(view.halfedge);
     const Row at_target = row(face.second, true), at_source = row(face.third, false);
 
     const Corner corner(length, at_target.length(), at_source.length());
     f(corner_node(m_triangulation.target(face.second), face.third),
-      weight * corner.distance(place.from_target, at_target.length()));
+      weight * corner.distance(view.from_target, at_target.length()));
     if(at_target.size() > 0)
-      visit(at_target, worthwhile(at_target, corner, weight, place, false, labels), corner,
-            place.from_target, weight, f);
+      visit(at_target, worthwhile(at_target, corner, weight, view, false, labels), corner,
+            view.from_target, weight, f);
     if(at_source.size() > 0)
     {
       const Corner other_corner(length, at_source.length(), at_target.length());
-      visit(at_source, worthwhile(at_source, other_corner, weight, place, true, labels),
-            other_corner, place.from_source, weight, f);
+      visit(at_source, worthwhile(at_source, other_corner, weight, view, true, labels),
+            other_corner, view.from_source, weight, f);
     }
   }
 
-  // The ranks of the points of a row that a path over a place may be the cheapest one to, given its
-  // neighbours. The row starts from the corner at the source or target of the place's halfedge.
+  // The ranks of the points of a row that a path over a viewpoint may be the cheapest one to, given
+  // its neighbours. The row starts from the corner at the source or target of its halfedge.
   template <typename Labels>
   std::pair<Index, Index> worthwhile(const Row& row,
                                      const Corner& corner,
                                      const double weight,
-                                     const Place& place,
+                                     const Viewpoint& view,
                                      const bool is_at_source,
                                      const Labels& labels) const
   {
@@ -346,13 +372,13 @@ private:
     const auto reached = [&](const Node node, const double distance_if_end) {
       return Reached_point{labels.distance(node),
                            m_nodes.is_point(node)
-                               ? distance_from_end(place.halfedge, node, is_at_source)
+                               ? distance_from_end(view.halfedge, node, is_at_source)
                                : distance_if_end};
     };
-    const double length = m_triangulation.length(place.halfedge);
-    return cell(row, corner, weight, reached(place.node, 0),
-                reached(is_at_source ? place.toward_source : place.toward_target, 0),
-                reached(is_at_source ? place.toward_target : place.toward_source, length));
+    const double length = m_triangulation.length(view.halfedge);
+    return cell(row, corner, weight, reached(view.node, 0),
+                reached(is_at_source ? view.toward_source : view.toward_target, 0),
+                reached(is_at_source ? view.toward_target : view.toward_source, length));
   }
 
   // The distance of a point on the edge of `h` from the source or the target of `h`.
@@ -362,6 +388,60 @@ private:
     const bool is_from_first_end = m_points.is_first(h) == is_from_source;
     return m_triangulation.length(h) *
            (is_from_first_end ? m_points.part_before(e, p) : m_points.part_behind(e, p));
+  }
+
+  // ----- arcs from places that are not nodes
+
+  // To the corners of the face to the left of `h`, and to points on those of its sides that the
+  // place is not on.
+  template <typename F>
+  void expand_place(const Place& place, const Index h, F& f) const
+  {
+    if(!is_open(h))
+      return;
+    const double weight = m_triangulation.weight(h);
+    const Face_plane plane(m_triangulation, h);
+    plane.for_each_position(place, [&](const Plane_vector position) {
+      for(const std::size_t i : {0, 1, 2})
+      {
+        const Index side = plane.halfedge(i);
+        const Plane_vector start = plane.corner(i), end = plane.corner((i + 1) % 3);
+        f(corner_node(plane.vertex(i), side), weight * length(start - position));
+        const bool is_on_side =
+            place.is_on_edge() &&
+            (side == place.halfedge || m_triangulation.opposite(side) == place.halfedge);
+        if(!is_on_side)
+          for_each_point(side, [&](const Node node, const double part) {
+            f(node, weight * length(start + part * (end - start) - position));
+          });
+      }
+    });
+  }
+
+  // From the point at the part `t` of the way along `h` to all nodes of the edge, or of its left
+  // side.
+  template <typename F>
+  void expand_along_edge(const double t, const Index h, F& f) const
+  {
+    const double weight = m_triangulation.weight_of_edge(h);
+    if(weight == infinity)
+      return;
+    const double cost = weight * m_triangulation.length(h);
+    f(node_at_source(h), cost * t);
+    f(node_at_target(h), cost * (1 - t));
+    for_each_point(h,
+                   [&](const Node node, const double part) { f(node, cost * std::abs(part - t)); });
+  }
+
+  // Calls `f(node, part)` for the points of the edge of `h`, or of its left side, with their parts
+  // of the way along `h`.
+  template <typename F>
+  void for_each_point(const Index h, F f) const
+  {
+    const Index e = m_points.edge(h);
+    for(Index p = m_points.first_point(e); p < m_points.beyond_point(e); ++p)
+      f(m_nodes.node_of_point(p),
+        m_points.is_first(h) ? m_points.part_before(e, p) : m_points.part_behind(e, p));
   }
 
   const Intrinsic_triangulation& m_triangulation;

@@ -25,6 +25,8 @@
   APPLY(epsilon_t, epsilon, epsilon)                                                               \
   APPLY(face_weight_t, face_weight, face_weight_map)                                               \
   APPLY(relative_tolerance_t, relative_tolerance, relative_tolerance)                              \
+  APPLY(initial_distances_t, initial_distances, initial_distances)                                 \
+  APPLY(straighten_t, straighten, straighten)                                                      \
   APPLY(targets_t, targets, targets)                                                               \
   APPLY(nearest_source_t, nearest_source, nearest_source_map)                                      \
   APPLY(geodesic_predecessor_t, geodesic_predecessor, predecessor_map)

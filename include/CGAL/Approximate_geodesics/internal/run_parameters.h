@@ -8,10 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/internal/Surface_search.h>
 #include <CGAL/Approximate_geodesics/internal/Vertex_visitor.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -19,33 +22,35 @@ namespace Approximate_geodesics {
 namespace internal {
 
 // Reads the named parameters that say how far a run goes.
-template <typename Propagation, typename Vertices, typename NamedParameters>
-typename Propagation::Stop_rule stop_rule(const Vertices& vertices, const NamedParameters& np)
+template <typename Search, typename MeshPlaces, typename NamedParameters>
+typename Search::Stop_rule stop_rule(const typename Search::Search::Graph& graph,
+                                     const MeshPlaces& places,
+                                     const NamedParameters& np)
 {
-  typename Propagation::Stop_rule result;
+  typename Search::Stop_rule result;
   result.maximum_distance = CGAL::to_double(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::maximum_distance), result.maximum_distance));
   if constexpr(is_given<NamedParameters, internal_np::targets_t>)
-    for(const auto v : parameters::get_parameter(np, internal_np::targets))
-      result.targets.push_back(vertices.node(v));
+    for(const auto& target : parameters::get_parameter(np, internal_np::targets))
+      add_target(result, graph, places.place(target));
   return result;
 }
 
-// Runs `propagation` under the visitor that the named parameters give, if any.
-template <typename Propagation, typename Vertices, typename NamedParameters>
-void run(Propagation& propagation,
-         const std::vector<typename Propagation::Seed>& seeds,
-         const typename Propagation::Stop_rule& stop,
+// Runs a search under the visitor that the named parameters give, if any.
+template <typename Search, typename Vertices, typename NamedParameters>
+void run(Search& search,
+         std::vector<Source> sources,
+         const typename Search::Stop_rule& stop,
          const Vertices& vertices,
          const NamedParameters& np)
 {
   if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
   {
     auto visitor = parameters::get_parameter(np, internal_np::visitor);
-    propagation.run(seeds, stop, make_vertex_visitor(visitor, vertices));
+    search.run(std::move(sources), stop, make_vertex_visitor(visitor, vertices));
   }
   else
-    propagation.run(seeds, stop);
+    search.run(std::move(sources), stop, Geodesic_visitor_base());
 }
 
 } // namespace internal

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -103,26 +104,27 @@ private:
   double m_position = 0; // how far the walk has got
 };
 
-// Calls `f(h, t)` for the halfedges that `arc` crosses, at the part `t` of the way from their
-// source to their target.
+// Calls `f(h, t)` for the halfedges that the line from the origin to `end` crosses, at the part `t`
+// of the way from their source to their target. The first of them has its source at `left` and its
+// target at `right`.
 template <typename F>
 void for_each_crossing(const Intrinsic_triangulation& triangulation,
-                       const Straight_arc& arc,
                        const std::vector<Intrinsic_triangulation::Index>& halfedges,
+                       Plane_vector left,
+                       Plane_vector right,
+                       const Plane_vector end,
                        F f)
 {
-  if(halfedges.empty())
-    return;
   const Unfolding_on_demand unfolding(triangulation);
-  Unfolded_face face = unfolding.face(arc.start);
-  Plane_vector left{0, 0}, right{triangulation.length(arc.start), 0}; // of the face's base
-  Line_walk walk(arc.position);
-  for(const auto h : halfedges)
+  Line_walk walk(end);
+  for(std::size_t i = 0; i < halfedges.size(); ++i)
   {
+    f(halfedges[i], walk.cross_edge(left, right));
+    if(i + 1 == halfedges.size())
+      return;
+    const Unfolded_face face = unfolding.face(halfedges[i]);
     const Plane_vector apex = face.position_of_apex(left, right);
-    (h == face.right ? left : right) = apex;
-    f(h, walk.cross_edge(left, right));
-    face = unfolding.face(h);
+    (halfedges[i + 1] == face.right ? left : right) = apex;
   }
 }
 
@@ -155,7 +157,9 @@ double trace_arc(const Intrinsic_triangulation& triangulation,
   expansion.expand(source, compare, Remembering<Filter>{Filter(), tree});
   if(found.target != target)
     reject("the graph has an arc that the mesh has not; was it read from a file that was changed?");
-  for_each_crossing(triangulation, found, tree.halfedges(found.way), f);
+  const Plane_vector right{triangulation.length(found.start), 0};
+  const Plane_vector left = unfolding.face(found.start).position_of_apex({0, 0}, right);
+  for_each_crossing(triangulation, tree.halfedges(found.way), left, right, found.position, f);
   return found.length;
 }
 

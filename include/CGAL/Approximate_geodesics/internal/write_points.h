@@ -17,13 +17,15 @@ namespace Approximate_geodesics {
 namespace internal {
 
 // Writes the points of a path in a graph of the given type, from its last one to its first.
-template <typename GeodesicGraph,
-          typename Vertices,
+// Writes the points of a path, from its end to its start. If there are only vertices among them,
+// they can be of any type.
+template <bool HasPointsBetweenVertices,
+          typename MeshPlaces,
           typename TriangleMesh,
           typename OutputIterator,
           typename NamedParameters>
 void write_points(const Path& path,
-                  const Vertices& vertices,
+                  const MeshPlaces& places,
                   const TriangleMesh& tmesh,
                   OutputIterator points,
                   const NamedParameters& np)
@@ -34,14 +36,14 @@ void write_points(const Path& path,
   const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, tmesh));
   for(auto it = path.points.rbegin(); it != path.points.rend(); ++it)
-    if constexpr(has_crossing_arcs<GeodesicGraph>)
+    if constexpr(HasPointsBetweenVertices)
     {
       using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-      *points++ = vertices.point(
+      *points++ = places.point(
           *it, point_map, choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits)));
     }
     else
-      *points++ = vertices.point_of_vertex(*it, point_map);
+      *points++ = places.point_of_vertex(*it, point_map);
 }
 
 } // namespace internal

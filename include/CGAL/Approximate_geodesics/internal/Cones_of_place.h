@@ -1,0 +1,243 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_CONES_OF_PLACE_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_CONES_OF_PLACE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Place.h>
+#include <CGAL/Approximate_geodesics/internal/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/internal/Face_plane.h>
+#include <CGAL/Approximate_geodesics/internal/Places_by_face.h>
+#include <CGAL/Approximate_geodesics/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/internal/lines_in_faces.h>
+#include <CGAL/Approximate_geodesics/internal/trace_arc.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The straight lines from a place that is not a vertex, across the faces around, as far as a
+ * discrete geodesic graph follows those from a vertex: to vertices, and to other such places. For
+ * the same reason as there, they are enough for paths that are at most 1 + epsilon times as long as
+ * the shortest ones.
+ */
+class Cones_of_place
+{
+  using Index = Intrinsic_triangulation::Index;
+
+public:
+  Cones_of_place(const Intrinsic_triangulation& triangulation,
+                 const double epsilon,
+                 const Place& place)
+    : m_triangulation(triangulation),
+      m_unfolding(triangulation),
+      m_expansion(triangulation, m_unfolding, epsilon),
+      m_place(place)
+  {
+  }
+
+  // Calls `f(v, length)` for the lines to vertices.
+  template <typename F>
+  void for_each_arc(F f) const
+  {
+    for_each_line_to_corner(m_triangulation, m_place, f);
+    if(!m_place.is_vertex())
+      for_each_window([&](const Window& window, const Index start) {
+        m_expansion.expand_through(
+            window, start, [&](const Straight_arc& arc) { f(arc.target, arc.length); },
+            Leave_out_nothing());
+      });
+  }
+
+  // Calls `f(i, length)` for the lines to given places.
+  template <typename F>
+  void for_each_line(const Places_by_face& places, F f) const
+  {
+    if(places.is_empty() || m_place.is_vertex())
+      return;
+    for_each_line_in_face(m_triangulation, m_place, places, f);
+    Window_tree tree;
+    expand_to_places(places, tree,
+                     [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); });
+  }
+
+  // Calls `f(h, t)` for the edges that the line of the given length to the vertex `v` crosses.
+  // Returns its length.
+  template <typename F>
+  double trace_arc(const Index v, const double length, F f) const
+  {
+    Search search{length};
+    for_each_line_to_corner(m_triangulation, m_place, [&](const Index corner, const double l) {
+      if(corner == v)
+        search.consider({corner, l, {0, 0}, 0, 0});
+    });
+    if(!m_place.is_vertex())
+      for_each_window([&](const Window& window, const Index start) {
+        m_expansion.expand_through(
+            window, start,
+            [&](const Straight_arc& arc) {
+              if(arc.target == v)
+                search.consider(arc);
+            },
+            Remembering<Leave_out_nothing>{Leave_out_nothing(), search.tree});
+      });
+    return trace(search, f);
+  }
+
+  // The same for the line to `end`, which is not a vertex.
+  template <typename F>
+  double trace_line(const Place& end, const double length, F f) const
+  {
+    const Places_by_face places(m_triangulation, {end});
+    Search search{length};
+    for_each_line_in_face(m_triangulation, m_place, places, [&](std::size_t, const double l) {
+      search.consider({0, l, {0, 0}, 0, 0});
+    });
+    expand_to_places(places, search.tree,
+                     [&](std::size_t, const Straight_arc& line) { search.consider(line); });
+    return trace(search, f);
+  }
+
+private:
+  // The line whose length is closest to a given one.
+  struct Search
+  {
+    void consider(const Straight_arc& line)
+    {
+      const double difference = std::abs(line.length - length);
+      if(difference < smallest_difference)
+      {
+        smallest_difference = difference;
+        found = line;
+      }
+    }
+
+    double length;
+    double smallest_difference = std::numeric_limits<double>::infinity();
+    Straight_arc found = {Intrinsic_triangulation::null_index, 0, {0, 0}, 0, 0};
+    Window_tree tree = {};
+  };
+
+  // Looks for places in the faces that it is told of, and remembers windows.
+  template <typename Report>
+  struct Finding_places : Leave_out_nothing
+  {
+    static constexpr bool wants_faces = true;
+
+    void on_face(const Cone& cone, const Plane_vector apex) const
+    {
+      const Window& w = cone.window;
+      places.for_each_in_face(triangulation, w.halfedge, [&](const std::size_t i) {
+        for_each_weights(triangulation, places[i], w.halfedge, [&](const Weights& weights) {
+          const Plane_vector position =
+              weights[0] * w.left_position + weights[1] * w.right_position + weights[2] * apex;
+          if(is_seen(position, cone))
+            report(i, Straight_arc{0, length(position), position, start, w.way});
+        });
+      });
+    }
+
+    static bool is_seen(const Plane_vector position, const Cone& cone)
+    {
+      const double rounding = 1e-14 * length(position);
+      return cross(cone.right.direction, position) >= -rounding &&
+             cross(position, cone.left.direction) >= -rounding;
+    }
+
+    std::uint32_t way_through(const Index halfedge, const std::uint32_t way) const
+    {
+      return tree.add(halfedge, way);
+    }
+
+    const Intrinsic_triangulation& triangulation;
+    const Places_by_face& places;
+    Window_tree& tree;
+    const Report& report;
+    Index start;
+  };
+
+  template <typename Report>
+  void expand_to_places(const Places_by_face& places, Window_tree& tree, const Report& report) const
+  {
+    for_each_window([&](const Window& window, const Index start) {
+      m_expansion.expand_through(
+          window, start, [](const Straight_arc&) {},
+          Finding_places<Report>{{}, m_triangulation, places, tree, report, start});
+    });
+  }
+
+  // Calls `f(window, start)` for the sides of the faces around that one can look out of. `start` is
+  // the halfedge inside.
+  template <typename F>
+  void for_each_window(F f) const
+  {
+    for_each_face(m_triangulation, m_place, [&](const Index h) {
+      for(const Index side : halfedges_of_face(m_triangulation, h))
+        if(!m_triangulation.is_border(m_triangulation.opposite(side)) && !is_on(side))
+        {
+          const Window w = window(side);
+          if(w.left_distance > 0 && w.right_distance > 0)
+            f(w, side);
+        }
+    });
+  }
+
+  bool is_on(const Index side) const
+  {
+    return m_place.is_on_edge() &&
+           (side == m_place.halfedge || m_triangulation.opposite(side) == m_place.halfedge);
+  }
+
+  // The view out of the face to the left of `side`, from the place at the origin.
+  Window window(const Index side) const
+  {
+    const Face_plane plane(m_triangulation, side);
+    Plane_vector position{0, 0};
+    plane.for_each_position(m_place, [&](const Plane_vector p) { position = p; });
+    const Plane_vector left = plane.corner(1) - position, right = plane.corner(0) - position;
+    return {m_triangulation.opposite(side),
+            plane.vertex(1),
+            plane.vertex(0),
+            left,
+            right,
+            length(left),
+            length(right),
+            0};
+  }
+
+  template <typename F>
+  double trace(const Search& search, F f) const
+  {
+    const std::vector<Index> halfedges = search.tree.halfedges(search.found.way);
+    if(!halfedges.empty())
+    {
+      const Window first = window(search.found.start);
+      for_each_crossing(m_triangulation, halfedges, first.left_position, first.right_position,
+                        search.found.position, f);
+    }
+    return search.found.length;
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Unfolding_on_demand m_unfolding;
+  const Cone_expansion<Unfolding_on_demand> m_expansion;
+  const Place m_place;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_CONES_OF_PLACE_H

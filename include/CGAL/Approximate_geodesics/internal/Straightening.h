@@ -1,0 +1,81 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_STRAIGHTENING_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_STRAIGHTENING_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Place.h>
+#include <CGAL/Approximate_geodesics/internal/Layout.h>
+#include <CGAL/Approximate_geodesics/internal/Path.h>
+#include <CGAL/Approximate_geodesics/internal/Path_sleeves.h>
+#include <CGAL/Approximate_geodesics/internal/Path_steps.h>
+#include <CGAL/Approximate_geodesics/internal/Tightening.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * Makes paths locally shortest.
+ */
+class Straightening
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // The triangulation is referred to, not copied.
+  explicit Straightening(const Intrinsic_triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  // Returns a path between the same places that is not longer than `path`. It is locally shortest,
+  // unless that takes too many rounds. Its length is the sum of its segments.
+  Path shortened(const Path& path) const
+  {
+    if(path.points.size() < 2)
+      return path;
+    const Path_steps steps(m_triangulation, path.points);
+    if(!std::isfinite(steps.length()))
+      return path;
+    Path result;
+    append(steps.points.front(), result.points);
+    Tightening tightening(m_triangulation);
+    Path_sleeves(m_triangulation, steps)
+        .for_each_sleeve([&](const Sleeve& sleeve, const Place& end) {
+          tightening.tighten(sleeve);
+          tightening.for_each_point([&](const Place& p) { append(p, result.points); });
+          append(end, result.points);
+        });
+    result.length = length_of_segments(m_triangulation, result.points);
+    if(result.length <= steps.length())
+      return result;
+    const double length = length_of_segments(m_triangulation, path.points);
+    return result.length <= length ? result : Path{path.points, length};
+  }
+
+private:
+  // Crossings at the end of an edge are at its vertex, where there may be several of them.
+  void append(const Place& p, std::vector<Place>& points) const
+  {
+    const Place q = simplified(m_triangulation, p);
+    if(points.empty() || !q.is_vertex() || q.vertex != points.back().vertex)
+      points.push_back(q);
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_STRAIGHTENING_H

@@ -1,0 +1,85 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_LINES_IN_FACES_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_LINES_IN_FACES_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Place.h>
+#include <CGAL/Approximate_geodesics/internal/Face_plane.h>
+#include <CGAL/Approximate_geodesics/internal/Places_by_face.h>
+#include <CGAL/Approximate_geodesics/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/internal/faces_of_place.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Calls `f(vertex, length)` for the straight lines from a place to the corners of its faces.
+template <typename F>
+void for_each_line_to_corner(const Intrinsic_triangulation& triangulation, const Place& place, F f)
+{
+  if(place.is_vertex())
+  {
+    f(place.vertex, 0.);
+    return;
+  }
+  for_each_face(triangulation, place, [&](const Place::Index h) {
+    const Face_plane plane(triangulation, h);
+    plane.for_each_position(place, [&](const Plane_vector p) {
+      for(const std::size_t i : {0, 1, 2})
+        f(plane.vertex(i), length(plane.corner(i) - p));
+    });
+  });
+}
+
+// The cost of the way along an edge between two places that lie on it, or infinity.
+inline double
+cost_along_edge(const Intrinsic_triangulation& triangulation, const Place& from, const Place& to)
+{
+  const Place::Index h = from.halfedge, twin = triangulation.opposite(h);
+  if(!from.is_on_edge() || !to.is_on_edge() || (to.halfedge != h && to.halfedge != twin))
+    return std::numeric_limits<double>::infinity();
+  const double difference = from.t - (to.halfedge == h ? to.t : 1 - to.t);
+  const double weight =
+      (std::min)(triangulation.weight_of_edge(h), triangulation.weight_of_edge(twin));
+  return weight * (std::abs(difference) * triangulation.length(h));
+}
+
+// Calls `f(i, cost)` for the straight lines from a place to those of the given ones that are in the
+// same face.
+template <typename F>
+void for_each_line_in_face(const Intrinsic_triangulation& triangulation,
+                           const Place& place,
+                           const Places_by_face& places,
+                           F f)
+{
+  for_each_face(triangulation, place, [&](const Place::Index h) {
+    places.for_each_in_face(triangulation, h, [&](const std::size_t i) {
+      f(i, cost_along_edge(triangulation, place, places[i]));
+      const double weight = triangulation.weight(h);
+      if(!(weight < std::numeric_limits<double>::infinity()))
+        return;
+      const Face_plane plane(triangulation, h);
+      plane.for_each_position(place, [&](const Plane_vector p) {
+        plane.for_each_position(places[i],
+                                [&](const Plane_vector q) { f(i, weight * length(q - p)); });
+      });
+    });
+  });
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_LINES_IN_FACES_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_LOCATE_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_LOCATE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface_point.h>
+#include <CGAL/Ray_3.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/variant.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <variant>
+#include <vector>
+
+// Where points are on a mesh, found with CGAL's AABB tree.
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+using Space_vector = std::array<double, 3>;
+
+template <typename Point_3>
+Space_vector difference(const Point_3& p, const Point_3& q)
+{
+  const auto v = q - p;
+  return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
+}
+
+inline double dot(const Space_vector& a, const Space_vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Space_vector cross(const Space_vector& a, const Space_vector& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// Weights at most as large as the tolerance, and negative ones, become zero.
+inline std::array<double, 3> snapped(std::array<double, 3> weights, const double tolerance)
+{
+  const double largest = *std::max_element(weights.begin(), weights.end());
+  double sum = 0;
+  for(double& weight : weights)
+  {
+    weight = weight > tolerance || weight == largest ? weight : 0;
+    sum += weight;
+  }
+  for(double& weight : weights)
+    weight /= sum;
+  return weights;
+}
+
+// The barycentric coordinates of a point in a triangle without area: it is taken for a point of the
+// longest side.
+template <typename Point_3>
+std::array<double, 3> coordinates_on_longest_side(const std::array<Point_3, 3>& corners,
+                                                  const Point_3& p)
+{
+  std::array<double, 3> result{1, 0, 0};
+  double longest = 0;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Space_vector side = difference(corners[i], corners[(i + 1) % 3]);
+    const double squared_length = dot(side, side);
+    if(!(squared_length > longest))
+      continue;
+    longest = squared_length;
+    const double t = (std::clamp)(dot(side, difference(corners[i], p)) / squared_length, 0., 1.);
+    result[i] = 1 - t;
+    result[(i + 1) % 3] = t;
+    result[(i + 2) % 3] = 0;
+  }
+  return result;
+}
+
+// The barycentric coordinates of a point of a triangle: the areas that it divides it into.
+template <typename Point_3>
+std::array<double, 3> barycentric_coordinates(const std::array<Point_3, 3>& corners,
+                                              const Point_3& p)
+{
+  const Space_vector normal =
+      cross(difference(corners[0], corners[1]), difference(corners[0], corners[2]));
+  const double squared_area = dot(normal, normal);
+  std::array<double, 3> result{0, 0, 0};
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Point_3 &q = corners[(i + 1) % 3], &r = corners[(i + 2) % 3];
+    result[i] = dot(normal, cross(difference(p, q), difference(p, r))) / squared_area;
+  }
+  const double sum = result[0] + result[1] + result[2];
+  return sum > 0.5 && sum < 2 ? result : coordinates_on_longest_side(corners, p);
+}
+
+// The alternative of type `T` of a variant, whichever library that is from, or a null pointer.
+template <typename T, typename... Types>
+const T* alternative(const boost::variant<Types...>& variant)
+{
+  return boost::get<T>(&variant);
+}
+template <typename T, typename... Types>
+const T* alternative(const std::variant<Types...>& variant)
+{
+  return std::get_if<T>(&variant);
+}
+
+template <typename TriangleMesh, typename VertexPointMap, typename Point_3>
+Face_location<TriangleMesh>
+face_location(const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+              const Point_3& p,
+              const TriangleMesh& tmesh,
+              const VertexPointMap& point_map,
+              const double tolerance)
+{
+  const auto h = halfedge(f, tmesh);
+  const std::array<Point_3, 3> corners{get(point_map, source(h, tmesh)),
+                                       get(point_map, target(h, tmesh)),
+                                       get(point_map, target(next(h, tmesh), tmesh))};
+  return {f, snapped(barycentric_coordinates(corners, p), tolerance)};
+}
+
+// The face of the point of the mesh nearest to `p`, and where that is in it.
+template <typename AABBTree, typename Point_3, typename TriangleMesh, typename VertexPointMap>
+Face_location<TriangleMesh> locate_nearest(const Point_3& p,
+                                           const AABBTree& tree,
+                                           const TriangleMesh& tmesh,
+                                           const VertexPointMap& point_map,
+                                           const double tolerance)
+{
+  if(tree.empty())
+    return {boost::graph_traits<TriangleMesh>::null_face(), {0, 0, 0}};
+  const auto nearest = tree.closest_point_and_primitive(p);
+  return face_location(nearest.second, nearest.first, tmesh, point_map, tolerance);
+}
+
+// The same for the first point where a ray meets the mesh; the face is null if it does not.
+template <typename AABBTree, typename Kernel, typename TriangleMesh, typename VertexPointMap>
+Face_location<TriangleMesh> locate_first(const Ray_3<Kernel>& ray,
+                                         const AABBTree& tree,
+                                         const TriangleMesh& tmesh,
+                                         const VertexPointMap& point_map,
+                                         const double tolerance)
+{
+  using Point_3 = typename Kernel::Point_3;
+  using Segment_3 = typename Kernel::Segment_3;
+  using Intersection =
+      typename AABBTree::template Intersection_and_primitive_id<CGAL::Ray_3<Kernel>>::Type;
+
+  Face_location<TriangleMesh> result(boost::graph_traits<TriangleMesh>::null_face(), {0, 0, 0});
+  double smallest = std::numeric_limits<double>::infinity();
+  const auto consider = [&](const Point_3& p, const auto f) {
+    const Space_vector way = difference(Point_3(ray.source()), p);
+    if(dot(way, way) < smallest)
+    {
+      smallest = dot(way, way);
+      result = face_location(f, p, tmesh, point_map, tolerance);
+    }
+  };
+  std::vector<Intersection> intersections;
+  tree.all_intersections(ray, boost::make_function_output_iterator([&](const auto& intersection) {
+                           intersections.push_back(intersection);
+                         }));
+  for(const auto& [where, f] : intersections)
+    if(const Point_3* p = alternative<Point_3>(where))
+      consider(*p, f);
+    else if(const Segment_3* s = alternative<Segment_3>(where)) // the ray lies in the plane of `f`
+    {
+      consider(s->source(), f);
+      consider(s->target(), f);
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_LOCATE_H
