@@ -27,6 +27,7 @@
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Pairing_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Place.h>
 #include <CGAL/Approximate_geodesics/Propagation.h>
 #include <CGAL/Approximate_geodesics/Propagation_statistics.h>
 #include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
@@ -36,8 +37,13 @@
 #include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Approximate_geodesics/Surface_point.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
+#include <CGAL/farthest_point_sampling.h>
+#include <CGAL/geodesic_gradient.h>
+#include <CGAL/geodesic_isolines.h>
+#include <CGAL/geodesic_voronoi_partition.h>
 #include <CGAL/refined_geodesic_path.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_H

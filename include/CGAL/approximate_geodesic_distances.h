@@ -36,13 +36,14 @@ namespace CGAL {
  * \tparam VertexDistanceMap a model of `WritablePropertyMap` with
  *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type that
  *         `double` converts to
- * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a model of
- *         `ConstRange` with that value type
- * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
+ *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`, or a
+ * model of `ConstRange` with one of these as value type \tparam NamedParameters a sequence of \ref
+ * bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
  * \param vertex_distance_map receives one distance per vertex
- * \param sources a vertex, or a range of vertices; repetitions do no harm
+ * \param sources a point of the surface, or a range of such points; repetitions do no harm
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below
  *
@@ -96,6 +97,12 @@ namespace CGAL {
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
  *                    `bool` as value type}
  *     \cgalParamDefault{unused: no edge is a barrier}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{initial_distances}
+ *     \cgalParamDescription{what is added to the distances from each of the sources}
+ *     \cgalParamType{a model of `ConstRange` with a number type convertible by `CGAL::to_double()`
+ *                    as value type, and of the size of `sources`}
+ *     \cgalParamDefault{`0` for all of them}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}

@@ -23,23 +23,27 @@ namespace CGAL {
  * \f$1 + \varepsilon\f$ times as long as the shortest one on the surface. If not, it is the
  * shortest one along the edges of the mesh, for which there is no bound in general.
  *
- * The run ends when the distance to `target` is certain. The length is that of the
- * polyline, up to rounding.
+ * The run ends when the distance to `target` is certain. Across faces it is led there by the
+ * straight line through space, unless there are weights, edge lengths, or a visitor. The length is
+ * that of the polyline, up to rounding.
  *
  * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all; among paths
  *         of the same length, it may decide which one is found
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
+ *         `Approximate_geodesics::Face_location` or `Approximate_geodesics::Surface_point`
+ * \tparam Target the same
  * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
- * \param source the vertex that the path starts from
- * \param target the vertex that the path ends at
+ * \param source where the path starts: a vertex, an `Approximate_geodesics::Face_location`, or an
+ *               `Approximate_geodesics::Surface_point`
+ * \param target where the path ends, likewise
  * \param points receives the points of the path, from `source` to `target`: its vertices, and where
- *               it crosses edges; a single one if `source` and `target` are the same, and none if
- *               there is no path
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
- *           listed below
+ *               it crosses edges, and its ends; a single one if `source` and `target` are the same,
+ * and none if there is no path \param np an optional sequence of \ref bgl_namedparameters "Named
+ * Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
@@ -91,6 +95,14 @@ namespace CGAL {
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
  *                    `bool` as value type}
  *     \cgalParamDefault{unused: no edge is a barrier}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{straighten}
+ *     \cgalParamDescription{whether the path is shortened to a locally shortest one on the surface:
+ *                           one that gets longer if it is moved a little. It is never made longer,
+ *                           and in most cases becomes the shortest one.}
+ *     \cgalParamType{Boolean}
+ *     \cgalParamDefault{`false`}
+ *     \cgalParamExtra{It cannot be asked for if faces have weights.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}

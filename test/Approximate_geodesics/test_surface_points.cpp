@@ -6,6 +6,7 @@
 #include "exact_surface_distances.h"
 #include "sample_meshes.h"
 #include "surface_points.h"
+#include "surface_subjects.h"
 
 #include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Edge_graph.h>
@@ -53,48 +54,7 @@ constexpr bool has_points_on_edges = is_symmetric<Graph> && !std::is_same_v<Grap
 template <typename Graph>
 constexpr bool is_fixed = !std::is_same_v<Graph, AG::Lazy_discrete_geodesic_graph>;
 
-// ----- meshes
-
-struct Subject
-{
-  std::string name;
-  Mesh mesh;
-  bool has_exact_distances; // the exact class can do without isolated vertices and empty faces
-};
-
-std::vector<Subject> generated_subjects()
-{
-  std::vector<Subject> result;
-  for(Named_mesh& named : generated_meshes(test_seed()))
-  {
-    const bool is_regular = named.name != "scattered parts" &&
-                            named.name != "edges of length zero" &&
-                            named.name.find("strip") == std::string::npos;
-    result.push_back({named.name, std::move(named.mesh), is_regular});
-  }
-  return result;
-}
-
-std::vector<Subject> sample_subjects()
-{
-  std::vector<Subject> result;
-  for(const char* name : {"tetrahedron.off", "icosahedron.off", "cube-meshed.off", "eight.off",
-                          "cross.off", "mesh_with_border.off", "mushroom.off", "cactus.off",
-                          "plane.off", "pinion_small.off", "rotor_small.off", "holes.off",
-                          "open_cube.off", "ellipsoid.off", "octahedron.off", "spool.off"})
-    result.push_back({name, sample_mesh(name), true});
-  return result;
-}
-
 // ----- pairs of points
-
-double size(const Mesh& mesh)
-{
-  CGAL::Bbox_3 box;
-  for(const Vertex v : mesh.vertices())
-    box += mesh.point(v).bbox();
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
-}
 
 // Sources and targets on a mesh, and the exact distances from each of the sources to all targets.
 class Pairs

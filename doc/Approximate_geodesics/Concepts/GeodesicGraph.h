@@ -137,4 +137,50 @@ public:
   void prefetch(Node node) const;
 
   /// @}
+
+  /*!
+  \name Places That Are Not Nodes
+
+  `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` and the functions of this package need
+  these member functions. The search does not.
+  */
+  /// @{
+
+  /*!
+  calls `f(node, length)` for straight lines from a place on the surface to nodes, or back: enough of
+  them for paths that start or end there. If `place` is a vertex, these are the nodes that stand for
+  it, with length `0`.
+  */
+  template <typename F>
+  void for_each_arc(const CGAL::Approximate_geodesics::Place& place, F f) const;
+
+  /*!
+  calls `f(i, length)` for straight lines from a place on the surface to others, none of which need
+  be those of nodes.
+
+  \param place a place that is not a vertex
+  \param places the others: `places[i]` is one of them, and
+         `places.for_each_in_face(triangulation(), h, g)` calls `g(i)` for those in the face to the
+         left of the halfedge `h`, and on its sides
+  \param f what to call
+  */
+  template <typename Places, typename F>
+  void
+  for_each_line(const CGAL::Approximate_geodesics::Place& place, const Places& places, F f) const;
+
+  /// does what `for_each_crossing()` does between nodes, from a place to the node `target`.
+  template <typename F>
+  double for_each_crossing(const CGAL::Approximate_geodesics::Place& source,
+                           Node target,
+                           double length,
+                           F f) const;
+
+  /// does the same from a place to another.
+  template <typename F>
+  double for_each_crossing(const CGAL::Approximate_geodesics::Place& source,
+                           const CGAL::Approximate_geodesics::Place& target,
+                           double length,
+                           F f) const;
+
+  /// @}
 };

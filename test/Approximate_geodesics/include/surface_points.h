@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -52,6 +53,34 @@ inline Point position(const Mesh& mesh, const Surface_point& p)
 inline double distance_in_space(const Point& p, const Point& q)
 {
   return std::sqrt(CGAL::squared_distance(p, q));
+}
+
+// The length of the diagonal of what the mesh is in.
+inline double size(const Mesh& mesh)
+{
+  CGAL::Bbox_3 box;
+  for(const Vertex v : mesh.vertices())
+    box += mesh.point(v).bbox();
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+// The location of a point that is on the mesh.
+inline Face_location location_at(const Mesh& mesh, const Point& p)
+{
+  const auto area = [](const Point& a, const Point& b, const Point& c) {
+    return std::sqrt(CGAL::squared_area(a, b, c));
+  };
+  for(const Face f : mesh.faces())
+  {
+    const Halfedge h = mesh.halfedge(f);
+    const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+                &c = mesh.point(mesh.target(mesh.next(h)));
+    const std::array<double, 3> parts = {area(p, b, c), area(p, c, a), area(p, a, b)};
+    const double whole = area(a, b, c), sum = parts[0] + parts[1] + parts[2];
+    if(sum <= whole * (1 + 1e-12))
+      return {f, {parts[0] / sum, parts[1] / sum, parts[2] / sum}};
+  }
+  throw std::logic_error("the point is not on the mesh");
 }
 
 // ----- which faces they touch

@@ -16,7 +16,9 @@
 #include <CGAL/Approximate_geodesics/internal/Path_steps.h>
 #include <CGAL/Approximate_geodesics/internal/Tightening.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +45,23 @@ public:
   {
     if(path.points.size() < 2)
       return path;
+    // Which ways past other vertices are tried depends on the sides on which it passes its own.
+    constexpr double rounding = 1e-12;
+    constexpr int largest_number_of_runs = 10;
+    Path result = tightened(path);
+    for(int i = 1; i < largest_number_of_runs && has_bend(result); ++i)
+    {
+      Path next = tightened(result);
+      if(!(next.length < result.length * (1 - rounding)))
+        break;
+      result = std::move(next);
+    }
+    return result;
+  }
+
+private:
+  Path tightened(const Path& path) const
+  {
     const Path_steps steps(m_triangulation, path.points);
     if(!std::isfinite(steps.length()))
       return path;
@@ -62,7 +81,12 @@ public:
     return result.length <= length ? result : Path{path.points, length};
   }
 
-private:
+  static bool has_bend(const Path& path)
+  {
+    return path.points.size() > 2 && std::any_of(path.points.begin() + 1, path.points.end() - 1,
+                                                 [](const Place& p) { return p.is_vertex(); });
+  }
+
   // Crossings at the end of an edge are at its vertex, where there may be several of them.
   void append(const Place& p, std::vector<Place>& points) const
   {
