@@ -40,10 +40,11 @@ namespace CGAL {
  * \param source where the path starts: a vertex, an `Approximate_geodesics::Face_location`, or an
  *               `Approximate_geodesics::Surface_point`
  * \param target where the path ends, likewise
- * \param points receives the points of the path, from `source` to `target`: its vertices, and where
- *               it crosses edges, and its ends; a single one if `source` and `target` are the same,
- * and none if there is no path \param np an optional sequence of \ref bgl_namedparameters "Named
- * Parameters" among the ones listed below
+ * \param points receives the points of the path, from `source` to `target`: vertices, where it
+ *               crosses edges, and its ends; a single one if `source` and `target` are the same,
+ *               and none if there is no path
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+ *           listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Propagation_statistics.h>
+#include <CGAL/Approximate_geodesics/internal/Goal.h>
 #include <CGAL/Approximate_geodesics/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/internal/Nearest_sources.h>
 #include <CGAL/Approximate_geodesics/internal/Progress_watch.h>
@@ -314,10 +315,13 @@ private:
       prepare(seeds, stop, estimate);
       if(m_counts)
         count_and_propagate(stop, visitor, estimate);
-      else if(stop.targets.empty() && stop.places.empty() && internal::is_idle_visitor<Visitor>)
-        propagate(stop, internal::No_watch(), estimate, internal::No_counter());
-      else
+      else if(!internal::is_idle_visitor<Visitor>)
         propagate(stop, watch(stop, visitor, estimate), estimate, internal::No_counter());
+      else if(!stop.targets.empty() || !stop.places.empty())
+        propagate(stop, internal::Goal_watch(m_labels, goal(stop, estimate)), estimate,
+                  internal::No_counter());
+      else
+        propagate(stop, internal::No_watch(), estimate, internal::No_counter());
       m_sources.forget_all(); // a visitor may have asked, too early
     }
     catch(...)
@@ -347,15 +351,23 @@ private:
     }
   }
 
-  template <typename Visitor, typename Estimate>
-  auto watch(const Stop_rule& stop, Visitor& visitor, const Estimate& estimate)
+  template <typename Estimate>
+  auto goal(const Stop_rule& stop, const Estimate& estimate) const
   {
     std::vector<std::vector<Last_arc>> places = stop.places;
     for(std::vector<Last_arc>& arcs : places)
       for(Last_arc& arc : arcs)
         arc.length = to_graph_unit(arc.length);
-    return internal::Progress_watch<Graph, Queue, Visitor, Estimate, Last_arc>(
-        *m_graph, m_labels, m_queue, stop.targets, std::move(places), visitor, estimate);
+    return internal::Goal<Queue, Estimate, Last_arc>(m_labels, m_queue, estimate, stop.targets,
+                                                     std::move(places));
+  }
+
+  template <typename Visitor, typename Estimate>
+  auto watch(const Stop_rule& stop, Visitor& visitor, const Estimate& estimate)
+  {
+    using Goal = decltype(goal(stop, estimate));
+    return internal::Progress_watch<Graph, Goal, Visitor>(*m_graph, m_labels, goal(stop, estimate),
+                                                          visitor);
   }
 
   template <typename Visitor, typename Estimate>

@@ -13,10 +13,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -33,33 +31,20 @@ struct No_watch
 };
 
 /*
- * Tells the visitor which nodes are settled, and when the targets are.
+ * Tells the visitor which nodes are settled, and ends a run when the goal is reached.
  *
  * A node that came out of the queue is settled when the queue says that its distance is final, not
  * before. The nodes expanded since the last time are final all at once: as soon as the queue
  * goes on to larger keys. The last ones in the order are those that just came out.
  */
-template <typename Graph, typename Queue, typename Visitor, typename Estimate, typename LastArc>
+template <typename Graph, typename Goal, typename Visitor>
 class Progress_watch
 {
   using Node = Labels::Node;
 
 public:
-  Progress_watch(const Graph& graph,
-                 Labels& labels,
-                 const Queue& queue,
-                 const std::vector<Node>& targets,
-                 std::vector<std::vector<LastArc>> places,
-                 Visitor& visitor,
-                 const Estimate& estimate)
-    : m_graph(graph),
-      m_labels(labels),
-      m_queue(queue),
-      m_targets(targets),
-      m_places(std::move(places)),
-      m_has_goal(!m_targets.empty() || !m_places.empty()),
-      m_visitor(visitor),
-      m_estimate(estimate)
+  Progress_watch(const Graph& graph, Labels& labels, Goal goal, Visitor& visitor)
+    : m_graph(graph), m_labels(labels), m_goal(std::move(goal)), m_visitor(visitor)
   {
   }
 
@@ -67,10 +52,11 @@ public:
   bool go_further(const std::size_t number_appended)
   {
     const std::size_t number_of_earlier = m_labels.order().size() - number_appended;
-    if(m_number_settled == number_of_earlier || !is_settled(m_labels.order()[m_number_settled]))
+    if(m_number_settled == number_of_earlier ||
+       !m_goal.is_settled(m_labels.order()[m_number_settled]))
       return true;
     settle(number_of_earlier);
-    return !(m_has_goal && targets_are_settled() && places_are_certain()) && m_visitor.go_further();
+    return !m_goal.is_reached() && m_visitor.go_further();
   }
 
   // To be called when the queue is empty.
@@ -100,43 +86,10 @@ private:
     m_visitor.on_progress(m_number_settled, m_labels.number_of_nodes());
   }
 
-  bool is_settled(const Node node) const
-  {
-    return m_queue.is_final(m_labels.distance(node) + m_estimate(node));
-  }
-
-  // Looks at one target at a time, so that many of them cost no more than few.
-  bool targets_are_settled()
-  {
-    while(!m_targets.empty() && is_settled(m_targets.back()))
-      m_targets.pop_back();
-    return m_targets.empty();
-  }
-
-  bool places_are_certain()
-  {
-    while(!m_places.empty() && is_certain(m_places.back()))
-      m_places.pop_back();
-    return m_places.empty();
-  }
-
-  // Whether no node that is not settled can be on the shortest path to where these arcs lead.
-  bool is_certain(const std::vector<LastArc>& arcs) const
-  {
-    double shortest = std::numeric_limits<double>::infinity();
-    for(const LastArc& arc : arcs)
-      shortest = (std::min)(shortest, m_labels.distance(arc.node) + arc.length);
-    return m_queue.is_final(shortest);
-  }
-
   const Graph& m_graph;
   Labels& m_labels;
-  const Queue& m_queue;
-  std::vector<Node> m_targets;                // those that are not settled
-  std::vector<std::vector<LastArc>> m_places; // those that are not certain
-  bool m_has_goal;
+  Goal m_goal;
   Visitor& m_visitor;
-  const Estimate& m_estimate;
   std::size_t m_number_settled = 0;
 };
 
