@@ -17,7 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 // Paths that are made locally shortest.
@@ -285,7 +286,7 @@ void expect_idempotent(const Triangulation& t, const Path& path)
   for(std::size_t i = 0; i < (std::min)(again.points.size(), path.points.size()); ++i)
   {
     EXPECT_EQ(again.points[i].vertex, path.points[i].vertex);
-    EXPECT_NEAR(again.points[i].t, path.points[i].t, 1e-6);
+    EXPECT_NEAR(again.points[i].t, path.points[i].t, 1e-9);
   }
 }
 
@@ -542,7 +543,7 @@ void expect_sound_paths(const Surface& surface, const GeodesicGraph& graph, cons
       if(is_regular)
       {
         expect_idempotent(t, shorter);
-        EXPECT_LE(Local_check(surface).largest_defect(shorter.points), 1e-6);
+        EXPECT_LE(Local_check(surface).largest_defect(shorter.points), 1e-9);
       }
     }
 }
@@ -633,7 +634,7 @@ TEST(Straightening, starts_and_ends_anywhere)
       const Path shorter = Straightening(t).shortened(path);
       expect_sound(t, path, shorter);
       expect_idempotent(t, shorter);
-      EXPECT_LE(Local_check(surface).largest_defect(shorter.points), 1e-6);
+      EXPECT_LE(Local_check(surface).largest_defect(shorter.points), 1e-9);
       EXPECT_NEAR(surface.length(shorter.points), shorter.length * t.unit(), 1e-9);
     }
 }
@@ -671,7 +672,6 @@ TEST(Straightening, takes_points_in_faces_on_the_way)
 
 template <typename GeodesicGraph>
 std::size_t number_of_exact_paths(const GeodesicGraph& graph,
-                                  const Mesh& mesh,
                                   const std::vector<double>& exact,
                                   const Vertex source)
 {
@@ -684,7 +684,6 @@ std::size_t number_of_exact_paths(const GeodesicGraph& graph,
     EXPECT_GE(length, expected * (1 - 1e-9));
     result += length <= expected * (1 + 1e-9) ? 1 : 0;
   }
-  EXPECT_GT(mesh.num_vertices(), result);
   return result;
 }
 
@@ -701,9 +700,9 @@ TEST(Straightening, finds_most_of_the_shortest_paths)
     const std::vector<double> exact = exact_distances(mesh, source);
     const auto all = static_cast<double>(mesh.num_vertices());
     const Discrete_geodesic_graph graph(Triangulation(mesh), epsilon(0.1));
-    EXPECT_GT(static_cast<double>(number_of_exact_paths(graph, mesh, exact, source)), 0.9 * all);
+    EXPECT_GT(static_cast<double>(number_of_exact_paths(graph, exact, source)), 0.85 * all);
     const Graph edges{Triangulation(mesh)};
-    EXPECT_GT(static_cast<double>(number_of_exact_paths(edges, mesh, exact, source)), 0.6 * all);
+    EXPECT_GT(static_cast<double>(number_of_exact_paths(edges, exact, source)), 0.5 * all);
   }
 }
 
