@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Place.h>
 #include <CGAL/Approximate_geodesics/internal/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/internal/Face_plane.h>
+#include <CGAL/Approximate_geodesics/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/internal/Places_by_face.h>
 #include <CGAL/Approximate_geodesics/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/internal/lines_in_faces.h>
@@ -140,9 +141,10 @@ private:
     {
       const Window& w = cone.window;
       places.for_each_in_face(triangulation, w.halfedge, [&](const std::size_t i) {
-        for_each_weights(triangulation, places[i], w.halfedge, [&](const Weights& weights) {
+        for_each_face_point(triangulation, places[i], w.halfedge, [&](const Face_point& point) {
+          const Face_point p = point.seen_from(triangulation, w.halfedge);
           const Plane_vector position =
-              weights[0] * w.left_position + weights[1] * w.right_position + weights[2] * apex;
+              p.weight[0] * w.left_position + p.weight[1] * w.right_position + p.weight[2] * apex;
           if(is_seen(position, cone))
             report(i, Straight_arc{0, length(position), position, start, w.way});
         });

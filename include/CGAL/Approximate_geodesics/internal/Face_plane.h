@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Place.h>
+#include <CGAL/Approximate_geodesics/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/internal/faces_of_place.h>
 
@@ -57,17 +58,14 @@ public:
 
   Plane_vector corner(const std::size_t i) const { return m_corners[i]; }
 
-  Plane_vector position(const Weights& weights) const
-  {
-    return weights[0] * m_corners[0] + weights[1] * m_corners[1] + weights[2] * m_corners[2];
-  }
-
   // Calls `f(position)` for where a place is in the face.
   template <typename F>
   void for_each_position(const Place& place, F f) const
   {
-    for_each_weights(m_triangulation, place, m_halfedges[0],
-                     [&](const Weights& weights) { f(position(weights)); });
+    for_each_face_point(m_triangulation, place, m_halfedges[0], [&](const Face_point& point) {
+      const Face_point p = point.seen_from(m_triangulation, m_halfedges[0]);
+      f(p.weight[0] * m_corners[0] + p.weight[1] * m_corners[1] + p.weight[2] * m_corners[2]);
+    });
   }
 
 private:

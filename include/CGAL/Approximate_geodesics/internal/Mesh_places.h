@@ -98,7 +98,7 @@ public:
   Place place(const face_descriptor f, const std::array<FT, 3>& coordinates) const
   {
     check(f);
-    const Weights weights = checked(coordinates);
+    const std::array<double, 3> weights = checked(coordinates);
     const halfedge_descriptor h = halfedge(f, this->mesh());
     const std::array<halfedge_descriptor, 3> sides{h, next(h, this->mesh()), prev(h, this->mesh())};
     for(std::size_t i = 0; i < 3; ++i)
@@ -198,11 +198,11 @@ private:
 
   // Barycentric coordinates, without what can only be rounding errors.
   template <typename FT>
-  static Weights checked(const std::array<FT, 3>& coordinates)
+  static std::array<double, 3> checked(const std::array<FT, 3>& coordinates)
   {
     constexpr double tolerance = 1e-9, rounding = 1e-15;
-    Weights result{CGAL::to_double(coordinates[0]), CGAL::to_double(coordinates[1]),
-                   CGAL::to_double(coordinates[2])};
+    std::array<double, 3> result{CGAL::to_double(coordinates[0]), CGAL::to_double(coordinates[1]),
+                                 CGAL::to_double(coordinates[2])};
     const bool are_valid = result[0] >= -tolerance && result[1] >= -tolerance &&
                            result[2] >= -tolerance &&
                            std::abs(result[0] + result[1] + result[2] - 1) <= tolerance;

@@ -9,10 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/internal/Layout.h>
 #include <CGAL/Approximate_geodesics/internal/Sleeve.h>
 #include <CGAL/Approximate_geodesics/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/internal/Vertex_fan.h>
+#include <CGAL/Approximate_geodesics/internal/corner_angle.h>
 
 #include <cstddef>
 

@@ -10,10 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Place.h>
-#include <CGAL/Approximate_geodesics/internal/Layout.h>
 #include <CGAL/Approximate_geodesics/internal/Path_steps.h>
 #include <CGAL/Approximate_geodesics/internal/Sleeve.h>
 #include <CGAL/Approximate_geodesics/internal/Vertex_fan.h>
+#include <CGAL/Approximate_geodesics/internal/segments.h>
 
 #include <array>
 #include <cmath>

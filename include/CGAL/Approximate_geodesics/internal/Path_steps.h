@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Place.h>
-#include <CGAL/Approximate_geodesics/internal/Layout.h>
+#include <CGAL/Approximate_geodesics/internal/segments.h>
 
 #include <cmath>
 #include <cstddef>

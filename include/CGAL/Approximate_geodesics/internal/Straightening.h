@@ -10,11 +10,11 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Place.h>
-#include <CGAL/Approximate_geodesics/internal/Layout.h>
 #include <CGAL/Approximate_geodesics/internal/Path.h>
 #include <CGAL/Approximate_geodesics/internal/Path_sleeves.h>
 #include <CGAL/Approximate_geodesics/internal/Path_steps.h>
 #include <CGAL/Approximate_geodesics/internal/Tightening.h>
+#include <CGAL/Approximate_geodesics/internal/segments.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,9 +10,9 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Place.h>
-#include <CGAL/Approximate_geodesics/internal/Layout.h>
 #include <CGAL/Approximate_geodesics/internal/Sleeve.h>
 #include <CGAL/Approximate_geodesics/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/internal/corner_angle.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/internal/Layout.h>
 #include <CGAL/Approximate_geodesics/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/internal/corner_angle.h>
 
 #include <algorithm>
 #include <cmath>

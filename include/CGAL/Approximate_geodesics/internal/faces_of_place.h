@@ -12,7 +12,6 @@
 #include <CGAL/Approximate_geodesics/Place.h>
 
 #include <array>
-#include <cstddef>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -42,46 +41,6 @@ void for_each_face(const Intrinsic_triangulation& triangulation, const Place& pl
     call(place.halfedge);
   if(place.is_on_edge())
     call(triangulation.opposite(place.halfedge));
-}
-
-// Barycentric coordinates in the face to the left of a halfedge: those of its source, its target,
-// and the third vertex.
-using Weights = std::array<double, 3>;
-
-// Calls `f(weights)` with where a place is in the face to the left of `h`. That is nowhere if the
-// place lies in other faces only, and can be twice if two sides of the face are the same edge.
-template <typename F>
-void for_each_weights(const Intrinsic_triangulation& triangulation,
-                      const Place& place,
-                      const Place::Index h,
-                      F f)
-{
-  const std::array<Place::Index, 3> sides = halfedges_of_face(triangulation, h);
-  for(std::size_t i = 0; i < 3; ++i)
-  {
-    const std::size_t source = i, target = (i + 1) % 3, third = (i + 2) % 3;
-    Weights weights{0, 0, 0};
-    if(place.is_vertex())
-    {
-      if(triangulation.target(sides[third]) != place.vertex)
-        continue;
-      weights[source] = 1;
-    }
-    else if(sides[i] == place.halfedge)
-    {
-      weights[source] = 1 - place.t - place.s;
-      weights[target] = place.t;
-      weights[third] = place.s;
-    }
-    else if(place.is_on_edge() && triangulation.opposite(sides[i]) == place.halfedge)
-    {
-      weights[source] = place.t;
-      weights[target] = 1 - place.t;
-    }
-    else
-      continue;
-    f(weights);
-  }
 }
 
 } // namespace internal

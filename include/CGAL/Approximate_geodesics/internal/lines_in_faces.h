@@ -10,9 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Place.h>
-#include <CGAL/Approximate_geodesics/internal/Face_plane.h>
+#include <CGAL/Approximate_geodesics/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/internal/Places_by_face.h>
-#include <CGAL/Approximate_geodesics/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/internal/faces_of_place.h>
 
 #include <algorithm>
@@ -34,10 +33,9 @@ void for_each_line_to_corner(const Intrinsic_triangulation& triangulation, const
     return;
   }
   for_each_face(triangulation, place, [&](const Place::Index h) {
-    const Face_plane plane(triangulation, h);
-    plane.for_each_position(place, [&](const Plane_vector p) {
-      for(const std::size_t i : {0, 1, 2})
-        f(plane.vertex(i), length(plane.corner(i) - p));
+    for_each_face_point(triangulation, place, h, [&](const Face_point& p) {
+      for(const Place::Index side : halfedges_of_face(triangulation, h))
+        f(triangulation.source(side), distance(triangulation, p, Face_point::at_source(side)));
     });
   });
 }
@@ -69,10 +67,10 @@ void for_each_line_in_face(const Intrinsic_triangulation& triangulation,
       const double weight = triangulation.weight(h);
       if(!(weight < std::numeric_limits<double>::infinity()))
         return;
-      const Face_plane plane(triangulation, h);
-      plane.for_each_position(place, [&](const Plane_vector p) {
-        plane.for_each_position(places[i],
-                                [&](const Plane_vector q) { f(i, weight * length(q - p)); });
+      for_each_face_point(triangulation, place, h, [&](const Face_point& p) {
+        for_each_face_point(triangulation, places[i], h, [&](const Face_point& q) {
+          f(i, weight * distance(triangulation, p, q));
+        });
       });
     });
   });
