@@ -132,7 +132,8 @@ namespace CGAL {
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key and value
  *                    type}
  *     \cgalParamDefault{unused}
- *     \cgalParamExtra{A source gets itself, and a vertex that was not reached
+ *     \cgalParamExtra{A source gets itself, as does a vertex with no other one between it and a
+ *                     source that is not a vertex; and a vertex that was not reached gets
  *                     `boost::graph_traits<TriangleMesh>::%null_vertex()`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
@@ -167,11 +168,12 @@ namespace CGAL {
  *
  * \throws std::invalid_argument if the mesh or its weights are not as
  *         `CGAL::Approximate_geodesics::Intrinsic_triangulation` requires, if a source or target is
- *         not one of its vertices, if `maximum_distance` is negative or not a number, if `epsilon`
- *         is not a finite number above `0`, if `number_of_points_per_edge` is negative or not an
- *         integer, or if paths run across faces and a face breaks the triangle inequality. The
- *         message says what is wrong and where. If an exception leaves this function, nothing has
- *         been written to any property map.
+ *         not a point of its surface, if an initial distance is negative or infinite or there are
+ *         more or fewer than sources, if `maximum_distance` is negative or not a number, if the
+ *         bound `epsilon` is not a finite number above `0`, if `number_of_points_per_edge` is
+ *         negative or not an integer, or if paths run across faces and a face breaks the triangle
+ *         inequality. The message says what is wrong and where. If an exception leaves this
+ *         function, nothing has been written to any property map.
  * \throws std::length_error if `tmesh` has more halfedges, or the graph more nodes, than 32-bit
  *         numbers can tell apart.
  *

@@ -147,9 +147,9 @@ public:
   /// @{
 
   /*!
-  calls `f(node, length)` for straight lines from a place on the surface to nodes, or back: enough of
-  them for paths that start or end there. If `place` is a vertex, these are the nodes that stand for
-  it, with length `0`.
+  calls `f(node, length)` for straight lines from a place on the surface to nodes, or back: enough
+  of them for paths that start or end there. If `place` is a vertex, these are the nodes that stand
+  for it, with length `0`.
   */
   template <typename F>
   void for_each_arc(const CGAL::Approximate_geodesics::Place& place, F f) const;
