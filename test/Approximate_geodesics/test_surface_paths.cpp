@@ -20,6 +20,8 @@
 #include <iterator>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <variant>
 #include <vector>
 
 // Paths between points of a surface whose lengths can be said beforehand.
@@ -251,7 +253,7 @@ protected:
       const Point &p = m_mesh.point(m_mesh.vertex(e, 0)), &q = m_mesh.point(m_mesh.vertex(e, 1));
       m_barriers[e.idx()] = p.x() == 3 && q.x() == 3 && (std::max)(p.y(), q.y()) <= height;
     }
-    return with_barriers(m_barriers).epsilon(EPSILON);
+    return parameters::epsilon(EPSILON).edge_is_constrained_map(barrier_map(m_barriers));
   }
 
   Face_location at(const double x, const double y) const

@@ -210,7 +210,8 @@ public:
    */
   Source_point_iterator add_source_point(const vertex_descriptor v, const FT initial_distance = 0)
   {
-    return add_source(m_places.place(v), initial_distance, face_location(v));
+    const Place place = m_places.place(v); // which refuses what is not a vertex, first
+    return add_source(place, initial_distance, face_location(v));
   }
 
   /// adds the point of the face `f` that has the given barycentric coordinates as a source.
@@ -233,7 +234,8 @@ public:
   /// adds a point of the surface as a source.
   Source_point_iterator add_source_point(const Surface_point& point, const FT initial_distance = 0)
   {
-    return add_source(m_places.place(point), initial_distance, face_location(point));
+    const Place place = m_places.place(point);
+    return add_source(place, initial_distance, face_location(point));
   }
 
   /// adds the points of a range as sources, and returns an iterator to the first of them, or
@@ -809,12 +811,9 @@ private:
   Source_point_iterator
   add_source(const Place& place, const FT initial_distance, const Face_location& location)
   {
-    if(!(initial_distance >= 0) || std::isinf(initial_distance))
-      internal::reject("the initial distance of a source is " +
-                       internal::text_of(initial_distance) +
-                       "; it must be a finite number that is not negative");
+    const double distance = internal::checked_initial_distance(initial_distance);
     m_has_changed = true;
-    return m_sources.add({place, initial_distance}, location);
+    return m_sources.add({place, distance}, location);
   }
 
   Shortest_path_result shortest_distance(const Place& place)

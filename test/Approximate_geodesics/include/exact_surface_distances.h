@@ -28,9 +28,18 @@ inline Face_location location_in_face(const Mesh& mesh, const Surface_point& p)
   return std::get<Face_location>(p);
 }
 
-// The distances from one point to others along the surface, by CGAL's exact class. Sources on edges
-// are moved inside a face, as that class takes them for the point at the same distance from the
-// edge's other end.
+// The same, a bit inside. The exact class takes some points on edges for the ones at the same
+// distance from the edge's other end.
+inline Face_location location_inside_face(const Mesh& mesh, const Surface_point& p)
+{
+  constexpr double step = 1e-9;
+  Face_location result = location_in_face(mesh, p);
+  for(double& weight : result.second)
+    weight = (weight + step) / (1 + 3 * step);
+  return result;
+}
+
+// The distances from one point to others along the surface, by CGAL's exact class.
 inline std::vector<double> exact_distances(const Mesh& mesh,
                                            const Surface_point& source,
                                            const std::vector<Surface_point>& targets)
@@ -39,19 +48,16 @@ inline std::vector<double> exact_distances(const Mesh& mesh,
   if(const auto* v = std::get_if<Vertex>(&source))
     paths.add_source_point(*v);
   else
-  {
-    constexpr double step = 1e-9;
-    Face_location location = location_in_face(mesh, source);
-    for(double& weight : location.second)
-      weight = (weight + step) / (1 + 3 * step);
-    paths.add_source_point(location);
-  }
+    paths.add_source_point(location_inside_face(mesh, source));
   std::vector<double> result;
   for(const Surface_point& target : targets)
   {
-    const Face_location location = location_in_face(mesh, target);
+    const auto* v = std::get_if<Vertex>(&target);
+    const Face_location location = location_inside_face(mesh, target);
     const double d =
-        paths.shortest_distance_to_source_points(location.first, location.second).first;
+        v != nullptr
+            ? paths.shortest_distance_to_source_points(*v).first
+            : paths.shortest_distance_to_source_points(location.first, location.second).first;
     result.push_back(d < 0 ? infinity : d);
   }
   return result;

@@ -16,11 +16,9 @@
 #include <CGAL/Approximate_geodesics/internal/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/graph/properties.hpp>
 
 #include <array>
 #include <cmath>
@@ -84,7 +82,7 @@ public:
 
   Place place(const halfedge_descriptor h, const double t) const
   {
-    if(h == Graph_traits::null_halfedge())
+    if(h == Graph_traits::null_halfedge() || !is_in_range(h, num_halfedges(this->mesh())))
       reject("the halfedge is not one of the mesh");
     if(!(t >= 0 && t <= 1))
       reject("the part of the way along a halfedge is " + text_of(t) +
@@ -188,12 +186,22 @@ public:
 private:
   void check(const face_descriptor f) const
   {
-    bool is_face = f != Graph_traits::null_face();
-    if constexpr(CGAL::graph_has_property<TriangleMesh, boost::face_index_t>::value)
-      is_face = is_face && static_cast<std::size_t>(get(boost::face_index, this->mesh(), f)) <
-                               static_cast<std::size_t>(num_faces(this->mesh()));
-    if(!is_face || face(halfedge(f, this->mesh()), this->mesh()) != f)
+    const bool may_be_face =
+        f != Graph_traits::null_face() && is_in_range(f, num_faces(this->mesh()));
+    const halfedge_descriptor h =
+        may_be_face ? halfedge(f, this->mesh()) : Graph_traits::null_halfedge();
+    if(h == Graph_traits::null_halfedge() || face(h, this->mesh()) != f) // or was removed
       reject("the face is not one of the mesh");
+  }
+
+  // Whether a descriptor can be one of so many, if it is a number.
+  template <typename Descriptor, typename Size>
+  static bool is_in_range([[maybe_unused]] const Descriptor d, [[maybe_unused]] const Size size)
+  {
+    if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
+      return static_cast<std::size_t>(d) < static_cast<std::size_t>(size);
+    else
+      return true;
   }
 
   // Barycentric coordinates, without what can only be rounding errors.

@@ -61,8 +61,10 @@ public:
   template <typename Sources>
   void run(const Sources& sources)
   {
-    internal::run(m_search, places_of(sources), stop_rule<Search>(m_graph, m_places, m_np),
-                  m_places, m_np);
+    std::vector<Source> places = places_of(sources);
+    set_initial_distances(places);
+    internal::run(m_search, std::move(places), stop_rule<Search>(m_graph, m_places, m_np), m_places,
+                  m_np);
   }
 
   // ... until the distance of `target` is certain
@@ -146,7 +148,6 @@ private:
     else
       for(const auto& source : sources)
         result.push_back({m_places.place(source)});
-    set_initial_distances(result);
     return result;
   }
 
@@ -158,7 +159,7 @@ private:
       for(const auto& distance : parameters::get_parameter(m_np, internal_np::initial_distances))
       {
         if(number < sources.size())
-          sources[number].distance = CGAL::to_double(distance);
+          sources[number].distance = checked_initial_distance(CGAL::to_double(distance));
         ++number;
       }
       if(number != sources.size())

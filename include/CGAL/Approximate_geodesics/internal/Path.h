@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Place.h>
+#include <CGAL/Approximate_geodesics/internal/are_same.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -62,17 +63,6 @@ inline bool is_on_edge(const Place& p,
   if(p.is_on_edge())
     return p.halfedge == halfedge || p.halfedge == triangulation.opposite(halfedge);
   return p.vertex == triangulation.source(halfedge) || p.vertex == triangulation.target(halfedge);
-}
-
-// Whether two places are the same point of the same edge or face, or the same vertex.
-inline bool are_same(const Place& p, const Place& q, const Intrinsic_triangulation& triangulation)
-{
-  if(p.is_vertex() || q.is_vertex())
-    return p.vertex == q.vertex;
-  if(p.halfedge == q.halfedge)
-    return p.t == q.t && p.s == q.s;
-  return p.is_on_edge() && q.is_on_edge() && p.halfedge == triangulation.opposite(q.halfedge) &&
-         p.t == 1 - q.t;
 }
 
 // Appends a point to a path, unless it is where the path has got to. Removes the last point if the

@@ -15,8 +15,10 @@
 #include <CGAL/Approximate_geodesics/internal/Places_by_face.h>
 #include <CGAL/Approximate_geodesics/internal/Straight_line_estimate.h>
 #include <CGAL/Approximate_geodesics/internal/estimates.h>
+#include <CGAL/Approximate_geodesics/internal/messages.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -32,6 +34,14 @@ struct Source
   Place place;
   double distance = 0;
 };
+
+inline double checked_initial_distance(const double distance)
+{
+  if(!(distance >= 0) || std::isinf(distance))
+    reject("the initial distance of a source is " + text_of(distance) +
+           "; it must be a finite number that is not negative");
+  return distance;
+}
 
 // Makes a run go on until the distance of a place is certain.
 template <typename StopRule, typename GeodesicGraph>

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Place.h>
 #include <CGAL/Approximate_geodesics/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/internal/Places_by_face.h>
+#include <CGAL/Approximate_geodesics/internal/are_same.h>
 #include <CGAL/Approximate_geodesics/internal/faces_of_place.h>
 
 #include <algorithm>
@@ -63,6 +64,11 @@ void for_each_line_in_face(const Intrinsic_triangulation& triangulation,
 {
   for_each_face(triangulation, place, [&](const Place::Index h) {
     places.for_each_in_face(triangulation, h, [&](const std::size_t i) {
+      if(are_same(place, places[i], triangulation))
+      {
+        f(i, 0.);
+        return;
+      }
       f(i, cost_along_edge(triangulation, place, places[i]));
       const double weight = triangulation.weight(h);
       if(!(weight < std::numeric_limits<double>::infinity()))

@@ -77,7 +77,8 @@ class Line_walk
 public:
   // The end may be the origin, where vertices are at the same place.
   explicit Line_walk(const Plane_vector end)
-    : m_direction(dot(end, end) > 0 ? 1 / length(end) * end : Plane_vector{1, 0})
+    : m_direction(dot(end, end) > 0 ? 1 / length(end) * end : Plane_vector{1, 0}),
+      m_length(length(end))
   {
   }
 
@@ -95,12 +96,18 @@ public:
       t = to_left / (to_left + to_right);
     else if(start != end)
       t = (std::clamp)((m_position - start) / (end - start), 0., 1.);
+    const double position = start + t * (end - start);
+    const bool is_beside_line = std::abs(end - start) > to_left + to_right; // badly conditioned
+    if(is_beside_line && (position < m_position || position > m_length))
+      t = (std::clamp)(((position < m_position ? m_position : m_length) - start) / (end - start),
+                       0., 1.);
     m_position = (std::max)(m_position, start + t * (end - start));
     return t;
   }
 
 private:
   Plane_vector m_direction;
+  double m_length;
   double m_position = 0; // how far the walk has got
 };
 
