@@ -38,8 +38,8 @@ namespace CGAL {
  *         `double` converts to
  * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
  *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`, or a
- * model of `ConstRange` with one of these as value type \tparam NamedParameters a sequence of \ref
- * bgl_namedparameters "Named Parameters"
+ *         model of `ConstRange` with one of these as value type
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
  * \param vertex_distance_map receives one distance per vertex

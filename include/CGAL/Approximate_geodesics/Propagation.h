@@ -169,7 +169,8 @@ public:
   /*!
    * does the same in another order, which leads to a goal: nodes from where the rest of the way is
    * short come first. This is the A* algorithm \cgalCite{hnr-fbhdm-68}. If the run ends early, it
-   * has reached fewer nodes than another one would.
+   * has reached fewer nodes than another one would; distances of others than the goal and the nodes
+   * on the path there are then not certain.
    *
    * \param seeds where to start
    * \param stop when the run may end early
@@ -204,6 +205,9 @@ public:
 
   /// says whether the runs to come shall count what they do; this makes them a bit slower.
   void collect_statistics(const bool counts) { m_counts = counts; }
+
+  /// returns whether they shall.
+  bool collects_statistics() const { return m_counts; }
 
   /// @}
 
@@ -408,8 +412,11 @@ private:
     const std::size_t first = order.size();
     order.resize(first + batch.size());
     Node* end = order.data() + first;
+    m_smallest_key = std::numeric_limits<double>::infinity();
     for(const auto& [key, node] : batch)
     {
+      if constexpr(internal::is_estimate<Estimate>)
+        m_smallest_key = (std::min)(m_smallest_key, key);
       m_graph->prefetch(node);
       *end = node;
       const bool is_stale = internal::is_larger(key, m_labels.distance(node), node, estimate);
@@ -523,23 +530,29 @@ private:
   template <typename Estimate>
   double key(const Candidate& c, const Estimate& estimate) const
   {
-    if constexpr(std::is_same_v<Estimate, internal::No_estimate>)
-      return c.distance;
+    if constexpr(internal::is_estimate<Estimate>)
+      return (std::max)(c.distance + estimate(c.node), m_smallest_key);
     else
-      return (std::max)(c.distance + estimate(c.node),
-                        m_labels.distance(c.predecessor) + estimate(c.predecessor));
+      return c.distance;
   }
 
-  // The run ends before the queue is empty: what is still in it, or came out last, is not final.
+  // The run ends before the queue is empty: what is still in it, or came out last, is not final. If
+  // the run was led to its goal, nothing else is asked for, and the path there may have nodes whose
+  // keys were rounded up and are still in the queue; so everything stays.
   template <typename Estimate>
-  void discard_uncertain(const std::size_t size_of_batch, const Estimate& estimate)
+  void discard_uncertain(const std::size_t size_of_batch, const Estimate& /* estimate */)
   {
     m_ended_early = true;
-    m_labels.discard_last_of_order(size_of_batch);
-    m_queue.for_each_node([&](const Node node) {
-      if(m_labels.is_reached(node) && !m_queue.is_final(m_labels.distance(node) + estimate(node)))
-        m_labels.discard(node);
-    });
+    if constexpr(internal::is_estimate<Estimate>)
+      m_queue.for_each_node([this](const Node node) { m_labels.order().push_back(node); });
+    else
+    {
+      m_labels.discard_last_of_order(size_of_batch);
+      m_queue.for_each_node([this](const Node node) {
+        if(m_labels.is_reached(node) && !m_queue.is_final(m_labels.distance(node)))
+          m_labels.discard(node);
+      });
+    }
   }
 
   const Graph* m_graph;
@@ -549,6 +562,7 @@ private:
   std::size_t m_number_of_candidates = 0;
   mutable internal::Nearest_sources<Seed> m_sources; // found when first asked for
   std::vector<Seed> m_seeds; // of the last run, distances in units of the graph
+  double m_smallest_key = 0; // of the current batch, if there is an estimate
   Propagation_statistics m_statistics;
   bool m_counts = false;
   bool m_ended_early = false;

@@ -116,9 +116,9 @@ public:
   /// returns the placement of the points.
   const Placement& placement() const { return m_placement; }
 
-  /// returns the bound that the placement guarantees with the present weights: paths cost at most
-  /// `1 + epsilon()` times as much as the cheapest ones on the surface. It is infinity if there is
-  /// none. Run time is \cgalBigO{n}.
+  /// returns the bound that the placement guarantees with the present weights: paths between
+  /// vertices cost at most `1 + epsilon()` times as much as the cheapest ones on the surface. It is
+  /// infinity if there is none. Run time is \cgalBigO{n}.
   double epsilon() const { return m_placement.epsilon(m_triangulation); }
 
   /// returns the number of nodes.

@@ -121,7 +121,7 @@ public:
   /// a point of the surface: a vertex, a point on an edge, or a point in a face.
   using Surface_point = Approximate_geodesics::Surface_point<TriangleMesh>;
 
-  /// the property map of the mesh's points.
+  /// the property map of the mesh's own points.
   using Vertex_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
 
 #ifdef DOXYGEN_RUNNING
@@ -360,9 +360,9 @@ public:
   {
     m_graph.set_face_weights(m_mesh, face_weight_map,
                              parameters::vertex_index_map(m_places.index_map()));
-    m_search = Surface_search(m_graph);
-    m_pair_search.reset();
     m_has_changed = true;
+    m_pair_search.reset();
+    m_search.restart();
   }
 
   /// @}
@@ -682,8 +682,10 @@ public:
    * the last bit. The face is `boost::graph_traits<Triangle_mesh>::%null_face()` if the mesh has no
    * faces, or the ray does not meet any.
    *
-   * Those functions that are given no tree build one. There are static versions, which take the
-   * mesh and a vertex point map as arguments before the tolerance.
+   * Those functions that are given no tree build one, of the mesh's own points. There are static
+   * versions, which take the mesh and a vertex point map as arguments before the tolerance. Where
+   * faces have no area, \cgal's tree may refuse a ray; and where squared coordinates do not fit a
+   * `double`, it cannot find nearest points.
    *
    * \tparam AABBTraits a model of `AABBTraits` for the faces of the mesh
    */
@@ -693,7 +695,9 @@ public:
   template <typename AABBTraits>
   Face_location locate(const Point_3& p, const FT tolerance = default_tolerance) const
   {
-    return locate<AABBTraits>(p, m_mesh, m_point_map, tolerance);
+    AABB_tree<AABBTraits> tree;
+    build_aabb_tree(tree);
+    return locate(p, tree, tolerance);
   }
 
   /// does the same with a tree that was built before.
@@ -709,7 +713,9 @@ public:
   template <typename AABBTraits, typename Kernel>
   Face_location locate(const Ray_3<Kernel>& ray, const FT tolerance = default_tolerance) const
   {
-    return locate<AABBTraits>(ray, m_mesh, m_point_map, tolerance);
+    AABB_tree<AABBTraits> tree;
+    build_aabb_tree(tree);
+    return locate(ray, tree, tolerance);
   }
 
   /// does the same with a tree that was built before.
@@ -721,11 +727,18 @@ public:
     return locate(ray, tree, m_mesh, m_point_map, tolerance);
   }
 
-  /// builds a tree for `locate()`.
+  /// builds a tree of the mesh's faces for `locate()`, with the mesh's own points.
   template <typename AABBTraits>
   void build_aabb_tree(AABB_tree<AABBTraits>& tree) const
   {
-    build_aabb_tree(m_mesh, tree, get(vertex_point, m_mesh));
+    build_aabb_tree(m_mesh, tree);
+  }
+
+  /// builds a tree with other points.
+  template <typename AABBTraits, typename VertexPointMap>
+  void build_aabb_tree(AABB_tree<AABBTraits>& tree, const VertexPointMap& point_map) const
+  {
+    build_aabb_tree(m_mesh, tree, point_map);
   }
 
 #ifndef DOXYGEN_RUNNING
@@ -736,7 +749,7 @@ public:
                               const FT tolerance = default_tolerance)
   {
     AABB_tree<AABBTraits> tree;
-    build_aabb_tree(tmesh, tree, get(vertex_point, tmesh));
+    build_aabb_tree(tmesh, tree, point_map);
     return locate(p, tree, tmesh, point_map, tolerance);
   }
 
@@ -757,7 +770,7 @@ public:
                               const FT tolerance = default_tolerance)
   {
     AABB_tree<AABBTraits> tree;
-    build_aabb_tree(tmesh, tree, get(vertex_point, tmesh));
+    build_aabb_tree(tmesh, tree, point_map);
     return locate(ray, tree, tmesh, point_map, tolerance);
   }
 
@@ -769,6 +782,12 @@ public:
                               const FT tolerance = default_tolerance)
   {
     return internal::locate_first(ray, tree, tmesh, point_map, tolerance);
+  }
+
+  template <typename AABBTraits>
+  static void build_aabb_tree(const Triangle_mesh& tmesh, AABB_tree<AABBTraits>& tree)
+  {
+    build_aabb_tree(tmesh, tree, get(vertex_point, tmesh));
   }
 
   template <typename AABBTraits, typename VertexPointMap>

@@ -208,7 +208,9 @@ public:
   template <typename F, typename Filter>
   void expand_through(const Window& window, const Index start, F f, const Filter filter) const
   {
-    if(filter(window) || !(cross(window.right_position, window.left_position) > 0))
+    const bool has_angle = cross(window.right_position, window.left_position) > 0 ||
+                           dot(window.right_position, window.left_position) < 0; // a straight one
+    if(!has_angle || filter(window))
       return;
     Stack cones;
     Cone cone{window, side(window.left_position, window.left_distance),

@@ -18,6 +18,7 @@
 #include <CGAL/Approximate_geodesics/internal/lines_in_faces.h>
 #include <CGAL/Approximate_geodesics/internal/trace_arc.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +49,9 @@ public:
       m_place(place)
   {
   }
+
+  Cones_of_place(const Cones_of_place&) = delete; // it refers to a member
+  Cones_of_place& operator=(const Cones_of_place&) = delete;
 
   // Calls `f(v, length)` for the lines to vertices.
   template <typename F>
@@ -208,7 +212,13 @@ private:
     const Face_plane plane(m_triangulation, side);
     Plane_vector position{0, 0};
     plane.for_each_position(m_place, [&](const Plane_vector p) { position = p; });
-    const Plane_vector left = plane.corner(1) - position, right = plane.corner(0) - position;
+    Plane_vector left = plane.corner(1) - position, right = plane.corner(0) - position;
+    if(!(cross(right, left) > 0)) // the face has no area, and the place may be between its corners
+    {
+      const double sign = is_between(right, left) ? -1 : 1;
+      left = {sign * length(left), 0};
+      right = {length(right), 0};
+    }
     return {m_triangulation.opposite(side),
             plane.vertex(1),
             plane.vertex(0),
@@ -217,6 +227,14 @@ private:
             length(left),
             length(right),
             0};
+  }
+
+  // Whether two points that are in one line with the origin are on either side of it, and not so
+  // close to it that this is a matter of rounding.
+  static bool is_between(const Plane_vector a, const Plane_vector b)
+  {
+    constexpr double rounding = 1e-9;
+    return dot(a, b) < 0 && (std::min)(length(a), length(b)) > rounding * length(b - a);
   }
 
   template <typename F>

@@ -37,7 +37,7 @@ public:
                                         triangulation.length(m_halfedges[1]),
                                         triangulation.length(m_halfedges[2])};
     std::size_t base = 0; // the longest side, as others may have no length
-    for(const std::size_t i : {1, 2})
+    for(const std::size_t i : {std::size_t(1), std::size_t(2)})
       if(lengths[i] > lengths[base])
         base = i;
     const double c = lengths[base], a = lengths[(base + 1) % 3], b = lengths[(base + 2) % 3];

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/internal/Labels.h>
+#include <CGAL/Approximate_geodesics/internal/estimates.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -46,7 +47,7 @@ public:
 
   bool is_settled(const Node node) const
   {
-    return m_queue.is_final(m_labels.distance(node) + m_estimate(node));
+    return is_final(m_labels.distance(node) + m_estimate(node));
   }
 
   // Looks at one target at a time, so that many of them cost no more than few.
@@ -66,7 +67,15 @@ private:
     double shortest = std::numeric_limits<double>::infinity();
     for(const LastArc& arc : arcs)
       shortest = (std::min)(shortest, m_labels.distance(arc.node) + arc.length);
-    return m_queue.is_final(shortest);
+    return is_final(shortest);
+  }
+
+  // Whether a node with such a key is settled, and so are those before it on its path, whose keys
+  // can be a bit larger where estimates were rounded.
+  bool is_final(const double key) const
+  {
+    constexpr double rounding = is_estimate<Estimate> ? 1e-12 : 0;
+    return m_queue.is_final(key * (1 + rounding));
   }
 
   const Labels& m_labels;

@@ -87,8 +87,8 @@ public:
     if(!(t >= 0 && t <= 1))
       reject("the part of the way along a halfedge is " + text_of(t) +
              "; it must be a number from 0 to 1");
-    if(t == 0 || t == 1)
-      return place(t == 0 ? source(h, this->mesh()) : target(h, this->mesh()));
+    if(t < rounding || 1 - t < rounding)
+      return place(t < rounding ? source(h, this->mesh()) : target(h, this->mesh()));
     return Place::on_edge(number(h), t);
   }
 
@@ -123,7 +123,7 @@ public:
 
   Place place(const Surface_point<TriangleMesh>& point) const
   {
-    return std::visit([this](const auto& p) { return place(p); }, point);
+    return std::visit([this](const auto& p) { return this->place(p); }, point);
   }
 
   // ----- from the triangulation to the mesh
@@ -184,6 +184,8 @@ public:
   }
 
 private:
+  static constexpr double rounding = 1e-15; // of barycentric coordinates
+
   void check(const face_descriptor f) const
   {
     const bool may_be_face =
@@ -208,7 +210,7 @@ private:
   template <typename FT>
   static std::array<double, 3> checked(const std::array<FT, 3>& coordinates)
   {
-    constexpr double tolerance = 1e-9, rounding = 1e-15;
+    constexpr double tolerance = 1e-9;
     std::array<double, 3> result{CGAL::to_double(coordinates[0]), CGAL::to_double(coordinates[1]),
                                  CGAL::to_double(coordinates[2])};
     const bool are_valid = result[0] >= -tolerance && result[1] >= -tolerance &&
@@ -234,7 +236,7 @@ private:
       return number_around_source(h);
     std::array<halfedge_descriptor, 3> sides{h, prev(h, this->mesh()), next(h, this->mesh())};
     std::size_t best = 0;
-    for(const std::size_t i : {1, 2})
+    for(const std::size_t i : {std::size_t(1), std::size_t(2)})
       if(degree(sides[i]) < degree(sides[best]))
         best = i;
     Index result = number_around_source(sides[best]);

@@ -402,7 +402,7 @@ private:
     const double weight = m_triangulation.weight(h);
     const Face_plane plane(m_triangulation, h);
     plane.for_each_position(place, [&](const Plane_vector position) {
-      for(const std::size_t i : {0, 1, 2})
+      for(std::size_t i = 0; i < 3; ++i)
       {
         const Index side = plane.halfedge(i);
         const Plane_vector start = plane.corner(i), end = plane.corner((i + 1) % 3);

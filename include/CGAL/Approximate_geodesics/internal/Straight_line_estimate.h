@@ -44,10 +44,11 @@ public:
     m_positions.reserve(triangulation.number_of_vertices());
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     {
-      const auto& p = get(point_map, places.vertex(v));
-      m_positions.push_back({CGAL::to_double(p.x()) / triangulation.unit(),
-                             CGAL::to_double(p.y()) / triangulation.unit(),
-                             CGAL::to_double(p.z()) / triangulation.unit()});
+      // from one of the vertices: the origin may be far away
+      const auto way = get(point_map, places.vertex(v)) - get(point_map, places.vertex(0));
+      m_positions.push_back({CGAL::to_double(way.x()) / triangulation.unit(),
+                             CGAL::to_double(way.y()) / triangulation.unit(),
+                             CGAL::to_double(way.z()) / triangulation.unit()});
     }
     if(!explain_lengths(triangulation))
       m_positions.clear();
@@ -81,15 +82,19 @@ public:
   std::size_t memory() const { return m_positions.capacity() * sizeof(Position); }
 
 private:
-  // Whether no edge is shorter than the straight line between its ends.
+  // Whether edges are as long as the straight lines between their ends. It would not do if they
+  // were longer: a face with longer sides can be flatter, and ways across it shorter.
   bool explain_lengths(const Intrinsic_triangulation& triangulation) const
   {
     constexpr double rounding = 1e-14;
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
       for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-        if(!(distance(m_positions[v], m_positions[triangulation.target(h)]) * (1 - rounding) <=
-             triangulation.length(h)))
+      {
+        const double length = triangulation.length(h);
+        const double line = distance(m_positions[v], m_positions[triangulation.target(h)]);
+        if(!(std::abs(line - length) <= rounding * length))
           return false;
+      }
     return true;
   }
 

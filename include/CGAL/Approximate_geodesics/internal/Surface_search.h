@@ -77,7 +77,13 @@ public:
   const Search& search() const { return m_search; }
   Search& search() { return m_search; }
 
-  const std::vector<Source>& sources() const { return m_sources; }
+  // To be called when the lengths of the graph have changed.
+  void restart()
+  {
+    Search search(*m_graph);
+    search.collect_statistics(m_search.collects_statistics());
+    m_search = std::move(search);
+  }
 
   template <typename Visitor>
   void run(std::vector<Source> sources, const Stop_rule& stop, Visitor&& visitor)

@@ -101,10 +101,10 @@ public:
         here = g.left + t * (g.right - g.left);
         f(Place::on_edge(sleeve.gates()[gate].halfedge, t));
       }
-      if(is_bend)
+      if(is_bend && m_bends[i].beyond > gate) // another one at the same point can have passed it
       {
         f(Place::at_vertex(sleeve.vertex(m_bends[i])));
-        gate = (std::max)(gate, m_bends[i].beyond);
+        gate = m_bends[i].beyond;
       }
     }
   }

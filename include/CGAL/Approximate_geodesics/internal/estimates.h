@@ -24,18 +24,21 @@ struct No_estimate
   }
 };
 
+template <typename Estimate>
+constexpr bool is_estimate = !std::is_same_v<Estimate, No_estimate>;
+
 // Whether the key that a node was entered with is larger than the one that it would be entered with
 // at this distance. Those that lead to a goal were computed twice, and rounded.
 template <typename Node, typename Estimate>
 bool is_larger(const double key, const double distance, const Node node, const Estimate& estimate)
 {
-  if constexpr(std::is_same_v<Estimate, No_estimate>)
-    return distance < key;
-  else
+  if constexpr(is_estimate<Estimate>)
   {
     constexpr double rounding = 1e-14;
     return distance + estimate(node) < key * (1 - rounding);
   }
+  else
+    return distance < key;
 }
 
 } // namespace internal

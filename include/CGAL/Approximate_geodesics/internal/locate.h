@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <variant>
@@ -43,9 +44,9 @@ inline double dot(const Space_vector& a, const Space_vector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-inline Space_vector cross(const Space_vector& a, const Space_vector& b)
+inline Space_vector linear_combination(const Space_vector& a, const double t, const Space_vector& b)
 {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
 }
 
 // Weights at most as large as the tolerance, and negative ones, become zero.
@@ -63,45 +64,61 @@ inline std::array<double, 3> snapped(std::array<double, 3> weights, const double
   return weights;
 }
 
-// The barycentric coordinates of a point in a triangle without area: it is taken for a point of the
-// longest side.
-template <typename Point_3>
-std::array<double, 3> coordinates_on_longest_side(const std::array<Point_3, 3>& corners,
-                                                  const Point_3& p)
+// The weights of the corners at the origin, at the end of `base`, and at `apex`, for the point at
+// `way`. `base` is the longest side. Where the triangle is flat, the height over it is inaccurate,
+// or noise; it is then limited such that the point stays inside.
+inline std::array<double, 3>
+weights_over_base(const Space_vector& base, const Space_vector& apex, const Space_vector& way)
 {
-  std::array<double, 3> result{1, 0, 0};
-  double longest = 0;
-  for(std::size_t i = 0; i < 3; ++i)
-  {
-    const Space_vector side = difference(corners[i], corners[(i + 1) % 3]);
-    const double squared_length = dot(side, side);
-    if(!(squared_length > longest))
-      continue;
-    longest = squared_length;
-    const double t = (std::clamp)(dot(side, difference(corners[i], p)) / squared_length, 0., 1.);
-    result[i] = 1 - t;
-    result[(i + 1) % 3] = t;
-    result[(i + 2) % 3] = 0;
-  }
-  return result;
+  const double foot = dot(base, apex) / dot(base, base);
+  const double along = (std::clamp)(dot(base, way) / dot(base, base), 0., 1.);
+  const Space_vector height = linear_combination(apex, -foot, base);
+  const double squared_height = dot(height, height);
+  double s =
+      squared_height > 0 ? dot(linear_combination(way, -along, base), height) / squared_height : 0;
+  if(foot > 0)
+    s = (std::min)(s, along / foot);
+  if(foot < 1)
+    s = (std::min)(s, (1 - along) / (1 - foot));
+  s = (std::max)(s, 0.);
+  return {1 - along - s * (1 - foot), along - s * foot, s};
 }
 
-// The barycentric coordinates of a point of a triangle: the areas that it divides it into.
+// The barycentric coordinates of a point of a triangle.
 template <typename Point_3>
 std::array<double, 3> barycentric_coordinates(const std::array<Point_3, 3>& corners,
                                               const Point_3& p)
 {
-  const Space_vector normal =
-      cross(difference(corners[0], corners[1]), difference(corners[0], corners[2]));
-  const double squared_area = dot(normal, normal);
-  std::array<double, 3> result{0, 0, 0};
+  std::array<Space_vector, 3> sides;
+  double size = 0;
   for(std::size_t i = 0; i < 3; ++i)
   {
-    const Point_3 &q = corners[(i + 1) % 3], &r = corners[(i + 2) % 3];
-    result[i] = dot(normal, cross(difference(p, q), difference(p, r))) / squared_area;
+    sides[i] = difference(corners[i], corners[(i + 1) % 3]);
+    for(const double x : sides[i])
+      size = (std::max)(size, std::abs(x));
   }
-  const double sum = result[0] + result[1] + result[2];
-  return sum > 0.5 && sum < 2 ? result : coordinates_on_longest_side(corners, p);
+  if(!(size > 0))
+    return {1, 0, 0};
+
+  const auto scaled = [size](const Space_vector& v) {
+    return Space_vector{v[0] / size, v[1] / size, v[2] / size};
+  };
+  const auto squared_length = [&](const std::size_t i) {
+    return dot(scaled(sides[i]), scaled(sides[i]));
+  };
+  std::size_t first = 0;
+  for(std::size_t i = 1; i < 3; ++i)
+    if(squared_length(i) > squared_length(first))
+      first = i;
+  const std::size_t second = (first + 1) % 3, third = (first + 2) % 3;
+  const std::array<double, 3> weights =
+      weights_over_base(scaled(sides[first]), scaled(difference(corners[first], corners[third])),
+                        scaled(difference(corners[first], p)));
+  std::array<double, 3> result{};
+  result[first] = weights[0];
+  result[second] = weights[1];
+  result[third] = weights[2];
+  return result;
 }
 
 // The alternative of type `T` of a variant, whichever library that is from, or a null pointer.

@@ -21,13 +21,14 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// the vertex, if a point of an edge is at one
+// the vertex, if a point of an edge is at one, but for rounding
 inline Place simplified(const Intrinsic_triangulation& triangulation, const Place& p)
 {
-  if(!p.is_on_edge() || (p.t > 0 && p.t < 1))
+  constexpr double rounding = 1e-14;
+  if(!p.is_on_edge() || (p.t > rounding && p.t < 1 - rounding))
     return p;
-  return Place::at_vertex(p.t > 0 ? triangulation.target(p.halfedge)
-                                  : triangulation.source(p.halfedge));
+  return Place::at_vertex(p.t > 0.5 ? triangulation.target(p.halfedge)
+                                    : triangulation.source(p.halfedge));
 }
 
 /*
@@ -69,6 +70,8 @@ private:
   Segment shortest_edge(const Index v, const Index w) const
   {
     Segment result{};
+    if(v == w)
+      result.length = 0;
     const Index beyond = m_triangulation.beyond_halfedge(v);
     for(Index h = m_triangulation.first_halfedge(v); h < beyond; ++h)
       if(m_triangulation.target(h) == w && m_triangulation.length(h) < result.length)

@@ -14,11 +14,13 @@
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 
+#include <utility>
+
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Shortens a path, if the named parameters ask for it. Returns whether it did.
+// Shortens a path, if the named parameters ask for it. Returns whether they do.
 template <typename NamedParameters>
 bool straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triangulation,
                           [[maybe_unused]] const NamedParameters& np,
@@ -29,7 +31,9 @@ bool straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triang
     {
       if(triangulation.has_weights())
         reject("paths on weighted faces cannot be straightened: cheapest ones are not straight");
-      path = Straightening(triangulation).shortened(path);
+      Path straight = Straightening(triangulation).shortened(path);
+      if(straight.length < path.length)
+        path = std::move(straight);
       return true;
     }
   return false;

@@ -16,7 +16,6 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Writes the points of a path in a graph of the given type, from its last one to its first.
 // Writes the points of a path, from its end to its start. If there are only vertices among them,
 // they can be of any type.
 template <bool HasPointsBetweenVertices,
