@@ -303,6 +303,25 @@ TYPED_TEST(Known_traps, negative_weights_by_rounding)
     }
 }
 
+// A point in a face without area lies on the longest side of that, and looks out of it straight.
+TYPED_TEST(Known_traps, face_without_area)
+{
+  const Mesh mesh = to_mesh(
+      {{Point(0, 0, 0), Point(2, 0, 0), Point(1, 0, 0), Point(1, -1, 0)}, {{0, 1, 2}, {1, 0, 3}}});
+  typename TestFixture::Paths paths(mesh);
+  const Point p(0.8, 0, 0);
+  const auto h = mesh.halfedge(Face(0));
+  std::array<double, 3> weights{};
+  const std::array<double, 3> weight_of_vertex{0.45, 0.25, 0.3};
+  weights[0] = weight_of_vertex[mesh.source(h).idx()];
+  weights[1] = weight_of_vertex[mesh.target(h).idx()];
+  weights[2] = weight_of_vertex[mesh.target(mesh.next(h)).idx()];
+  paths.add_source_point(Face(0), weights);
+  const double exact = distance_in_space(p, mesh.point(Vertex(3)));
+  EXPECT_GE(this->distance(paths, Vertex(3)), exact * (1 - 1e-12));
+  EXPECT_LE(this->distance(paths, Vertex(3)), exact * (TestFixture::crosses_faces ? 1.1 : 2.5));
+}
+
 // A straight line next to an edge, which it crosses close to its end. Where exactly it does so is
 // hard to say, but the path must not go beyond its end and come back.
 TYPED_TEST(Known_traps, line_beside_an_edge)

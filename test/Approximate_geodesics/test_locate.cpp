@@ -10,10 +10,13 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 // Where points and rays meet a mesh.
@@ -206,6 +209,35 @@ TEST(Locate_precisely, on_all_kinds_of_meshes)
             tolerance);
       }
   }
+}
+
+// The height of such a triangle is nothing but noise.
+TEST(Locate_precisely, in_flat_triangles)
+{
+  const Point a(0.1, 0.2, 0.3), b(3.1, 1.7, 0.9);
+  const auto between = [&](const double t) { return a + t * (b - a); };
+  for(const double part : {0.01, 0.37, 0.5, 0.93})
+    for(const double wanted : {0., 0.005, 0.37, 0.81, 1.})
+    {
+      const Mesh mesh = to_mesh({{a, b, between(part)}, {{0, 1, 2}}});
+      const Point p = between(wanted);
+      const Face_location found =
+          CGAL::Approximate_geodesics::internal::face_location(Face(0), p, mesh, mesh.points(), 0);
+      EXPECT_TRUE(is_valid(found));
+      EXPECT_LE(distance_in_space(position(mesh, found), p), 1e-14);
+    }
+}
+
+TEST(Locate_precisely, with_other_points)
+{
+  const Mesh mesh = to_mesh(flat_grid(3, 3));
+  const auto shifted = boost::make_function_property_map<Vertex, Point>(
+      [&mesh](const Vertex v) { return mesh.point(v) + Kernel::Vector_3(100, 0, 0); });
+  const Point p(100.5, 0.25, 0);
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh, std::decay_t<decltype(shifted)>>;
+  const Face_location found = Paths::locate<CGAL::AABB_traits<Kernel, Primitive>>(p, mesh, shifted);
+  const Point q = position(mesh, found);
+  EXPECT_LE(distance_in_space(q, Point(0.5, 0.25, 0)), 1e-12);
 }
 
 TEST(Locate_precisely, in_faces_without_area)

@@ -657,6 +657,20 @@ TEST(Straightening, starts_and_ends_anywhere_in_the_plane)
     }
 }
 
+// Next to a vertex, the part of an edge before a point can vanish when it is taken from 1.
+TEST(Straightening, starts_next_to_a_vertex)
+{
+  const Surface surface(to_mesh(flat_grid(4, 4)));
+  for(const double t : {1e-18, 1e-17, 1e-16, 1e-15})
+    for(const Place start :
+        {Place::on_edge(surface.halfedge(5, 6), t), Place::on_edge(surface.halfedge(6, 5), 1 - t)})
+      for(const int target : {1, 4, 9, 10})
+      {
+        const Path path = surface.shortened({start, surface.place(5), surface.place(target)});
+        EXPECT_NEAR(path.length, target == 10 ? std::sqrt(2.) : 1., 1e-12);
+      }
+}
+
 // Points inside faces in the middle of a path are not kept.
 TEST(Straightening, takes_points_in_faces_on_the_way)
 {

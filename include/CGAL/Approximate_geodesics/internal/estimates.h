@@ -28,13 +28,14 @@ template <typename Estimate>
 constexpr bool is_estimate = !std::is_same_v<Estimate, No_estimate>;
 
 // Whether the key that a node was entered with is larger than the one that it would be entered with
-// at this distance. Those that lead to a goal were computed twice, and rounded.
+// at this distance. Those that lead to a goal were computed twice, and rounded, or raised where an
+// estimate fell too much by rounding. It is no harm to take a stale entry for a new one.
 template <typename Node, typename Estimate>
 bool is_larger(const double key, const double distance, const Node node, const Estimate& estimate)
 {
   if constexpr(is_estimate<Estimate>)
   {
-    constexpr double rounding = 1e-14;
+    constexpr double rounding = 1e-6;
     return distance + estimate(node) < key * (1 - rounding);
   }
   else
