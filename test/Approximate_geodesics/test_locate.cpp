@@ -10,13 +10,10 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
-#include <boost/property_map/function_property_map.hpp>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 // Where points and rays meet a mesh.
@@ -230,14 +227,18 @@ TEST(Locate_precisely, in_flat_triangles)
 
 TEST(Locate_precisely, with_other_points)
 {
-  const Mesh mesh = to_mesh(flat_grid(3, 3));
-  const auto shifted = boost::make_function_property_map<Vertex, Point>(
-      [&mesh](const Vertex v) { return mesh.point(v) + Kernel::Vector_3(100, 0, 0); });
-  const Point p(100.5, 0.25, 0);
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh, std::decay_t<decltype(shifted)>>;
-  const Face_location found = Paths::locate<CGAL::AABB_traits<Kernel, Primitive>>(p, mesh, shifted);
-  const Point q = position(mesh, found);
-  EXPECT_LE(distance_in_space(q, Point(0.5, 0.25, 0)), 1e-12);
+  using Point_map = Mesh::Property_map<Vertex, Point>;
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh, Point_map>;
+  using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+  Mesh mesh = to_mesh(flat_grid(3, 3));
+  const Point_map shifted = mesh.add_property_map<Vertex, Point>("v:shifted").first;
+  for(const Vertex v : mesh.vertices())
+    put(shifted, v, mesh.point(v) + Kernel::Vector_3(100, 0, 0));
+  const Face_location found = Paths::locate<Traits>(Point(100.5, 0.25, 0), mesh, shifted);
+  EXPECT_LE(distance_in_space(position(mesh, found), Point(0.5, 0.25, 0)), 1e-12);
+  CGAL::AABB_tree<Traits> tree;
+  Paths(mesh).build_aabb_tree(tree, shifted);
+  EXPECT_EQ(Paths::locate(Point(100.5, 0.25, 0), tree, mesh, shifted), found);
 }
 
 TEST(Locate_precisely, in_faces_without_area)
