@@ -133,6 +133,8 @@ struct Look_at_everything
 {
   static constexpr bool wants_distances = false;
   static constexpr bool wants_faces = false; // to be told of, by `on_face(cone, apex)`
+  static constexpr double slack =
+      0; // how far out of sight vertices are seen, as part of their distance
   bool operator()(const Window& /* window */) const { return false; }
   std::uint32_t way_through(Window::Index /* halfedge */, std::uint32_t /* way */) const
   {
@@ -150,6 +152,12 @@ struct Leave_out_detours : Look_at_everything
 struct Leave_out_nothing : Look_at_everything
 {
   static constexpr bool leaves_out_arcs = false;
+};
+
+// Sees all that others have seen, although they rounded in another way, as compilers make them do.
+struct Leave_out_nothing_in_doubt : Leave_out_nothing
+{
+  static constexpr double slack = 1e-9;
 };
 
 /*
@@ -283,9 +291,12 @@ private:
         face.position_of_apex(cone.window.left_position, cone.window.right_position);
     if constexpr(Filter::wants_faces)
       filter.on_face(cone, apex);
-    if(cone.left.is_passed(apex, cross(cone.left.direction, apex)))
+    double slack = 0;
+    if constexpr(Filter::slack > 0)
+      slack = Filter::slack * length(apex);
+    if(cone.left.is_passed(apex, cross(cone.left.direction, apex) - slack))
       return go_right(cone.window, face, apex, filter);
-    if(cone.right.is_passed(apex, cross(apex, cone.right.direction)))
+    if(cone.right.is_passed(apex, cross(apex, cone.right.direction) - slack))
       return go_left(cone.window, face, apex, filter);
 
     const double distance = length(apex);

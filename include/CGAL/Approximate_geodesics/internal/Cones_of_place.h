@@ -19,10 +19,8 @@
 #include <CGAL/Approximate_geodesics/internal/trace_arc.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -74,8 +72,8 @@ public:
       return;
     for_each_line_in_face(m_triangulation, m_place, places, f);
     Window_tree tree;
-    expand_to_places(places, tree,
-                     [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); });
+    expand_to_places<Leave_out_nothing>(
+        places, tree, [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); });
   }
 
   // Calls `f(h, t)` for the edges that the line of the given length to the vertex `v` crosses.
@@ -83,21 +81,14 @@ public:
   template <typename F>
   double trace_arc(const Index v, const double length, F f) const
   {
-    Search search{length};
+    Line_search search{length};
     for_each_line_to_corner(m_triangulation, m_place, [&](const Index corner, const double l) {
       if(corner == v)
         search.consider({corner, l, {0, 0}, 0, 0});
     });
-    if(!m_place.is_vertex())
-      for_each_window([&](const Window& window, const Index start) {
-        m_expansion.expand_through(
-            window, start,
-            [&](const Straight_arc& arc) {
-              if(arc.target == v)
-                search.consider(arc);
-            },
-            Remembering<Leave_out_nothing>{Leave_out_nothing(), search.tree});
-      });
+    find_arc<Leave_out_nothing>(v, search);
+    if(!search.is_found())
+      find_arc<Leave_out_nothing_in_doubt>(v, search);
     return trace(search, f);
   }
 
@@ -106,38 +97,35 @@ public:
   double trace_line(const Place& end, const double length, F f) const
   {
     const Places_by_face places(m_triangulation, {end});
-    Search search{length};
+    Line_search search{length};
+    const auto consider = [&](std::size_t, const Straight_arc& line) { search.consider(line); };
     for_each_line_in_face(m_triangulation, m_place, places, [&](std::size_t, const double l) {
       search.consider({0, l, {0, 0}, 0, 0});
     });
-    expand_to_places(places, search.tree,
-                     [&](std::size_t, const Straight_arc& line) { search.consider(line); });
+    expand_to_places<Leave_out_nothing>(places, search.tree, consider);
+    if(!search.is_found())
+      expand_to_places<Leave_out_nothing_in_doubt>(places, search.tree, consider);
     return trace(search, f);
   }
 
 private:
-  // The line whose length is closest to a given one.
-  struct Search
+  template <typename Filter>
+  void find_arc(const Index v, Line_search& search) const
   {
-    void consider(const Straight_arc& line)
-    {
-      const double difference = std::abs(line.length - length);
-      if(difference < smallest_difference)
-      {
-        smallest_difference = difference;
-        found = line;
-      }
-    }
-
-    double length;
-    double smallest_difference = std::numeric_limits<double>::infinity();
-    Straight_arc found = {Intrinsic_triangulation::null_index, 0, {0, 0}, 0, 0};
-    Window_tree tree = {};
-  };
+    const auto consider = [&](const Straight_arc& arc) {
+      if(arc.target == v)
+        search.consider(arc);
+    };
+    if(!m_place.is_vertex())
+      for_each_window([&](const Window& window, const Index start) {
+        m_expansion.expand_through(window, start, consider,
+                                   Remembering<Filter>{Filter(), search.tree});
+      });
+  }
 
   // Looks for places in the faces that it is told of, and remembers windows.
-  template <typename Report>
-  struct Finding_places : Leave_out_nothing
+  template <typename Filter, typename Report>
+  struct Finding_places : Filter
   {
     static constexpr bool wants_faces = true;
 
@@ -157,7 +145,7 @@ private:
 
     static bool is_seen(const Plane_vector position, const Cone& cone)
     {
-      const double rounding = 1e-14 * length(position);
+      const double rounding = (std::max)(1e-14, Filter::slack) * length(position);
       return cross(cone.right.direction, position) >= -rounding &&
              cross(position, cone.left.direction) >= -rounding;
     }
@@ -174,13 +162,13 @@ private:
     Index start;
   };
 
-  template <typename Report>
+  template <typename Filter, typename Report>
   void expand_to_places(const Places_by_face& places, Window_tree& tree, const Report& report) const
   {
     for_each_window([&](const Window& window, const Index start) {
       m_expansion.expand_through(
           window, start, [](const Straight_arc&) {},
-          Finding_places<Report>{{}, m_triangulation, places, tree, report, start});
+          Finding_places<Filter, Report>{{}, m_triangulation, places, tree, report, start});
     });
   }
 
@@ -238,7 +226,7 @@ private:
   }
 
   template <typename F>
-  double trace(const Search& search, F f) const
+  double trace(const Line_search& search, F f) const
   {
     const std::vector<Index> halfedges = search.tree.halfedges(search.found.way);
     if(!halfedges.empty())

@@ -135,6 +135,50 @@ void for_each_crossing(const Intrinsic_triangulation& triangulation,
   }
 }
 
+// The line whose length is closest to a given one, and the way there.
+struct Line_search
+{
+  void consider(const Straight_arc& line)
+  {
+    const double difference = std::abs(line.length - length);
+    if(difference < smallest_difference)
+    {
+      smallest_difference = difference;
+      found = line;
+    }
+  }
+
+  // There are no lines but those of about this length: what else was found leads round something.
+  bool is_found() const
+  {
+    constexpr double tolerance = 1e-6; // single precision, and flat faces
+    return smallest_difference <= tolerance * length ||
+           smallest_difference < std::numeric_limits<double>::min();
+  }
+
+  double length;
+  double smallest_difference = std::numeric_limits<double>::infinity();
+  Straight_arc found = {Intrinsic_triangulation::null_index, 0, {0, 0}, 0, 0};
+  Window_tree tree = {};
+};
+
+// Looks for the arc of the graph for `epsilon` from one vertex to another.
+template <typename Filter>
+void find_arc(const Intrinsic_triangulation& triangulation,
+              const double epsilon,
+              const Intrinsic_triangulation::Index source,
+              const Intrinsic_triangulation::Index target,
+              Line_search& search)
+{
+  const Unfolding_on_demand unfolding(triangulation);
+  const Cone_expansion<Unfolding_on_demand> expansion(triangulation, unfolding, epsilon);
+  const auto consider = [&](const Straight_arc& arc) {
+    if(arc.target == target)
+      search.consider(arc);
+  };
+  expansion.expand(source, consider, Remembering<Filter>{Filter(), search.tree});
+}
+
 // Calls `f(h, t)` for every edge that an arc in a discrete geodesic graph crosses, from its source
 // on: at the point that is at the part `t` of the way from the source to the target of the halfedge
 // `h`. The arcs of the graph were found with a filter of the given type, or are some of those.
@@ -148,26 +192,18 @@ double trace_arc(const Intrinsic_triangulation& triangulation,
                  const double length,
                  F f)
 {
-  const Unfolding_on_demand unfolding(triangulation);
-  const Cone_expansion<Unfolding_on_demand> expansion(triangulation, unfolding, epsilon);
-  Window_tree tree;
-  Straight_arc found{Intrinsic_triangulation::null_index, 0, {0, 0}, 0, 0};
-  double smallest_difference = std::numeric_limits<double>::infinity();
-  const auto compare = [&](const Straight_arc& arc) {
-    const double difference = std::abs(arc.length - length);
-    if(arc.target == target && difference < smallest_difference)
-    {
-      smallest_difference = difference;
-      found = arc;
-    }
-  };
-  expansion.expand(source, compare, Remembering<Filter>{Filter(), tree});
-  if(found.target != target)
+  Line_search search{length};
+  find_arc<Filter>(triangulation, epsilon, source, target, search);
+  if(!search.is_found())
+    find_arc<Leave_out_nothing_in_doubt>(triangulation, epsilon / 4, source, target, search);
+  if(search.found.target != target)
     reject("the graph has an arc that the mesh has not; was it read from a file that was changed?");
-  const Plane_vector right{triangulation.length(found.start), 0};
-  const Plane_vector left = unfolding.face(found.start).position_of_apex({0, 0}, right);
-  for_each_crossing(triangulation, tree.halfedges(found.way), left, right, found.position, f);
-  return found.length;
+  const Straight_arc& arc = search.found;
+  const Plane_vector right{triangulation.length(arc.start), 0};
+  const Plane_vector left =
+      Unfolding_on_demand(triangulation).face(arc.start).position_of_apex({0, 0}, right);
+  for_each_crossing(triangulation, search.tree.halfedges(arc.way), left, right, arc.position, f);
+  return arc.length;
 }
 
 } // namespace internal
