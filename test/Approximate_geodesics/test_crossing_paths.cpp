@@ -131,6 +131,26 @@ TEST(Paths_across_faces, have_it_where_faces_have_no_area)
   }
 }
 
+// An arc that was found with one rounding is seen with another one: in doubt, vertices on the ray
+// through another one are not hidden by that.
+TEST(Paths_across_faces, are_found_again_in_doubt)
+{
+  using AG::internal::Line_search;
+  Random random(test_seed());
+  for(const Mesh& mesh : {to_mesh(flat_grid(15, 12)), to_mesh(terrain(25, 20, random))})
+  {
+    const Discrete_geodesic_graph graph(Triangulation(mesh), epsilon(0.1));
+    for(Node source = 0; source < graph.number_of_nodes(); source += 11)
+      graph.for_each_arc(source, nullptr, [&](const Node target, const double length) {
+        Line_search search{length};
+        AG::internal::search_in_doubt(graph.triangulation(), graph.epsilon(), source, target,
+                                      search);
+        EXPECT_TRUE(search.is_found());
+        EXPECT_EQ(search.found.target, target);
+      });
+  }
+}
+
 // When a node is expanded again, those behind it have to be told.
 TEST(Lazy_discrete_geodesic_graph, finds_distances_that_are_sums_of_arcs)
 {

@@ -44,6 +44,7 @@ public:
     : m_triangulation(triangulation),
       m_unfolding(triangulation),
       m_expansion(triangulation, m_unfolding, epsilon),
+      m_epsilon(epsilon),
       m_place(place)
   {
   }
@@ -88,7 +89,7 @@ public:
     });
     find_arc<Leave_out_nothing>(v, search);
     if(!search.is_found())
-      find_arc<Leave_out_nothing_in_doubt>(v, search);
+      farther().find_arc<Leave_out_nothing_in_doubt>(v, search);
     return trace(search, f);
   }
 
@@ -104,11 +105,14 @@ public:
     });
     expand_to_places<Leave_out_nothing>(places, search.tree, consider);
     if(!search.is_found())
-      expand_to_places<Leave_out_nothing_in_doubt>(places, search.tree, consider);
+      farther().expand_to_places<Leave_out_nothing_in_doubt>(places, search.tree, consider);
     return trace(search, f);
   }
 
 private:
+  // For lines that are not found again, as cones have ended before by rounding only.
+  Cones_of_place farther() const { return {m_triangulation, m_epsilon / 64, m_place}; }
+
   template <typename Filter>
   void find_arc(const Index v, Line_search& search) const
   {
@@ -241,6 +245,7 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   const Unfolding_on_demand m_unfolding;
   const Cone_expansion<Unfolding_on_demand> m_expansion;
+  const double m_epsilon;
   const Place m_place;
 };
 

@@ -179,6 +179,19 @@ void find_arc(const Intrinsic_triangulation& triangulation,
   expansion.expand(source, consider, Remembering<Filter>{Filter(), search.tree});
 }
 
+// Looks for an arc that was not found, although it was when the graph was built: for vertices that
+// are out of sight by rounding only, and farther away than cones go.
+inline void search_in_doubt(const Intrinsic_triangulation& triangulation,
+                            const double epsilon,
+                            const Intrinsic_triangulation::Index source,
+                            const Intrinsic_triangulation::Index target,
+                            Line_search& search)
+{
+  for(const double part : {1. / 4, 1. / 64, 1. / 1024})
+    if(!search.is_found())
+      find_arc<Leave_out_nothing_in_doubt>(triangulation, part * epsilon, source, target, search);
+}
+
 // Calls `f(h, t)` for every edge that an arc in a discrete geodesic graph crosses, from its source
 // on: at the point that is at the part `t` of the way from the source to the target of the halfedge
 // `h`. The arcs of the graph were found with a filter of the given type, or are some of those.
@@ -194,8 +207,7 @@ double trace_arc(const Intrinsic_triangulation& triangulation,
 {
   Line_search search{length};
   find_arc<Filter>(triangulation, epsilon, source, target, search);
-  if(!search.is_found())
-    find_arc<Leave_out_nothing_in_doubt>(triangulation, epsilon / 4, source, target, search);
+  search_in_doubt(triangulation, epsilon, source, target, search);
   if(search.found.target != target)
     reject("the graph has an arc that the mesh has not; was it read from a file that was changed?");
   const Straight_arc& arc = search.found;
