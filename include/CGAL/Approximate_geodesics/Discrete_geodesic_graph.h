@@ -10,11 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Place.h>
 #include <CGAL/Approximate_geodesics/internal/Arc_file.h>
 #include <CGAL/Approximate_geodesics/internal/Arc_rows.h>
 #include <CGAL/Approximate_geodesics/internal/Cone_expansion.h>
-#include <CGAL/Approximate_geodesics/internal/Cones_of_place.h>
+#include <CGAL/Approximate_geodesics/internal/Graph_with_cones.h>
 #include <CGAL/Approximate_geodesics/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/internal/epsilon.h>
 #include <CGAL/Approximate_geodesics/internal/for_each_block.h>
@@ -58,6 +57,9 @@ namespace Approximate_geodesics {
  * \cgalModels{GeodesicGraph}
  */
 class Discrete_geodesic_graph
+#ifndef DOXYGEN_RUNNING
+  : public internal::Graph_with_cones<Discrete_geodesic_graph>
+#endif
 {
 public:
   /// the number of a node; that of the vertex it stands for.
@@ -164,37 +166,11 @@ public:
                                                             target, length, f);
   }
 
-  /// calls `f(node, length)` for the straight lines from a place to the vertices that would have an
-  /// arc from there.
-  template <typename F>
-  void for_each_arc(const Place& place, F f) const
-  {
-    internal::Cones_of_place(m_triangulation, m_epsilon, place).for_each_arc(f);
-  }
-
-  /// calls `f(i, length)` for the straight lines from a place to those of `places` that are found
-  /// in the same way.
-  template <typename Places, typename F>
-  void for_each_line(const Place& place, const Places& places, F f) const
-  {
-    internal::Cones_of_place(m_triangulation, m_epsilon, place).for_each_line(places, f);
-  }
-
-  /// does the same as above for the arc of the given length from a place to `target`.
-  template <typename F>
-  double for_each_crossing(const Place& source, const Node target, const double length, F f) const
-  {
-    return internal::Cones_of_place(m_triangulation, m_epsilon, source)
-        .trace_arc(target, length, f);
-  }
-
-  /// does the same as above for the straight line of the given length from one place to another.
-  template <typename F>
-  double for_each_crossing(const Place& source, const Place& target, const double length, F f) const
-  {
-    return internal::Cones_of_place(m_triangulation, m_epsilon, source)
-        .trace_line(target, length, f);
-  }
+#ifndef DOXYGEN_RUNNING
+  // for places that are not nodes
+  using internal::Graph_with_cones<Discrete_geodesic_graph>::for_each_arc;
+  using internal::Graph_with_cones<Discrete_geodesic_graph>::for_each_crossing;
+#endif
 
   /// asks for the arcs of `node`, which will be needed soon.
   void prefetch(const Node node) const { m_rows.prefetch(node); }

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Place.h>
+#include <CGAL/Approximate_geodesics/internal/Graph_within_faces.h>
 #include <CGAL/Approximate_geodesics/internal/lines_in_faces.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/internal/prefetch.h>
@@ -38,6 +39,9 @@ namespace Approximate_geodesics {
  * \cgalModels{GeodesicGraph}
  */
 class Edge_graph
+#ifndef DOXYGEN_RUNNING
+  : public internal::Graph_within_faces<Edge_graph>
+#endif
 {
 public:
   /// the number of a node; that of the vertex it stands for.
@@ -100,23 +104,6 @@ public:
   void for_each_arc(const Place& place, F f) const
   {
     internal::for_each_line_to_corner(m_triangulation, place, f);
-  }
-
-  /// calls `f(i, length)` for the straight lines from a place to those of `places` in its face.
-  template <typename Places, typename F>
-  void for_each_line(const Place& place, const Places& places, F f) const
-  {
-    internal::for_each_line_in_face(m_triangulation, place, places, f);
-  }
-
-  /// returns `length`: the arcs are edges, or lie in one face, and cross nothing.
-  template <typename Source, typename Target, typename F>
-  double for_each_crossing(const Source& /* source */,
-                           const Target& /* target */,
-                           const double length,
-                           F /* f */) const
-  {
-    return length;
   }
 
   /// asks for the arcs of `node`, which will be needed soon.

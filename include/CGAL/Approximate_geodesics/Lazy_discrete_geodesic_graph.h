@@ -10,9 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Place.h>
 #include <CGAL/Approximate_geodesics/internal/Cone_expansion.h>
-#include <CGAL/Approximate_geodesics/internal/Cones_of_place.h>
+#include <CGAL/Approximate_geodesics/internal/Graph_with_cones.h>
 #include <CGAL/Approximate_geodesics/internal/Kept_arcs.h>
 #include <CGAL/Approximate_geodesics/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/internal/epsilon.h>
@@ -49,6 +48,9 @@ namespace Approximate_geodesics {
  * \cgalModels{GeodesicGraph}
  */
 class Lazy_discrete_geodesic_graph
+#ifndef DOXYGEN_RUNNING
+  : public internal::Graph_with_cones<Lazy_discrete_geodesic_graph>
+#endif
 {
 public:
   /// the number of a node; that of the vertex it stands for.
@@ -172,37 +174,11 @@ public:
                                                               target, length, f);
   }
 
-  /// calls `f(node, length)` for the straight lines from a place to the vertices that would have an
-  /// arc from there.
-  template <typename F>
-  void for_each_arc(const Place& place, F f) const
-  {
-    internal::Cones_of_place(m_triangulation, m_epsilon, place).for_each_arc(f);
-  }
-
-  /// calls `f(i, length)` for the straight lines from a place to those of `places` that are found
-  /// in the same way.
-  template <typename Places, typename F>
-  void for_each_line(const Place& place, const Places& places, F f) const
-  {
-    internal::Cones_of_place(m_triangulation, m_epsilon, place).for_each_line(places, f);
-  }
-
-  /// does the same as above for the arc of the given length from a place to `target`.
-  template <typename F>
-  double for_each_crossing(const Place& source, const Node target, const double length, F f) const
-  {
-    return internal::Cones_of_place(m_triangulation, m_epsilon, source)
-        .trace_arc(target, length, f);
-  }
-
-  /// does the same as above for the straight line of the given length from one place to another.
-  template <typename F>
-  double for_each_crossing(const Place& source, const Place& target, const double length, F f) const
-  {
-    return internal::Cones_of_place(m_triangulation, m_epsilon, source)
-        .trace_line(target, length, f);
-  }
+#ifndef DOXYGEN_RUNNING
+  // for places that are not nodes
+  using internal::Graph_with_cones<Lazy_discrete_geodesic_graph>::for_each_arc;
+  using internal::Graph_with_cones<Lazy_discrete_geodesic_graph>::for_each_crossing;
+#endif
 
   /// asks for what it takes to find the first arcs of `node`, which will be needed soon.
   void prefetch(const Node node) const

@@ -12,10 +12,10 @@
 #include <CGAL/Approximate_geodesics/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Place.h>
+#include <CGAL/Approximate_geodesics/internal/Graph_within_faces.h>
 #include <CGAL/Approximate_geodesics/internal/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/internal/Steiner_arcs.h>
 #include <CGAL/Approximate_geodesics/internal/Steiner_nodes.h>
-#include <CGAL/Approximate_geodesics/internal/lines_in_faces.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -60,6 +60,9 @@ namespace Approximate_geodesics {
  */
 template <typename Placement = Geometric_points>
 class Steiner_graph
+#ifndef DOXYGEN_RUNNING
+  : public internal::Graph_within_faces<Steiner_graph<Placement>>
+#endif
 {
 public:
   /// the number of a node; those of the vertices come first.
@@ -155,23 +158,6 @@ public:
   void for_each_arc(const Place& place, F f) const
   {
     internal::Steiner_arcs(m_triangulation, m_nodes).for_each(place, f);
-  }
-
-  /// calls `f(i, cost)` for the straight lines from a place to those of `places` in its face.
-  template <typename Places, typename F>
-  void for_each_line(const Place& place, const Places& places, F f) const
-  {
-    internal::for_each_line_in_face(m_triangulation, place, places, f);
-  }
-
-  /// returns `cost`: arcs run straight across a face, or along an edge.
-  template <typename Source, typename Target, typename F>
-  double for_each_crossing(const Source& /* source */,
-                           const Target& /* target */,
-                           const double cost,
-                           F /* f */) const
-  {
-    return cost;
   }
 
   /// asks for what it takes to find the arcs of `node`, which will be needed soon.

@@ -15,12 +15,12 @@
 #include <CGAL/Approximate_geodesics/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface_point.h>
 #include <CGAL/Approximate_geodesics/internal/Function_property_map.h>
+#include <CGAL/Approximate_geodesics/internal/Mesh_locations.h>
 #include <CGAL/Approximate_geodesics/internal/Mesh_places.h>
 #include <CGAL/Approximate_geodesics/internal/Path.h>
 #include <CGAL/Approximate_geodesics/internal/Source_list.h>
 #include <CGAL/Approximate_geodesics/internal/Surface_search.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
-#include <CGAL/Approximate_geodesics/internal/locate.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/run_parameters.h>
 #include <CGAL/Approximate_geodesics/internal/straighten.h>
@@ -77,7 +77,11 @@ template <typename TriangleMesh,
           typename GeodesicGraph = Edge_graph,
           typename PriorityQueue = Adaptive_bucket_queue>
 class Surface_mesh_shortest_path
+#ifndef DOXYGEN_RUNNING
+  : private internal::Mesh_locations<TriangleMesh>
+#endif
 {
+  using Locations = internal::Mesh_locations<TriangleMesh>;
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Sources = internal::Source_list<TriangleMesh>;
   using Surface_search = internal::Surface_search<GeodesicGraph, PriorityQueue>;
@@ -547,6 +551,14 @@ public:
 
   /// @}
 
+#ifndef DOXYGEN_RUNNING
+  // the static versions of the functions that follow
+  using Locations::build_aabb_tree;
+  using Locations::face_location;
+  using Locations::locate;
+  using Locations::point;
+#endif
+
   /*!
    * \name Points
    *
@@ -572,50 +584,6 @@ public:
 
   /// returns a point of the surface.
   Point_3 point(const Surface_point& p) const { return point(m_places.place(p)); }
-
-#ifndef DOXYGEN_RUNNING
-  static Point_3 point(const face_descriptor f,
-                       const Barycentric_coordinates& location,
-                       const Triangle_mesh& tmesh)
-  {
-    return point(f, location, tmesh, get(vertex_point, tmesh));
-  }
-
-  template <typename VertexPointMap>
-  static Point_3 point(const face_descriptor f,
-                       const Barycentric_coordinates& location,
-                       const Triangle_mesh& tmesh,
-                       const VertexPointMap& point_map)
-  {
-    using Kernel = typename Kernel_traits<Point_3>::Kernel;
-    const halfedge_descriptor h = halfedge(f, tmesh);
-    return Kernel().construct_barycenter_3_object()(
-        get(point_map, source(h, tmesh)), typename Kernel::FT(location[0]),
-        get(point_map, target(h, tmesh)), typename Kernel::FT(location[1]),
-        get(point_map, target(next(h, tmesh), tmesh)), typename Kernel::FT(location[2]));
-  }
-
-  static Point_3 point(const halfedge_descriptor h, const FT t, const Triangle_mesh& tmesh)
-  {
-    return point(h, t, tmesh, get(vertex_point, tmesh));
-  }
-
-  template <typename VertexPointMap>
-  static Point_3 point(const halfedge_descriptor h,
-                       const FT t,
-                       const Triangle_mesh& tmesh,
-                       const VertexPointMap& point_map)
-  {
-    using Kernel = typename Kernel_traits<Point_3>::Kernel;
-    return Kernel().construct_barycenter_3_object()(
-        get(point_map, target(h, tmesh)), typename Kernel::FT(t), get(point_map, source(h, tmesh)));
-  }
-
-  static Point_3 point(const vertex_descriptor v, const Triangle_mesh& tmesh)
-  {
-    return get(vertex_point, tmesh, v);
-  }
-#endif
 
   /// @}
 
@@ -646,31 +614,6 @@ public:
       return face_location(p->first, p->second);
     return std::get<Face_location>(point);
   }
-
-#ifndef DOXYGEN_RUNNING
-  static Face_location face_location(const vertex_descriptor v, const Triangle_mesh& tmesh)
-  {
-    if(halfedge(v, tmesh) != Graph_traits::null_halfedge())
-      for(const halfedge_descriptor h : halfedges_around_target(v, tmesh))
-        if(!is_border(h, tmesh))
-          return face_location(h, 1, tmesh);
-    return {Graph_traits::null_face(), {0, 0, 0}};
-  }
-
-  static Face_location
-  face_location(const halfedge_descriptor h, const FT t, const Triangle_mesh& tmesh)
-  {
-    if(is_border(h, tmesh))
-      return face_location(opposite(h, tmesh), 1 - t, tmesh);
-    Face_location result(face(h, tmesh), {0, 0, 0});
-    std::size_t i = 0;
-    for(halfedge_descriptor g = halfedge(result.first, tmesh); g != h; g = next(g, tmesh))
-      ++i;
-    result.second[i] = 1 - t;
-    result.second[(i + 1) % 3] = t;
-    return result;
-  }
-#endif
 
   /// @}
 
@@ -741,67 +684,8 @@ public:
     build_aabb_tree(m_mesh, tree, point_map);
   }
 
-#ifndef DOXYGEN_RUNNING
-  template <typename AABBTraits, typename VertexPointMap>
-  static Face_location locate(const Point_3& p,
-                              const Triangle_mesh& tmesh,
-                              const VertexPointMap& point_map,
-                              const FT tolerance = default_tolerance)
-  {
-    AABB_tree<AABBTraits> tree;
-    build_aabb_tree(tmesh, tree, point_map);
-    return locate(p, tree, tmesh, point_map, tolerance);
-  }
-
-  template <typename AABBTraits, typename VertexPointMap>
-  static Face_location locate(const Point_3& p,
-                              const AABB_tree<AABBTraits>& tree,
-                              const Triangle_mesh& tmesh,
-                              const VertexPointMap& point_map,
-                              const FT tolerance = default_tolerance)
-  {
-    return internal::locate_nearest(p, tree, tmesh, point_map, tolerance);
-  }
-
-  template <typename AABBTraits, typename Kernel, typename VertexPointMap>
-  static Face_location locate(const Ray_3<Kernel>& ray,
-                              const Triangle_mesh& tmesh,
-                              const VertexPointMap& point_map,
-                              const FT tolerance = default_tolerance)
-  {
-    AABB_tree<AABBTraits> tree;
-    build_aabb_tree(tmesh, tree, point_map);
-    return locate(ray, tree, tmesh, point_map, tolerance);
-  }
-
-  template <typename AABBTraits, typename Kernel, typename VertexPointMap>
-  static Face_location locate(const Ray_3<Kernel>& ray,
-                              const AABB_tree<AABBTraits>& tree,
-                              const Triangle_mesh& tmesh,
-                              const VertexPointMap& point_map,
-                              const FT tolerance = default_tolerance)
-  {
-    return internal::locate_first(ray, tree, tmesh, point_map, tolerance);
-  }
-
-  template <typename AABBTraits>
-  static void build_aabb_tree(const Triangle_mesh& tmesh, AABB_tree<AABBTraits>& tree)
-  {
-    build_aabb_tree(tmesh, tree, get(vertex_point, tmesh));
-  }
-
-  template <typename AABBTraits, typename VertexPointMap>
-  static void build_aabb_tree(const Triangle_mesh& tmesh,
-                              AABB_tree<AABBTraits>& tree,
-                              const VertexPointMap& point_map)
-  {
-    tree.rebuild(faces(tmesh).begin(), faces(tmesh).end(), tmesh, point_map);
-    tree.build();
-  }
-#endif
-
   /// the weight in barycentric coordinates that a location may be moved by.
-  static constexpr FT default_tolerance = 1e-10;
+  static constexpr FT default_tolerance = Locations::default_tolerance;
 
   /// @}
 
