@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Path_recorder.h"
 #include "exact_distances.h"
 #include "expect_costs.h"
 #include "expect_message.h"
@@ -38,32 +39,9 @@ using namespace geodesics_test;
 
 // ----- through points on edges
 
-// Remembers, for each point of a path, where it is and which faces touch it.
-struct Weighted_path
+// Knows what a path costs.
+struct Weighted_path : Path_recorder
 {
-  void operator()(const Vertex v)
-  {
-    points.push_back(mesh.point(v));
-    faces.emplace_back();
-    if(!mesh.is_isolated(v))
-      for(const Face f : mesh.faces_around_target(mesh.halfedge(v)))
-        faces.back().insert(f);
-  }
-
-  template <typename Coordinates>
-  void operator()(const Face, const Coordinates&)
-  {
-    ADD_FAILURE() << "the path ends in a face";
-  }
-
-  void operator()(const Halfedge h, const double t)
-  {
-    EXPECT_GE(t, 0);
-    EXPECT_LE(t, 1);
-    points.push_back(CGAL::barycenter(mesh.point(mesh.target(h)), t, mesh.point(mesh.source(h))));
-    faces.push_back({mesh.face(h), mesh.face(mesh.opposite(h))});
-  }
-
   // infinity where the path leaves the surface
   double cost() const
   {
@@ -80,10 +58,7 @@ struct Weighted_path
     return result;
   }
 
-  const Mesh& mesh;
   const Weights& weights;
-  std::vector<Point> points = {};
-  std::vector<std::set<Face>> faces = {};
 };
 
 TEST(Weighted_paths, cost_what_they_say)
@@ -97,7 +72,7 @@ TEST(Weighted_paths, cost_what_they_say)
     paths.add_source_point(source);
     for(const Vertex v : mesh.vertices())
     {
-      Weighted_path path{mesh, weights};
+      Weighted_path path{{mesh}, weights};
       std::vector<Point> points;
       const double cost = paths.shortest_path_sequence_to_source_points(v, path).first;
       paths.shortest_path_points_to_source_points(v, std::back_inserter(points));

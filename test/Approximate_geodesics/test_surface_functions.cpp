@@ -215,4 +215,18 @@ TEST(Surface_functions, find_a_path_from_several_places)
   EXPECT_LE(distance_in_space(points.back(), Point(5, 4.5, 0)), 1e-12);
 }
 
+// A place in a face can be given from any of the three halfedges.
+TEST(Mesh_places, give_the_same_point_as_a_face_location)
+{
+  const Mesh mesh = to_mesh(sphere(6, 5));
+  const Triangulation triangulation(mesh);
+  const AG::internal::Mesh_places places(mesh, get(boost::vertex_index, mesh), triangulation);
+  for(Triangulation::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+  {
+    const AG::Place place = AG::Place::in_face(h, 0.5, 0.125);
+    const Point expected = places.point(place, mesh.points(), Kernel());
+    EXPECT_LE(distance_in_space(position(mesh, places.face_location(place)), expected), 1e-12);
+  }
+}
+
 } // namespace

@@ -412,7 +412,8 @@ private:
     const std::size_t first = order.size();
     order.resize(first + batch.size());
     Node* end = order.data() + first;
-    m_smallest_key = std::numeric_limits<double>::infinity();
+    if constexpr(internal::is_estimate<Estimate>)
+      m_smallest_key = std::numeric_limits<double>::infinity();
     for(const auto& [key, node] : batch)
     {
       if constexpr(internal::is_estimate<Estimate>)

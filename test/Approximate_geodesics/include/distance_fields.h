@@ -82,7 +82,7 @@ inline double length(const std::vector<Polyline>& polylines)
   return result;
 }
 
-testing::AssertionResult are_clean(const std::vector<Polyline>& polylines)
+inline testing::AssertionResult are_clean(const std::vector<Polyline>& polylines)
 {
   for(const Polyline& polyline : polylines)
     if(polyline.size() < 2 ||

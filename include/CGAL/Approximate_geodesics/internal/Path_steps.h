@@ -112,8 +112,7 @@ private:
 
   void follow_edge(const Face_point& from, const Face_point& to, Step& step) const
   {
-    const bool is_forward = from.weight[1] < to.weight[1] ||
-                            (from.weight[1] == to.weight[1] && from.weight[0] >= to.weight[0]);
+    const bool is_forward = from.weight[1] <= to.weight[1]; // points next to an end are at it
     step.edge = is_forward ? from.halfedge : m_triangulation.opposite(from.halfedge);
     step.from = is_forward ? from : Face_point{step.edge, {from.weight[1], from.weight[0], 0}};
     step.to = is_forward ? to : Face_point{step.edge, {to.weight[1], to.weight[0], 0}};
