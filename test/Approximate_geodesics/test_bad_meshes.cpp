@@ -109,6 +109,69 @@ TEST(Bad_mesh, halfedges_that_do_not_close_around_a_vertex)
   EXPECT_THROW(Triangulation{mesh}, std::invalid_argument);
 }
 
+TEST(Bad_mesh, links_that_lead_nowhere)
+{
+  Mesh mesh = quiet_mesh();
+  mesh.set_halfedge(Face(7), Mesh::null_halfedge());
+  expect_rejection(mesh, "face 7", "has no halfedge");
+
+  mesh = quiet_mesh();
+  mesh.set_target(mesh.halfedge(Face(7)), Mesh::null_vertex());
+  expect_rejection(mesh, "no vertex");
+
+  mesh = quiet_mesh();
+  const Halfedge h = mesh.halfedge(Face(7)), g = mesh.opposite(h), next_of_g = mesh.next(g);
+  mesh.set_next(g, mesh.next(h)); // now what is before that is not `h`
+  mesh.set_next(g, next_of_g);
+  expect_rejection(mesh, "face 7", "not linked to its halfedges in both directions");
+}
+
+TEST(Bad_mesh, halfedge_before_another_that_is_missing)
+{
+  Mesh mesh;
+  mesh.add_vertex(Point(0, 0, 0));
+  const Halfedge h = mesh.add_edge(), g = mesh.opposite(h);
+  mesh.set_target(h, Vertex(0));
+  mesh.set_target(g, Vertex(0));
+  mesh.set_halfedge(Vertex(0), g);
+  mesh.set_next(h, g); // so that there is none before `h`
+  mesh.set_next(g, g);
+  expect_rejection(mesh, "vertex 0", "do not form one cycle");
+}
+
+TEST(Bad_mesh, halfedge_with_a_face_that_it_does_not_go_round)
+{
+  Mesh mesh = to_mesh(flat_grid(2, 2));
+  const Halfedge h = mesh.halfedge(Vertex(0), Vertex(1));
+  mesh.set_face(mesh.is_border(h) ? h : mesh.opposite(h), Face(1));
+  expect_rejection(mesh, "the halfedge from vertex 1 to vertex 0", "go round it");
+
+  mesh = to_mesh(flat_grid(2, 2));
+  mesh.set_face(mesh.halfedge(Face(1)), Face(0));
+  expect_rejection(mesh, "face 1", "not a triangle");
+}
+
+TEST(Bad_mesh, lengths_that_add_up_to_more_than_a_double_holds)
+{
+  const auto scaled = [](const double factor) {
+    return to_mesh(flat_grid(30, 30).transformed(
+        [&](const Point& p) { return Point(p.x() * factor, p.y() * factor, 0); }));
+  };
+  EXPECT_NO_THROW(Triangulation{scaled(1e300)});
+  expect_rejection(scaled(5e306), "all edges together", "do not fit a double");
+}
+
+TEST(Bad_mesh, face_that_is_too_small_beside_the_mesh)
+{
+  Soup soup = flat_grid(3, 3);
+  soup.append({{Point(0, 0, 0), Point(1e-140, 0, 0), Point(0, 1e-140, 0)}, {{0, 1, 2}}});
+  const Mesh mesh = to_mesh(soup);
+  expect_message<std::invalid_argument>([&] { Triangulation(mesh).check_triangle_inequality(); },
+                                        "too short", "9", "10", "11", "1e-140");
+  soup.points[11] = Point(0, 1e-120, 0); // a needle
+  EXPECT_NO_THROW(Triangulation(to_mesh(soup)).check_triangle_inequality());
+}
+
 TEST(Bad_mesh, faces_that_cannot_be_laid_out)
 {
   const Mesh mesh = quiet_mesh();

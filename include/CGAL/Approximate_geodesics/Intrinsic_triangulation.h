@@ -333,9 +333,9 @@ public:
   void prefetch(const Index h) const
   {
     constexpr Index doubles_per_cache_line = 8;
-    internal::prefetch(m_target.data() + h);
-    internal::prefetch(m_length.data() + h);
-    internal::prefetch(m_length.data() + h + doubles_per_cache_line);
+    internal::prefetch(m_target.data(), h);
+    internal::prefetch(m_length.data(), h);
+    internal::prefetch(m_length.data(), h + doubles_per_cache_line);
   }
 
   /// @}
@@ -353,10 +353,10 @@ public:
 
   /*!
    * checks that every face could be laid out in the plane: none of its edges is longer than the
-   * other two together, up to rounding. Graphs whose arcs cross faces need this.
+   * other two together, up to rounding, and they are not smaller than the mesh by a factor of more
+   * than \f$10^{132}\f$, which leaves nothing of areas. Graphs whose arcs cross faces need this.
    *
-   * \throws std::invalid_argument naming the vertices of a face that breaks the triangle
-   * inequality.
+   * \throws std::invalid_argument naming the vertices of a face that is not like that.
    */
   void check_triangle_inequality() const;
 
@@ -389,7 +389,10 @@ inline bool Intrinsic_triangulation::is_valid_halfedge(const Index h) const
   const Index twin = opposite(h);
   if(twin == h || opposite(twin) != h || length(twin) != length(h) || !(length(h) >= 0))
     return false;
-  return is_border(h) || next(next(next(h))) == h;
+  if(is_border(h))
+    return true;
+  const Index g = next(h), k = is_border(g) ? null_index : next(g);
+  return k != null_index && !is_border(k) && next(k) == h;
 }
 
 inline bool Intrinsic_triangulation::is_valid() const
@@ -414,6 +417,7 @@ inline void Intrinsic_triangulation::check_triangle_inequality() const
 {
   // lengths are rounded once when computed from coordinates, or given with errors of that order
   constexpr double tolerance = 16 * std::numeric_limits<double>::epsilon();
+  constexpr double smallest_perimeter = 0x1p-240; // its fourth power still fits a `double`
 
   for(Index h = 0; h < number_of_halfedges(); ++h)
   {
@@ -421,13 +425,17 @@ inline void Intrinsic_triangulation::check_triangle_inequality() const
       continue;
     const Index g = next(h), k = next(g);
     const double rest = length(g) + length(k);
+    const auto reject = [&](const char* what) {
+      internal::reject(
+          what + std::string(" in the face with vertices ") + std::to_string(index(target(k))) +
+          ", " + std::to_string(index(target(h))) + ", " + std::to_string(index(target(g))) +
+          ": its edges have lengths " + internal::text_of(length(h) * unit()) + ", " +
+          internal::text_of(length(g) * unit()) + ", " + internal::text_of(length(k) * unit()));
+    };
     if(length(h) > rest + tolerance * (length(h) + rest))
-      internal::reject("the triangle inequality does not hold in the face with vertices " +
-                       std::to_string(index(target(k))) + ", " + std::to_string(index(target(h))) +
-                       ", " + std::to_string(index(target(g))) + ": its edges have lengths " +
-                       internal::text_of(length(h) * unit()) + ", " +
-                       internal::text_of(length(g) * unit()) + ", " +
-                       internal::text_of(length(k) * unit()));
+      reject("the triangle inequality does not hold");
+    if(0 < rest && length(h) + rest < smallest_perimeter)
+      reject("paths are too short, compared with the mesh, to be told apart");
   }
 }
 

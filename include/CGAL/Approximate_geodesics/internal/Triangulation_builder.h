@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -47,6 +48,7 @@ class Triangulation_builder
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
   using Index = Intrinsic_triangulation::Index;
   using Vertex_index_map = decltype(vertex_index_map(std::declval<const TriangleMesh&>(),
                                                      std::declval<const NamedParameters&>()));
@@ -78,9 +80,11 @@ public:
     check_faces();
     copy_connectivity();
     link_twins();
+    check_sides();
     if constexpr(!lengths_are_given)
       compute_lengths();
     normalize_lengths();
+    check_sum_of_lengths();
     copy_weights();
     copy_barriers();
   }
@@ -102,18 +106,41 @@ private:
     for(const auto f : faces(m_mesh))
     {
       const halfedge_descriptor h = halfedge(f, m_mesh);
-      if(!is_triangle(h, m_mesh) || next(h, m_mesh) == h)
-        reject("face " + std::to_string(m_result.m_number_of_faces) +
-               " (in the order of faces()), at " + name(checked_index(target(h, m_mesh))) +
-               ", is not a triangle");
+      if(h == Graph_traits::null_halfedge())
+        reject(name_of_next_face() + " has no halfedge");
+      if(!is_triangle(f, h))
+        reject(name_of_next_face() + ", at " + name(checked_index(target(h, m_mesh))) +
+               ", is not a triangle, or not linked to its halfedges in both directions");
       ++m_result.m_number_of_faces;
     }
+  }
+
+  std::string name_of_next_face() const
+  {
+    return "face " + std::to_string(m_result.m_number_of_faces) + " (in the order of faces())";
+  }
+
+  // Unlike `CGAL::is_triangle()`, trusts no link.
+  bool is_triangle(const face_descriptor f, const halfedge_descriptor first) const
+  {
+    halfedge_descriptor h = first;
+    for(int i = 0; i < 3; ++i)
+    {
+      const halfedge_descriptor previous = h;
+      h = next(h, m_mesh);
+      if(h == Graph_traits::null_halfedge() || face(h, m_mesh) != f ||
+         prev(h, m_mesh) != previous || (h == first) != (i == 2))
+        return false;
+    }
+    return true;
   }
 
   // ----- connectivity
 
   Index checked_index(const vertex_descriptor v) const
   {
+    if(v == Graph_traits::null_vertex())
+      reject("a halfedge of the mesh has no vertex");
     return checked_index(get(m_vertex_index_map, v), m_number_of_vertices, "vertex");
   }
 
@@ -200,10 +227,11 @@ private:
       halfedge_descriptor h = first;
       do
       {
+        if(h == Graph_traits::null_halfedge())
+          reject_halfedges_around(m_vertices[v]);
         Index& number_of_h = m_number_of_halfedge[checked_index(h)];
         if(number_of_h != null_index)
-          reject("the halfedges around " + name(checked_index(m_vertices[v])) +
-                 " do not form one cycle, or their indices are not unique");
+          reject_halfedges_around(m_vertices[v]);
         number_of_h = static_cast<Index>(m_result.m_target.size());
         m_halfedges.push_back(h);
         m_result.m_target.push_back(reach(target(h, m_mesh), end_of_patch));
@@ -214,6 +242,12 @@ private:
       } while(h != first);
     }
     m_result.m_first_halfedge.push_back(static_cast<Index>(m_result.m_target.size()));
+  }
+
+  [[noreturn]] void reject_halfedges_around(const vertex_descriptor v) const
+  {
+    reject("the halfedges around " + name(checked_index(v)) +
+           " do not form one cycle, or their indices are not unique");
   }
 
   Index reach(const vertex_descriptor v, const std::size_t end_of_patch)
@@ -236,12 +270,36 @@ private:
     for(Index v = 0; v < m_result.number_of_vertices(); ++v)
       for(Index h = m_result.first_halfedge(v); h < m_result.beyond_halfedge(v); ++h)
       {
-        const Index twin = m_number_of_halfedge[checked_index(opposite(m_halfedges[h], m_mesh))];
-        if(twin == null_index || m_result.target(twin) != v)
-          reject("the halfedges around " + name(m_result.index(m_result.target(h))) +
-                 " do not form one cycle, or their indices are not unique");
+        const halfedge_descriptor opposite_of_h = opposite(m_halfedges[h], m_mesh);
+        const Index twin = m_number_of_halfedge[checked_index(opposite_of_h)];
+        if(twin == null_index || m_halfedges[twin] != opposite_of_h || m_result.target(twin) != v)
+          reject_halfedges_around(m_vertices[m_result.target(h)]);
         m_result.m_twin.set(h, twin - m_result.first_halfedge(m_result.target(h)));
       }
+  }
+
+  // A halfedge can have a face without being one of those that go round it.
+  void check_sides() const
+  {
+    const std::size_t number_of_sides = 3 * std::size_t(m_result.m_number_of_faces);
+    const auto& is_border = m_result.m_is_border;
+    if(std::size_t(std::count(is_border.begin(), is_border.end(), false)) == number_of_sides)
+      return;
+    for(Index h = 0; h < m_halfedges.size(); ++h)
+      if(!is_border[h] && !is_side(m_halfedges[h]))
+        reject("the halfedge from " + name(checked_index(source(m_halfedges[h], m_mesh))) + " to " +
+               name(checked_index(target(m_halfedges[h], m_mesh))) +
+               " has a face, but is not one of those that go round it");
+    reject("there are halfedges with a face that is not one of faces()");
+  }
+
+  bool is_side(const halfedge_descriptor h) const
+  {
+    const halfedge_descriptor first = halfedge(face(h, m_mesh), m_mesh);
+    if(first == Graph_traits::null_halfedge())
+      return false;
+    const halfedge_descriptor second = next(first, m_mesh);
+    return h == first || h == second || h == next(second, m_mesh);
   }
 
   // ----- lengths
@@ -281,7 +339,8 @@ private:
            name(m_result.index(m_result.target(static_cast<Index>(h)))) + " does not fit a double");
   }
 
-  // Returns the points, in the order of the numbers of the vertices, in units of `m_unit`.
+  // Returns the points, in the order of the numbers of the vertices, in units of `m_unit`. Isolated
+  // vertices do not count for that: they can be anywhere, and need not fit it.
   std::vector<Point> scaled_points()
   {
     using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
@@ -294,14 +353,15 @@ private:
     std::vector<Point> points;
     points.reserve(m_vertices.size());
     double extent = 0;
-    for(const vertex_descriptor v : m_vertices)
+    for(Index v = 0; v < m_vertices.size(); ++v)
     {
-      points.push_back(double_point(get(point_map, v), traits));
+      points.push_back(double_point(get(point_map, m_vertices[v]), traits));
       for(const double coordinate : points.back())
       {
         if(!std::isfinite(coordinate))
-          reject(name(checked_index(v)) + " has a coordinate that is infinite or not a number");
-        extent = (std::max)(extent, std::abs(coordinate));
+          reject(name(m_result.index(v)) + " has a coordinate that is infinite or not a number");
+        if(m_result.degree(v) > 0)
+          extent = (std::max)(extent, std::abs(coordinate));
       }
     }
 
@@ -334,6 +394,14 @@ private:
       for(double& length : m_result.m_length)
         length = scale.reduce(length);
     }
+  }
+
+  // As no path is longer, unless it goes nowhere, distances then fit a `double`, too.
+  void check_sum_of_lengths() const
+  {
+    const double sum = std::accumulate(m_result.m_length.begin(), m_result.m_length.end(), 0.);
+    if(std::isinf(sum * m_result.m_unit))
+      reject("the lengths of all edges together do not fit a double");
   }
 
   // ----- weights and barriers

@@ -52,6 +52,17 @@ inline void normalize(Face_weights& weights, const double unit_of_lengths)
       w = (std::max)(std::ldexp(w, -exponent), smallest);
 }
 
+// No path costs more, unless it goes nowhere. In units of the lengths and the weights.
+inline double cost_of_all_edges(const Face_weights& weights,
+                                const Intrinsic_triangulation& triangulation)
+{
+  double result = 0;
+  for(Intrinsic_triangulation::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+    if(!std::isinf(weights.of_halfedge[h]))
+      result += weights.of_halfedge[h] * triangulation.length(h);
+  return result;
+}
+
 // Reads the weights of the faces of a mesh, whose halfedges are given by their numbers in the
 // triangulation.
 template <typename TriangleMesh, typename Halfedges, typename FaceWeightMap>
@@ -80,7 +91,7 @@ Face_weights read_face_weights(const TriangleMesh& tmesh,
     result.of_halfedge[h] = weight + 0.0; // turns a negative zero into a positive one
   }
   normalize(result, triangulation.unit());
-  if(std::isinf(triangulation.unit() * result.unit))
+  if(std::isinf(cost_of_all_edges(result, triangulation) * triangulation.unit() * result.unit))
     reject("the weights and the lengths of the mesh do not fit each other: costs would be beyond "
            "what a double can hold");
   return result;

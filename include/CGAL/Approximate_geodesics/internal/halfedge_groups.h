@@ -25,12 +25,14 @@ auto first_halfedge_from(const typename boost::graph_traits<TriangleMesh>::verte
   return h == boost::graph_traits<TriangleMesh>::null_halfedge() ? h : opposite(h, tmesh);
 }
 
-// The one after `h`.
+// The one after `h`, or a null halfedge if the mesh is broken there.
 template <typename TriangleMesh>
 auto counterclockwise(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                       const TriangleMesh& tmesh)
 {
-  return opposite(prev(h, tmesh), tmesh);
+  const auto before = prev(h, tmesh);
+  return before == boost::graph_traits<TriangleMesh>::null_halfedge() ? before
+                                                                      : opposite(before, tmesh);
 }
 
 } // namespace internal
