@@ -199,17 +199,11 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
                                     const Sources& sources,
                                     const NamedParameters& np = parameters::default_values())
 {
-  using parameters::get_parameter;
   namespace AG = Approximate_geodesics;
 
   AG::internal::Mesh_query<PriorityQueue, TriangleMesh, NamedParameters> query(tmesh, np);
   query.run(sources);
-
-  query.write_distances(vertex_distance_map);
-  if constexpr(AG::internal::is_given<NamedParameters, internal_np::nearest_source_t>)
-    query.write_nearest_sources(get_parameter(np, internal_np::nearest_source));
-  if constexpr(AG::internal::is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
-    query.write_predecessors(get_parameter(np, internal_np::geodesic_predecessor));
+  query.write_results(vertex_distance_map);
 }
 
 } // namespace CGAL

@@ -113,6 +113,19 @@ TYPED_TEST(Single_pairs, with_lengths_of_another_surface)
   this->compare(mesh, CGAL::parameters::edge_length_map(lengths));
 }
 
+// Beside the length of the way, that of the shortest edges vanishes by rounding.
+TYPED_TEST(Single_pairs, on_a_strip_that_grows_by_orders_of_magnitude)
+{
+  this->compare(to_mesh(growing_strip(30, 1e-20, 1)));
+}
+
+TYPED_TEST(Single_pairs, between_subnormal_coordinates)
+{
+  const double step = 2e-323; // four times the smallest number
+  this->compare(to_mesh(flat_grid(5, 4).transformed(
+      [&](const Point& p) { return Point(p.x() * step, p.y() * step, 0); })));
+}
+
 TYPED_TEST(Single_pairs, are_not_found_in_other_components)
 {
   Soup soup = flat_grid(3, 3);

@@ -185,6 +185,11 @@ public:
     check(seeds, stop);
     forget();
     search(seeds, stop, Geodesic_visitor_base(), estimate);
+    if(goes_astray())
+    {
+      forget();
+      search(seeds, stop, Geodesic_visitor_base(), internal::No_estimate());
+    }
   }
 
   /*!
@@ -221,7 +226,7 @@ public:
   /// early.
   bool is_certain(const double distance) const
   {
-    return !m_ended_early || m_queue.is_final(to_graph_unit(distance));
+    return !m_ended_early || m_queue.is_final(to_graph_unit(std::nextafter(distance, 0.)));
   }
 
   /// returns whether `node` was reached.
@@ -332,6 +337,7 @@ private:
     {
       m_sources.forget_all();
       m_labels.forget_all();
+      m_seeds.clear();
       throw;
     }
   }
@@ -391,7 +397,7 @@ private:
   void propagate(const Stop_rule& stop, Watch watch, const Estimate& estimate, Counter counter)
   {
     const double limit = to_graph_unit(stop.maximum_distance);
-    while(!m_queue.is_empty())
+    while(!m_queue.is_empty() && !(internal::is_estimate<Estimate> && goes_astray()))
     {
       const std::size_t size = append_to_order(m_queue.extract_min(), estimate, counter);
       if(!watch.go_further(size))
@@ -400,6 +406,14 @@ private:
       take_candidates(limit, estimate, counter);
     }
     watch.finish();
+  }
+
+  // Whether nodes are expanded again and again. An estimate can bring that about: beside it, very
+  // short arcs vanish by rounding, so that keys do not order their nodes any more.
+  bool goes_astray() const
+  {
+    constexpr std::size_t most_expansions_per_node = 3;
+    return m_labels.order().size() / most_expansions_per_node > m_graph->number_of_nodes();
   }
 
   // An entry whose node has got a smaller distance since has been expanded with that, or will be.

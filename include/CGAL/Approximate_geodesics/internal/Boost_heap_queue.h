@@ -40,7 +40,14 @@ public:
   {
   }
 
-  Boost_heap_queue(Boost_heap_queue&&) = default;
+  Boost_heap_queue(Boost_heap_queue&& other)
+    : Ordered_queue_base(other),
+      m_heap(std::move(other.m_heap)),
+      m_handle(std::move(other.m_handle)),
+      m_is_present(std::move(other.m_is_present)),
+      m_size(std::exchange(other.m_size, 0))
+  {
+  }
 
   Boost_heap_queue& operator=(Boost_heap_queue&& other)
   {
@@ -50,7 +57,7 @@ public:
 
   ~Boost_heap_queue() { clear(); }
 
-  bool is_empty() const { return m_heap.empty(); }
+  bool is_empty() const { return m_size == 0; }
 
   void push(const Node node, const Key key)
   {
@@ -59,6 +66,7 @@ public:
     {
       m_handle[node] = m_heap.push({key, node});
       m_is_present[node] = 1;
+      ++m_size;
     }
     else if(key < (*m_handle[node]).key)
       m_heap.increase(m_handle[node], {key, node}); // comes closer to the top
@@ -82,15 +90,16 @@ public:
   // Boost would follow chains of nodes recursively, which may be too long for the stack.
   void clear()
   {
-    while(!m_heap.empty())
+    while(!is_empty())
       pop();
+    m_heap.clear(); // and the number of entries that Boost believes in
     restart();
   }
 
   // An estimate: of the heap, what its nodes hold besides an entry is four pointers.
   std::size_t memory() const
   {
-    return m_heap.size() * (sizeof(Entry) + 4 * sizeof(void*)) +
+    return m_size * (sizeof(Entry) + 4 * sizeof(void*)) +
            m_handle.capacity() * sizeof(typename Heap::handle_type) + m_is_present.capacity();
   }
 
@@ -99,6 +108,7 @@ private:
   {
     m_is_present[m_heap.top().node] = 0;
     m_heap.pop();
+    --m_size;
   }
 
   void swap(Boost_heap_queue& other)
@@ -107,11 +117,13 @@ private:
     m_heap.swap(other.m_heap);
     m_handle.swap(other.m_handle);
     m_is_present.swap(other.m_is_present);
+    std::swap(m_size, other.m_size);
   }
 
   Heap m_heap;
   std::vector<typename Heap::handle_type> m_handle; // of each node
   std::vector<char> m_is_present;
+  std::size_t m_size = 0; // Boost counts an entry, too, for which there was no memory
 };
 
 } // namespace internal

@@ -99,30 +99,56 @@ public:
                                                       : m_search.nearest(place).distance;
   }
 
+  // Writes the distances, and what else the named parameters ask for. All memory for that is
+  // allocated before anything is written.
   template <typename VertexDistanceMap>
-  void write_distances(VertexDistanceMap distances) const
+  void write_results(VertexDistanceMap distances) const
   {
-    for(const vertex_descriptor v : vertices(m_mesh))
-      put(distances, v, m_search.search().distance(m_places.node(v)));
+    if constexpr(is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
+    {
+      Vertices_before<typename Search::Search> before(m_search.search());
+      write_distances_and_sources(distances);
+      write_predecessors(before);
+    }
+    else
+      write_distances_and_sources(distances);
   }
 
-  template <typename NearestSourceMap>
-  void write_nearest_sources(NearestSourceMap sources) const
+private:
+  template <typename VertexDistanceMap>
+  void write_distances_and_sources(VertexDistanceMap distances) const
   {
-    using Value = typename boost::property_traits<NearestSourceMap>::value_type;
+    const auto& search = m_search.search();
+    constexpr bool with_sources = is_given<NamedParameters, internal_np::nearest_source_t>;
+    if constexpr(with_sources)
+      allocate_sources();
     for(const vertex_descriptor v : vertices(m_mesh))
-      put(sources, v, static_cast<Value>(m_search.search().source(m_places.node(v))));
+      put(distances, v, search.distance(m_places.node(v)));
+    if constexpr(with_sources)
+    {
+      const auto sources = parameters::get_parameter(m_np, internal_np::nearest_source);
+      using Value = typename boost::property_traits<std::decay_t<decltype(sources)>>::value_type;
+      for(const vertex_descriptor v : vertices(m_mesh))
+        put(sources, v, static_cast<Value>(search.source(m_places.node(v))));
+    }
   }
 
-  template <typename PredecessorMap>
-  void write_predecessors(PredecessorMap predecessors) const
+  // What the first question for a source allocates is enough for all.
+  void allocate_sources() const
   {
-    Vertices_before<typename Search::Search> before(m_search.search());
+    const auto& search = m_search.search();
+    for(const Node node : search.reached_nodes())
+      if(search.source(node) != Search::null_source)
+        return;
+  }
+
+  void write_predecessors(Vertices_before<typename Search::Search>& before) const
+  {
+    const auto predecessors = parameters::get_parameter(m_np, internal_np::geodesic_predecessor);
     for(const vertex_descriptor v : vertices(m_mesh))
       put(predecessors, v, predecessor(v, before));
   }
 
-private:
   // Positions lead the search to its goal. Where arcs are edges, finding these takes as long as the
   // whole search.
   Vertex_positions positions() const

@@ -28,46 +28,40 @@ class Vertices_before
   using Node = typename Search::Node;
 
 public:
-  explicit Vertices_before(const Search& search) : m_search(search) {}
+  explicit Vertices_before(const Search& search) : m_search(search)
+  {
+    if constexpr(has_places<typename Search::Graph>)
+      m_before.resize(m_search.graph().number_of_nodes(), Search::null_node);
+  }
 
+  // Allocates nothing.
   Node operator()(const Node node)
   {
     if constexpr(!has_places<typename Search::Graph>)
       return m_search.predecessor(node);
-    if(m_before.empty())
-      m_before.resize(m_search.graph().number_of_nodes(), Search::null_node);
 
     const Node vertex = vertex_of(node);
-    m_way.clear();
-    Node n = node;
-    while(m_before[n] == Search::null_node)
+    Node result = m_before[node], end_of_way = node;
+    while(result == Search::null_node)
     {
-      const Node previous = m_search.predecessor(n);
-      if(previous == Search::null_node)
-        return keep(Search::null_node);
-      m_way.push_back(n);
-      const Node candidate = vertex_of(previous);
-      if(candidate != Search::null_node && candidate != vertex)
-        return keep(candidate);
-      n = previous;
+      end_of_way = m_search.predecessor(end_of_way);
+      if(end_of_way == Search::null_node)
+        return Search::null_node;
+      const Node candidate = vertex_of(end_of_way);
+      const bool is_another = candidate != Search::null_node && candidate != vertex;
+      result = is_another ? candidate : m_before[end_of_way];
     }
-    return keep(m_before[n]);
+    for(Node n = node; n != end_of_way; n = m_search.predecessor(n))
+      m_before[n] = result;
+    return result;
   }
 
 private:
   // null_node if it is not a vertex, nor stands for one
   Node vertex_of(const Node node) const { return place(m_search.graph(), node).vertex; }
 
-  Node keep(const Node before)
-  {
-    for(const Node n : m_way)
-      m_before[n] = before;
-    return before;
-  }
-
   const Search& m_search;
   std::vector<Node> m_before; // null_node where it is not known
-  std::vector<Node> m_way;
 };
 
 } // namespace internal
