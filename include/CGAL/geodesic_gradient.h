@@ -25,7 +25,7 @@ namespace internal {
 
 /*
  * The gradient of the linear function that has the given values, all of them finite, at the corners
- * of a triangle.
+ * of a triangle; the zero vector if there is none that fits a `double`.
  *
  * It is computed for a triangle of about unit size: products of four lengths would vanish or
  * overflow if the mesh were tiny or huge.
@@ -57,9 +57,13 @@ typename Traits::Vector_3 gradient(const std::array<typename Traits::Point_3, 3>
   if(CGAL::is_zero(square))
     return vector(NULL_VECTOR);
   const FT slope_u = FT(values[1] - values[0]) / size, slope_v = FT(values[2] - values[0]) / size;
-  return scaled(sum(scaled(cross_product(v, normal), slope_u), //
-                    scaled(cross_product(normal, u), slope_v)),
-                FT(1) / square);
+  const Vector_3 result = scaled(sum(scaled(cross_product(v, normal), slope_u), //
+                                     scaled(cross_product(normal, u), slope_v)),
+                                 FT(1) / square);
+  for(int i = 0; i < 3; ++i)
+    if(!std::isfinite(CGAL::to_double(result[i])))
+      return vector(NULL_VECTOR);
+  return result;
 }
 
 } // namespace internal
@@ -88,8 +92,8 @@ typename Traits::Vector_3 gradient(const std::array<typename Traits::Point_3, 3>
  * \param vertex_distance_map one value per vertex, for example from
  *        `approximate_geodesic_distances()`
  * \param face_vector_map receives one vector per face: the zero vector if a value at one of its
- *        corners is infinite or not a number, as where no source was reached, or if the face has no
- *        area
+ *        corners is infinite or not a number, as where no source was reached, if the face has no
+ *        area, or if the gradient does not fit a `double`
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below
  *

@@ -143,8 +143,16 @@ private:
     if(high == m_isovalue)
       return get(m_point_map, above);
     return m_traits.construct_barycenter_3_object()(
-        get(m_point_map, above), typename Traits::FT((m_isovalue - low) / (high - low)),
+        get(m_point_map, above), typename Traits::FT(part(low, m_isovalue, high)),
         get(m_point_map, below));
+  }
+
+  // How far a value is on the way from a low to a high one, whose difference may overflow.
+  static double part(const double low, const double value, const double high)
+  {
+    if(std::isinf(high - low))
+      return (value / 2 - low / 2) / (high / 2 - low / 2);
+    return (value - low) / (high - low);
   }
 
   const TriangleMesh& m_mesh;

@@ -72,8 +72,8 @@ namespace CGAL {
  *         be reached.
  *
  * \throws std::invalid_argument as `approximate_geodesic_path()` does, if a face breaks the
- * triangle inequality, or if the tolerance is negative or not a number. \throws std::length_error
- * likewise.
+ *         triangle inequality, or if the tolerance is negative or not a number.
+ * \throws std::length_error as `approximate_geodesic_path()` does.
  *
  * Run time and memory are those of a search with the first number of points, in practice, and
  * \cgalBigO{n} more for every refinement of a mesh of `n` vertices.

@@ -91,6 +91,16 @@ TEST(Gradient, is_zero_where_there_is_none)
 
 // ----- Voronoi partitions
 
+TEST(Gradient, is_zero_where_it_does_not_fit_a_double)
+{
+  const Mesh mesh = to_mesh(flat_grid(3, 3).transformed(
+      [](const Point& p) { return Point(p.x() * 1e-10, p.y() * 1e-10, 0); }));
+  for(const double slope : {1e308, 1.7e308})
+    for(const Vector& v : gradients(
+            mesh, at_points(mesh, [&](const Point& p) { return p.x() > 0 ? slope : -slope; })))
+      EXPECT_EQ(v, CGAL::NULL_VECTOR);
+}
+
 TEST(Voronoi_partition, divides_a_strip_in_the_middle)
 {
   const Mesh mesh = to_mesh(flat_grid(10, 2));

@@ -41,6 +41,17 @@ TEST(Isolines, of_a_linear_function_are_straight)
   }
 }
 
+TEST(Isolines, of_values_whose_difference_overflows_are_straight)
+{
+  const Mesh mesh = to_mesh(flat_grid(2, 2));
+  const auto field =
+      at_points(mesh, [](const Point& p) { return p.x() == 0 ? -1.6e308 : 1.6e308; });
+  const std::vector<Polyline> lines = isolines(mesh, field, {-0.8e308});
+  ASSERT_EQ(lines.size(), 1u);
+  for(const Point& p : lines.front())
+    EXPECT_EQ(p.x(), 0.25);
+}
+
 TEST(Isolines, go_counterclockwise_around_a_source)
 {
   const Mesh cone = to_mesh(fan(50, 3));

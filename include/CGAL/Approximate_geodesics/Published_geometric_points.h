@@ -151,7 +151,9 @@ private:
       smallest = (std::min)(smallest, weight);
       largest = (std::max)(largest, weight);
     }
-    return largest > 0 ? largest / smallest : 1;
+    if(largest == 0)
+      return 1;
+    return smallest > 0 ? largest / smallest : std::numeric_limits<double>::infinity();
   }
 
   static double smallest_sine(const Intrinsic_triangulation& triangulation, const Index v)

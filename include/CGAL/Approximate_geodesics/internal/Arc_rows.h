@@ -165,10 +165,9 @@ public:
   // Asks for as much of a row as usual ones have, even if that is more than there is.
   void prefetch(const Node node) const
   {
-    constexpr std::size_t bytes_per_cache_line = 64, lines = 6;
-    const auto row = reinterpret_cast<std::uintptr_t>(m_words.data() + m_first[node]);
+    constexpr std::size_t lines = 6, words_per_cache_line = 64 / sizeof(m_words[0]);
     for(std::size_t i = 0; i < lines; ++i)
-      internal::prefetch(reinterpret_cast<const void*>(row + i * bytes_per_cache_line));
+      internal::prefetch(m_words.data(), m_first[node] + i * words_per_cache_line);
   }
 
   void shrink_to_fit()

@@ -64,9 +64,9 @@ private:
 
   double sine(const double a, const double b, const double opposite) const
   {
-    if(is_obtuse(a, b, opposite))
+    if(!(a > 0 && b > 0) || is_obtuse(a, b, opposite))
       return 1;
-    return 2 * (m_area / a) / b; // neither side is 0, as the angle would be called obtuse
+    return 2 * (m_area / a) / b;
   }
 
   double m_first, m_opposite, m_second; // lengths

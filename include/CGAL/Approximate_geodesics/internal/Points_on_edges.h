@@ -125,9 +125,9 @@ public:
 
   void prefetch(const Index p) const
   {
-    internal::prefetch(m_halfedge.data() + p);
+    internal::prefetch(m_halfedge.data(), p);
     if(!m_position.empty())
-      internal::prefetch(m_position.data() + p);
+      internal::prefetch(m_position.data(), p);
   }
 
   std::size_t memory() const

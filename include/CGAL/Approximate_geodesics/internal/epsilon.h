@@ -12,22 +12,24 @@
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Reads the named parameter `epsilon`.
+// Reads the named parameter `epsilon`. Above the largest bound that is of any use, it is that one,
+// since others would overflow when multiplied.
 template <typename NamedParameters>
 double checked_epsilon(const NamedParameters& np)
 {
-  constexpr double by_default = 0.1;
+  constexpr double by_default = 0.1, largest = 1e6;
   const double epsilon = CGAL::to_double(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::epsilon), by_default));
   if(!(epsilon > 0) || std::isinf(epsilon))
     reject("epsilon is " + text_of(epsilon) + "; it must be a finite number larger than 0");
-  return epsilon;
+  return (std::min)(epsilon, largest);
 }
 
 } // namespace internal

@@ -8,17 +8,23 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <cstddef>
+#include <cstdint>
+
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// asks for the cache line at `address`, which need not be valid
-inline void prefetch(const void* address)
+// Asks for the cache line of an entry of an array, which need not have one there: an address as
+// such may be any number, while a pointer must not leave its array.
+template <typename T>
+void prefetch(const T* const array, const std::size_t i)
 {
 #if defined(__GNUC__)
-  __builtin_prefetch(address);
+  __builtin_prefetch(
+      reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(array) + i * sizeof(T)));
 #else
-  static_cast<void>(address);
+  static_cast<void>(array), static_cast<void>(i);
 #endif
 }
 
