@@ -300,6 +300,11 @@ private:
       return go_left(cone.window, face, apex, filter);
 
     const double distance = length(apex);
+    if(!(distance > 0)) // the apex is where the source is, and sees the same
+    {
+      f(Straight_arc{face.apex, 0, apex, start, cone.window.way});
+      return false;
+    }
     if constexpr(Filter::leaves_out_arcs)
     {
       const bool left = cone.left.serves(apex, distance, cone.left.large_saving);

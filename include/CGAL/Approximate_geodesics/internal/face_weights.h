@@ -91,7 +91,9 @@ Face_weights read_face_weights(const TriangleMesh& tmesh,
     result.of_halfedge[h] = weight + 0.0; // turns a negative zero into a positive one
   }
   normalize(result, triangulation.unit());
-  if(std::isinf(cost_of_all_edges(result, triangulation) * triangulation.unit() * result.unit))
+  const double unit_of_costs = triangulation.unit() * result.unit;
+  if(std::isinf(unit_of_costs) ||
+     std::isinf(cost_of_all_edges(result, triangulation) * unit_of_costs))
     reject("the weights and the lengths of the mesh do not fit each other: costs would be beyond "
            "what a double can hold");
   return result;
