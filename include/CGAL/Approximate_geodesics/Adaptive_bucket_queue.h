@@ -190,7 +190,7 @@ private:
                                          : LARGEST_INDEX;
   }
 
-  Bucket& bucket(const Index index) { return m_buckets[index & m_mask]; }
+  Bucket& bucket(const Index index) { return m_buckets[static_cast<std::size_t>(index & m_mask)]; }
 
   void set_up_circle()
   {

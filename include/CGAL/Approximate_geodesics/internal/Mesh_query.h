@@ -107,6 +107,8 @@ public:
     if constexpr(is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
     {
       Vertices_before<typename Search::Search> before(m_search.search());
+      if(m_graph.triangulation().number_of_vertices() > 0)
+        m_places.vertex(0); // which lists all of them
       write_distances_and_sources(distances);
       write_predecessors(before);
     }

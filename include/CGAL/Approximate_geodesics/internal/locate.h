@@ -9,19 +9,18 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface_point.h>
+#include <CGAL/Approximate_geodesics/internal/cgal_compatibility.h>
 #include <CGAL/Ray_3.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
-#include <boost/variant.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <variant>
 #include <vector>
 
 // Where points are on a mesh, found with CGAL's AABB tree.
@@ -119,18 +118,6 @@ std::array<double, 3> barycentric_coordinates(const std::array<Point_3, 3>& corn
   result[second] = weights[1];
   result[third] = weights[2];
   return result;
-}
-
-// The alternative of type `T` of a variant, whichever library that is from, or a null pointer.
-template <typename T, typename... Types>
-const T* alternative(const boost::variant<Types...>& variant)
-{
-  return boost::get<T>(&variant);
-}
-template <typename T, typename... Types>
-const T* alternative(const std::variant<Types...>& variant)
-{
-  return std::get_if<T>(&variant);
 }
 
 template <typename TriangleMesh, typename VertexPointMap, typename Point_3>
