@@ -105,6 +105,22 @@ TEST(Bad_meshes, are_refused_only_if_paths_run_across_faces)
                                         "triangle inequality");
 }
 
+// Up to rounding, these are lengths of a triangle, whose sides at one corner are 0 and 1.
+TEST(Geometric_points, take_lengths_that_only_just_make_triangles)
+{
+  const Mesh mesh = to_mesh(flat_grid(2, 2));
+  std::vector<double> lengths(mesh.num_edges(), 1 - 1e-15);
+  lengths[mesh.edge(mesh.halfedge(Vertex(0), Vertex(1))).idx()] = 0;
+  lengths[mesh.edge(mesh.halfedge(Vertex(0), Vertex(3))).idx()] = 1;
+  const auto np = parameters::edge_length_map(
+      boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh)));
+  const Steiner_graph<> graph(Triangulation(mesh, np), Geometric_points(0.1));
+  AG::Propagation<Steiner_graph<>> search(graph);
+  search.run(graph.triangulation().vertex(0));
+  for(Node n = 0; n < graph.number_of_nodes(); ++n)
+    EXPECT_TRUE(search.distance(n) >= 0 && search.distance(n) <= 1 + 1e-12);
+}
+
 // ----- arcs
 
 // All arcs are looked at by the reference, and only few by the graph.

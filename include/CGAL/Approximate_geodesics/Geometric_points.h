@@ -156,7 +156,7 @@ public:
       const internal::Star star(triangulation, v);
       if(star.is_degenerate() || has_thin_corner(triangulation, v))
         return std::numeric_limits<double>::infinity();
-      if(std::isinf(star.radius())) // no face
+      if(std::isinf(star.radius()) || star.radius() == 0) // no face, or all in one place
         continue;
       const double start = m_start[v] / star.radius();
       const internal::Vertex_weights weights(triangulation, v);
