@@ -48,7 +48,8 @@ namespace Approximate_geodesics {
  *
  * Lengths are stored in single precision and rounded up, which makes them too long by a factor of
  * at most \f$1 + 2^{-23}\f$, unless they are shorter than the longest edge by a factor of more than
- * \f$2^{126}\f$, which single precision cannot tell apart any more. An arc takes 6 bytes, which is
+ * \f$2^{126}\f$, which single precision cannot tell apart any more: then they are too long by up to
+ * \f$2^{-149}\f$ times the longest edge. An arc takes 6 bytes, which is
  * about 250 bytes per vertex for \f$\varepsilon = 0.1\f$, in addition to the triangulation.
  *
  * An object of this class never changes after its construction and may be used by several threads.
