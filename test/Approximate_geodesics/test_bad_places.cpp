@@ -165,7 +165,7 @@ TEST_F(Bad_place, with_another_number_of_initial_distances)
   std::vector<double> distances(m_mesh.num_vertices());
   const auto map =
       boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, m_mesh));
-  for(const std::size_t number : {0, 1, 3})
+  for(const std::size_t number : {0u, 1u, 3u})
   {
     const std::vector<double> initial(number, 1.);
     expect_rejection(

@@ -69,7 +69,7 @@ TEST(Straightening, unfolds_tetrahedra)
   const Place p = Place::in_face(surface.halfedge(0, 1), third, third);
   const Place q = Place::in_face(surface.halfedge(0, 2), third, third);
   const double side = std::sqrt(8.), height = side * std::sqrt(3.) / 2;
-  for(const std::size_t by : {0, 2})
+  for(const std::size_t by : {0u, 2u})
     EXPECT_NEAR(surface.shortened({p, surface.place(by), q}).length, 2 * height / 3, 1e-12);
   // by way of the vertex that is farthest: first along one edge, then over another face
   const Path path = surface.shortened({p, surface.place(1), surface.place(3), q});

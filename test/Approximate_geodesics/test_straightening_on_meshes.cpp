@@ -160,7 +160,7 @@ TEST(Straightening, starts_next_to_a_vertex)
   for(const double t : {1e-18, 1e-17, 1e-16, 1e-15})
     for(const Place start :
         {Place::on_edge(surface.halfedge(5, 6), t), Place::on_edge(surface.halfedge(6, 5), 1 - t)})
-      for(const int target : {1, 4, 9, 10})
+      for(const unsigned target : {1u, 4u, 9u, 10u})
       {
         const Path path = surface.shortened({start, surface.place(5), surface.place(target)});
         EXPECT_NEAR(path.length, target == 10 ? std::sqrt(2.) : 1., 1e-12);
