@@ -56,9 +56,11 @@ typename Traits::Vector_3 gradient(const std::array<typename Traits::Point_3, 3>
   const FT square = traits.compute_squared_length_3_object()(normal);
   if(CGAL::is_zero(square))
     return vector(NULL_VECTOR);
-  const FT slope_u = FT(values[1] - values[0]) / size, slope_v = FT(values[2] - values[0]) / size;
-  const Vector_3 result = scaled(sum(scaled(cross_product(v, normal), slope_u), //
-                                     scaled(cross_product(normal, u), slope_v)),
+  const auto slope = [&](const double value) { // the difference of values can overflow
+    return FT(value / 2 - values[0] / 2) / size * FT(2);
+  };
+  const Vector_3 result = scaled(sum(scaled(cross_product(v, normal), slope(values[1])), //
+                                     scaled(cross_product(normal, u), slope(values[2]))),
                                  FT(1) / square);
   for(int i = 0; i < 3; ++i)
     if(!std::isfinite(CGAL::to_double(result[i])))

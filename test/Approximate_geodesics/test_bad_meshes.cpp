@@ -151,6 +151,30 @@ TEST(Bad_mesh, halfedge_with_a_face_that_it_does_not_go_round)
   expect_rejection(mesh, "face 1", "not a triangle");
 }
 
+TEST(Bad_mesh, faces_that_their_vertices_do_not_know)
+{
+  const Point origin(0, 0, 0);
+  Mesh mesh = to_mesh({{origin, origin, origin}, {{0, 1, 2}}});
+  for(const Vertex v : mesh.vertices())
+    mesh.set_halfedge(v, Mesh::null_halfedge());
+  expect_rejection(mesh, "face 0", "is not one of those around vertex 0");
+}
+
+// As many halfedges have a face as there are sides of faces, but they are others.
+TEST(Bad_mesh, border_that_claims_the_face_of_a_detached_triangle)
+{
+  Soup soup = flat_grid(3, 2);
+  soup.append({{Point(7, 7, 0), Point(8, 7, 0), Point(7, 8, 0)}, {{0, 1, 2}}});
+  soup.append({{Point(7, 7, 0), Point(8, 7, 0), Point(7, 8, 0)}, {{0, 1, 2}}});
+  Mesh mesh = to_mesh(soup);
+  for(const Halfedge h : mesh.halfedges())
+    if(mesh.is_border(h) && mesh.target(h) < Vertex(6))
+      mesh.set_face(h, Face(4));
+  for(Mesh::size_type i = 6; i < 12; ++i)
+    mesh.set_halfedge(Vertex(i), Mesh::null_halfedge());
+  expect_rejection(mesh, "face 4", "is not one of those around vertex");
+}
+
 TEST(Bad_mesh, lengths_that_add_up_to_more_than_a_double_holds)
 {
   const auto scaled = [](const double factor) {
@@ -158,7 +182,7 @@ TEST(Bad_mesh, lengths_that_add_up_to_more_than_a_double_holds)
         [&](const Point& p) { return Point(p.x() * factor, p.y() * factor, 0); }));
   };
   EXPECT_NO_THROW(Triangulation{scaled(1e300)});
-  expect_rejection(scaled(5e306), "all edges together", "do not fit a double");
+  expect_rejection(scaled(5e306), "all edges", "half of what a double holds", "vertex");
 }
 
 TEST(Bad_mesh, face_that_is_too_small_beside_the_mesh)

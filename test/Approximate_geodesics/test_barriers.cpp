@@ -77,8 +77,10 @@ struct Wall
   // The length of a taut string. Where the border of the plane is beyond an end, there is no way.
   double length_around(const Point& p, const Point& q) const
   {
+    if((p.x() - 6) * (q.x() - 6) >= 0)
+      return straight(p, q);
     const double y = p.y() + (q.y() - p.y()) * (6 - p.x()) / (q.x() - p.x());
-    if((p.x() - 6) * (q.x() - 6) >= 0 || y <= low || y >= high)
+    if(y <= low || y >= high)
       return straight(p, q);
     double result = infinity;
     for(const double end : {low, high})

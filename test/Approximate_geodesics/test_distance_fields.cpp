@@ -89,8 +89,6 @@ TEST(Gradient, is_zero_where_there_is_none)
     EXPECT_EQ(v, CGAL::NULL_VECTOR);
 }
 
-// ----- Voronoi partitions
-
 TEST(Gradient, is_zero_where_it_does_not_fit_a_double)
 {
   const Mesh mesh = to_mesh(flat_grid(3, 3).transformed(
@@ -100,6 +98,31 @@ TEST(Gradient, is_zero_where_it_does_not_fit_a_double)
             mesh, at_points(mesh, [&](const Point& p) { return p.x() > 0 ? slope : -slope; })))
       EXPECT_EQ(v, CGAL::NULL_VECTOR);
 }
+
+// With values whose difference is not a `double`, but over faces that are so large.
+template <typename MeshKernel>
+class Steep_gradient : public testing::Test
+{
+};
+using Kernels = testing::Types<Kernel, Exact_kernel>;
+TYPED_TEST_SUITE(Steep_gradient, Kernels, );
+
+TYPED_TEST(Steep_gradient, is_right_if_it_fits_a_double)
+{
+  using MeshPoint = typename TypeParam::Point_3;
+  using Vector_3 = typename TypeParam::Vector_3;
+  CGAL::Surface_mesh<MeshPoint> mesh;
+  CGAL::make_triangle(MeshPoint(0, 0, 0), MeshPoint(4e10, 0, 0), MeshPoint(0, 4e10, 0), mesh);
+  std::vector<double> values = {-1.5e308, 1.5e308, -1.5e308};
+  std::vector<Vector_3> result(1);
+  CGAL::geodesic_gradient(
+      mesh, boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh)),
+      boost::make_iterator_property_map(result.begin(), get(boost::face_index, mesh)));
+  EXPECT_NEAR(CGAL::to_double(result[0].x()) / 7.5e297, 1, 1e-12);
+  EXPECT_EQ(result[0].y(), 0);
+}
+
+// ----- Voronoi partitions
 
 TEST(Voronoi_partition, divides_a_strip_in_the_middle)
 {

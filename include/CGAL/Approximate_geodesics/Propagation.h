@@ -226,6 +226,7 @@ public:
   /// early.
   bool is_certain(const double distance) const
   {
+    // the next smaller number, as a distance may have been rounded up to this one
     return !m_ended_early || m_queue.is_final(to_graph_unit(std::nextafter(distance, 0.)));
   }
 

@@ -157,7 +157,7 @@ private:
   {
     m_statistics = Bucket_statistics();
     m_statistics.width = m_policy.width();
-    m_buckets_per_unit = 1 / m_statistics.width;
+    m_buckets_per_unit = m_statistics.width > 0 ? 1 / m_statistics.width : 0;
     m_current = 0;
     m_beyond_used = 0;
     m_size = 0;

@@ -389,7 +389,7 @@ private:
     refuse("a length beyond the largest number", far_apart, {"vertex 7", "does not fit a double"});
     Random random(2);
     refuse("lengths beyond it together", to_mesh(scaled(terrain(5, 4, random), 1e307)),
-           {"all edges together do not fit a double"});
+           {"half of what a double holds"});
     refuse("a quadrangle among triangles", with_quadrangle(), {"face 8", "not a triangle"});
     refuse("a face with two sides", with_lune(), {"face 0", "not a triangle"});
     refuse("a vertex with two fans", two_cycles(), {"vertex 4", "do not form one cycle"});

@@ -92,7 +92,7 @@ public:
   {
     while(!is_empty())
       pop();
-    m_heap.clear(); // and the number of entries that Boost believes in
+    m_heap.clear(); // for the number of entries in Boost's Fibonacci heap: see m_size
     restart();
   }
 

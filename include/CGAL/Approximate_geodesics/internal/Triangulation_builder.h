@@ -107,17 +107,18 @@ private:
     {
       const halfedge_descriptor h = halfedge(f, m_mesh);
       if(h == Graph_traits::null_halfedge())
-        reject(name_of_next_face() + " has no halfedge");
+        reject(name_of_face(m_result.m_number_of_faces) + " has no halfedge");
       if(!is_triangle(f, h))
-        reject(name_of_next_face() + ", at " + name(checked_index(target(h, m_mesh))) +
+        reject(name_of_face(m_result.m_number_of_faces) + ", at " +
+               name(checked_index(target(h, m_mesh))) +
                ", is not a triangle, or not linked to its halfedges in both directions");
       ++m_result.m_number_of_faces;
     }
   }
 
-  std::string name_of_next_face() const
+  static std::string name_of_face(const Index i)
   {
-    return "face " + std::to_string(m_result.m_number_of_faces) + " (in the order of faces())";
+    return "face " + std::to_string(i) + " (in the order of faces())";
   }
 
   // Unlike `CGAL::is_triangle()`, trusts no link.
@@ -278,15 +279,29 @@ private:
       }
   }
 
-  // A halfedge can have a face without being one of those that go round it.
+  // The halfedges of a face have to be those that were found to have one, no fewer and no more.
   void check_sides() const
   {
+    Index number_of_face = 0;
+    for(const face_descriptor f : faces(m_mesh))
+    {
+      for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+        if(m_number_of_halfedge[checked_index(h)] == null_index)
+          reject(name_of_face(number_of_face) + " is not one of those around " +
+                 name(checked_index(source(h, m_mesh))));
+      ++number_of_face;
+    }
     const std::size_t number_of_sides = 3 * std::size_t(m_result.m_number_of_faces);
     const auto& is_border = m_result.m_is_border;
-    if(std::size_t(std::count(is_border.begin(), is_border.end(), false)) == number_of_sides)
-      return;
+    if(std::size_t(std::count(is_border.begin(), is_border.end(), false)) != number_of_sides)
+      reject_false_side();
+  }
+
+  // A halfedge has a face without being one of those that go round it.
+  [[noreturn]] void reject_false_side() const
+  {
     for(Index h = 0; h < m_halfedges.size(); ++h)
-      if(!is_border[h] && !is_side(m_halfedges[h]))
+      if(!m_result.m_is_border[h] && !is_side(m_halfedges[h]))
         reject("the halfedge from " + name(checked_index(source(m_halfedges[h], m_mesh))) + " to " +
                name(checked_index(target(m_halfedges[h], m_mesh))) +
                " has a face, but is not one of those that go round it");
@@ -295,11 +310,14 @@ private:
 
   bool is_side(const halfedge_descriptor h) const
   {
-    const halfedge_descriptor first = halfedge(face(h, m_mesh), m_mesh);
-    if(first == Graph_traits::null_halfedge())
-      return false;
-    const halfedge_descriptor second = next(first, m_mesh);
-    return h == first || h == second || h == next(second, m_mesh);
+    halfedge_descriptor side = halfedge(face(h, m_mesh), m_mesh);
+    for(int i = 0; i < 3 && side != Graph_traits::null_halfedge(); ++i)
+    {
+      if(side == h)
+        return true;
+      side = next(side, m_mesh);
+    }
+    return false;
   }
 
   // ----- lengths
@@ -327,16 +345,16 @@ private:
         longest = (std::max)(longest, m_result.m_length[h]);
       }
     if(std::isinf(longest * m_result.m_unit))
-      reject_longest_edge(longest);
+      reject("the length of the " + name_of_longest_edge() + " does not fit a double");
   }
 
-  [[noreturn]] void reject_longest_edge(const double longest) const
+  std::string name_of_longest_edge() const
   {
-    const auto h = std::find(m_result.m_length.begin(), m_result.m_length.end(), longest) -
-                   m_result.m_length.begin();
-    reject("the length of the edge between " +
-           name(m_result.index(m_result.source(static_cast<Index>(h)))) + " and " +
-           name(m_result.index(m_result.target(static_cast<Index>(h)))) + " does not fit a double");
+    const auto& lengths = m_result.m_length;
+    const auto h =
+        static_cast<Index>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+    return "edge between " + name(m_result.index(m_result.source(h))) + " and " +
+           name(m_result.index(m_result.target(h)));
   }
 
   // Returns the points, in the order of the numbers of the vertices, in units of `m_unit`. Isolated
@@ -396,12 +414,16 @@ private:
     }
   }
 
-  // As no path is longer, unless it goes nowhere, distances then fit a `double`, too.
+  // No path is longer than all edges together, and two of them, unless it goes nowhere; so
+  // distances fit a `double`, too.
   void check_sum_of_lengths() const
   {
-    const double sum = std::accumulate(m_result.m_length.begin(), m_result.m_length.end(), 0.);
-    if(std::isinf(sum * m_result.m_unit))
-      reject("the lengths of all edges together do not fit a double");
+    const auto& lengths = m_result.m_length; // each of an edge is there twice
+    if(std::isinf(std::accumulate(lengths.begin(), lengths.end(), 0.) * m_result.m_unit))
+      reject(
+          "the lengths of all edges add up to more than half of what a double holds; the longest "
+          "is that of the " +
+          name_of_longest_edge());
   }
 
   // ----- weights and barriers

@@ -52,7 +52,8 @@ inline void normalize(Face_weights& weights, const double unit_of_lengths)
       w = (std::max)(std::ldexp(w, -exponent), smallest);
 }
 
-// No path costs more, unless it goes nowhere. In units of the lengths and the weights.
+// No path costs more, unless it goes nowhere: with either face of each edge, there is enough also
+// for the ends of a path inside faces. In units of the lengths and the weights.
 inline double cost_of_all_edges(const Face_weights& weights,
                                 const Intrinsic_triangulation& triangulation)
 {
@@ -94,8 +95,10 @@ Face_weights read_face_weights(const TriangleMesh& tmesh,
   const double unit_of_costs = triangulation.unit() * result.unit;
   if(std::isinf(unit_of_costs) ||
      std::isinf(cost_of_all_edges(result, triangulation) * unit_of_costs))
-    reject("the weights and the lengths of the mesh do not fit each other: costs would be beyond "
-           "what a double can hold");
+    reject(
+        "the weights and the lengths of the mesh do not fit each other: costs would be beyond "
+        "what a double can hold. If a weight stands for a face that paths must not enter, infinity "
+        "is the one to use.");
   return result;
 }
 
