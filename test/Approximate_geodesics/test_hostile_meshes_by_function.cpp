@@ -204,22 +204,10 @@ distances(const Mesh& mesh, const std::vector<Vertex>& sources, const NamedParam
 
 double or_minus_one(const double distance) { return distance < infinity ? distance : -1; }
 
-template <typename F>
-void for_accepted_meshes(F f)
-{
-  for(const Hostile_mesh& row : accepted_meshes())
-    if(row.refusal_across_faces.empty())
-    {
-      SCOPED_TRACE(row.name);
-      Known_distances known(row);
-      f(known);
-    }
-}
-
 template <typename... NamedParameters>
 void expect_distances(const Bound& bound, const NamedParameters&... np)
 {
-  for_accepted_meshes([&](Known_distances& known) {
+  for_accepted_meshes(refused_across_faces(), [&](Known_distances& known) {
     for(const Surface_point& p : some_vertices(known.mesh))
     {
       const std::vector<double> found = distances(known.mesh, {std::get<Vertex>(p)}, np...);
@@ -232,7 +220,7 @@ void expect_distances(const Bound& bound, const NamedParameters&... np)
 template <typename... NamedParameters>
 void expect_paths(const Bound& bound, const NamedParameters&... np)
 {
-  for_accepted_meshes([&](Known_distances& known) {
+  for_accepted_meshes(refused_across_faces(), [&](Known_distances& known) {
     for(const Surface_point& p : some_vertices(known.mesh))
       for(const Surface_point& q : some_vertices(known.mesh))
       {
@@ -266,7 +254,7 @@ TEST(Hostile_meshes, have_paths)
 
 TEST(Hostile_meshes, have_refined_paths)
 {
-  for_accepted_meshes([](Known_distances& known) {
+  for_accepted_meshes(refused_across_faces(), [](Known_distances& known) {
     for(const Surface_point& p : some_vertices(known.mesh))
       for(const Surface_point& q : some_vertices(known.mesh))
       {
@@ -306,17 +294,9 @@ std::vector<Vertex> first_vertex(const Mesh& mesh)
                                         : std::vector<Vertex>{*mesh.vertices().begin()};
 }
 
-double largest_finite(const std::vector<double>& values)
-{
-  double result = 0;
-  for(const double x : values)
-    result = x < infinity ? (std::max)(result, x) : result;
-  return result;
-}
-
 TEST(Hostile_meshes, have_isolines)
 {
-  for_accepted_meshes([](Known_distances& known) {
+  for_accepted_meshes(refused_across_faces(), [](Known_distances& known) {
     const std::vector<double> values = distances(known.mesh, first_vertex(known.mesh));
     const double largest = largest_finite(values);
     for(const double isovalue : {0., largest / 3, largest / 2, largest})
@@ -332,7 +312,7 @@ TEST(Hostile_meshes, have_isolines)
 
 TEST(Hostile_meshes, have_gradients)
 {
-  for_accepted_meshes([](Known_distances& known) {
+  for_accepted_meshes(refused_across_faces(), [](Known_distances& known) {
     const std::vector<double> values = distances(known.mesh, first_vertex(known.mesh));
     for(const Vector& v : gradients(known.mesh, from_vector(values)))
       for(int i = 0; i < 3; ++i)
@@ -342,7 +322,7 @@ TEST(Hostile_meshes, have_gradients)
 
 TEST(Hostile_meshes, are_divided_among_sources)
 {
-  for_accepted_meshes([](Known_distances& known) {
+  for_accepted_meshes(refused_across_faces(), [](Known_distances& known) {
     std::vector<Vertex> sources;
     for(const Surface_point& p : some_vertices(known.mesh))
       sources.push_back(std::get<Vertex>(p));
@@ -375,7 +355,7 @@ TEST(Hostile_meshes, are_divided_among_sources)
 
 TEST(Hostile_meshes, are_sampled)
 {
-  for_accepted_meshes([](Known_distances& known) {
+  for_accepted_meshes(refused_across_faces(), [](Known_distances& known) {
     const Sample found = sample(known.mesh, {}, 5);
     EXPECT_LE(found.points.size(), 5u);
     Long radius = 0;

@@ -54,12 +54,9 @@ std::vector<double> distances(const GeodesicGraph& graph, const std::vector<Vert
   std::vector<typename AG::Propagation<GeodesicGraph, Queue>::Seed> seeds;
   for(const Vertex v : sources)
     seeds.push_back({graph.triangulation().vertex(v.idx())});
-  std::vector<double> result;
   for(int run = 0; run < 2; ++run) // queues learn
     search.run(seeds);
-  for(Node n = 0; n < graph.number_of_nodes(); ++n)
-    result.push_back(search.distance(n));
-  return result;
+  return distances_of_nodes(search);
 }
 
 void expect_same(const std::vector<double>& found,

@@ -41,28 +41,13 @@ void expect_nothing_reached(const Search& search)
   }
 }
 
-template <typename Search>
-Values distances(const Search& search)
-{
-  Values result;
-  for(Node n = 0; n < search.graph().number_of_nodes(); ++n)
-    result.push_back(search.distance(n));
-  return result;
-}
-
 // Which of the seeds' sources is nearest, too.
 Values distances_and_sources(const Search& search)
 {
-  Values result = distances(search);
+  Values result = distances_of_nodes(search);
   for(Node n = 0; n < search.graph().number_of_nodes(); ++n)
     result.push_back(static_cast<double>(search.source(n)));
   return result;
-}
-
-Mesh small_terrain()
-{
-  Random random(test_seed());
-  return to_mesh(terrain(9, 7, random));
 }
 
 template <typename Search>
@@ -95,7 +80,8 @@ void expect_survival_of_runs(const typename Search::Graph& graph, const double d
   const auto seeds = two_seeds<Search>();
   const auto stop = early_stop<Search>();
   expect_survival<Search>({make, [&](Search& search) { search.run(seeds); },
-                           [](Search& search) { return distances(search); }, check, deviation});
+                           [](Search& search) { return distances_of_nodes(search); }, check,
+                           deviation});
   expect_survival<Search>({make, [&](Search& search) { search.run(seeds, stop); },
                            [](Search& search) { return distances_of_targets(search); }, check,
                            deviation});
@@ -170,7 +156,7 @@ TEST(Interrupted_runs, can_be_followed_by_further_seeds)
                            [&](Search& search) {
                              search.run({{3, 0, 5}});
                            },
-                           [](Search& search) { return distances(search); },
+                           [](Search& search) { return distances_of_nodes(search); },
                            [](Search& search) {
                              search.run_further({{3, 0, 8}});
                              EXPECT_EQ(search.source(3), 8u);

@@ -128,10 +128,7 @@ protected:
   {
     AG::Propagation<GeodesicGraph, Queue> search(graph);
     search.run(source);
-    std::vector<double> result;
-    for(Node n = 0; n < graph.number_of_nodes(); ++n)
-      result.push_back(search.distance(n));
-    return result;
+    return distances_of_nodes(search);
   }
 
   Random m_random;
@@ -158,15 +155,8 @@ TEST_P(Path_properties, queues_do_not_change_distances)
   EXPECT_TRUE(have_same_bits(distances<AG::Radix_heap_queue>(graph, source), expected));
 }
 
-std::vector<std::uint64_t> seeds()
-{
-  const std::uint64_t first = test_seed();
-  std::vector<std::uint64_t> result;
-  for(std::uint64_t i = 0; i < 3 * number_of_kinds_of_soups; ++i)
-    result.push_back(first + i);
-  return result;
-}
-
-INSTANTIATE_TEST_SUITE_P(On_random_meshes, Path_properties, testing::ValuesIn(seeds()));
+INSTANTIATE_TEST_SUITE_P(On_random_meshes,
+                         Path_properties,
+                         testing::ValuesIn(seeds_of_small_soups()));
 
 } // namespace

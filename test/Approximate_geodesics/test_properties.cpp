@@ -416,16 +416,6 @@ TEST_P(Properties, costs_grow_with_weights)
   }
 }
 
-// Three meshes of each kind.
-std::vector<std::uint64_t> seeds()
-{
-  const std::uint64_t first = test_seed();
-  std::vector<std::uint64_t> result;
-  for(std::uint64_t i = 0; i < 3 * number_of_kinds_of_soups; ++i)
-    result.push_back(first + i);
-  return result;
-}
-
-INSTANTIATE_TEST_SUITE_P(On_random_meshes, Properties, testing::ValuesIn(seeds()));
+INSTANTIATE_TEST_SUITE_P(On_random_meshes, Properties, testing::ValuesIn(seeds_of_small_soups()));
 
 } // namespace

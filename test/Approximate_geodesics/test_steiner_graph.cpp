@@ -138,10 +138,7 @@ void expect_all_arcs(const Mesh& mesh,
   {
     const Node source = static_cast<Node>(random.below(choice));
     search.run(source);
-    std::vector<double> found;
-    for(Node n = 0; n < graph.number_of_nodes(); ++n)
-      found.push_back(search.distance(n));
-    expect_about_the_same(found, reference.distances(source), rounding);
+    expect_about_the_same(distances_of_nodes(search), reference.distances(source), rounding);
   }
 }
 
@@ -217,10 +214,7 @@ std::vector<double> distances_by(const Steiner_graph<Equally_spaced_points>& gra
 {
   AG::Propagation<Steiner_graph<Equally_spaced_points>, Queue> search(graph);
   search.run(source);
-  std::vector<double> result;
-  for(Node n = 0; n < graph.number_of_nodes(); ++n)
-    result.push_back(search.distance(n));
-  return result;
+  return distances_of_nodes(search);
 }
 
 TEST(Steiner_graph, gives_the_same_with_every_queue)

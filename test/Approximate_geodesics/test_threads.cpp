@@ -66,8 +66,8 @@ Values distances(const GeodesicGraph& graph, const std::size_t thread)
   {
     AG::Propagation<GeodesicGraph> search(graph);
     search.run(source);
-    for(Node n = 0; n < graph.number_of_nodes(); ++n)
-      result.push_back(search.distance(n));
+    const Values found = distances_of_nodes(search);
+    result.insert(result.end(), found.begin(), found.end());
     result.push_back(static_cast<double>(search.source(7)));
   }
   return result;

@@ -302,10 +302,7 @@ TEST(Threads, may_share_a_graph)
   constexpr Node runs = 20;
   const auto distances_from = [&](Search& search, const Node source) {
     search.run(source);
-    std::vector<double> result;
-    for(Node n = 0; n < graph.number_of_nodes(); ++n)
-      result.push_back(search.distance(n));
-    return result;
+    return distances_of_nodes(search);
   };
   std::vector<std::vector<double>> expected;
   Search sequential(graph);

@@ -275,18 +275,6 @@ private:
 
 // ----- all meshes
 
-template <typename F>
-void for_accepted_meshes(const std::set<std::string>& left_out, F f)
-{
-  for(const Hostile_mesh& row : accepted_meshes())
-    if(left_out.count(row.name) == 0)
-    {
-      SCOPED_TRACE(row.name);
-      Known_distances known(row);
-      f(known);
-    }
-}
-
 template <typename Graph>
 Bound bound_of(const Graph& graph)
 {

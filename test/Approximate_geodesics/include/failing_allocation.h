@@ -77,6 +77,13 @@ public:
   bool has_failed() const { return Allocations::s_number_until_failure <= 0; }
 };
 
+// So small that there is time to let one allocation after the other fail.
+inline Mesh small_terrain()
+{
+  Random random(test_seed());
+  return to_mesh(terrain(9, 7, random));
+}
+
 using Values = std::vector<double>;
 
 // Makes an object, and does something with it; values show whether it was done well.
@@ -135,14 +142,18 @@ void expect_survival(const Trial<Object>& trial)
   Object first = trial.make();
   trial.operation(first);
   const Values expected = trial.values(first);
+  std::ptrdiff_t number_of_failures = 0;
   bool is_last = false;
   for(std::ptrdiff_t number = 1; !is_last; number += number < 200 ? 1 : number / 8)
   {
     SCOPED_TRACE(testing::Message() << "allocation " << number);
     const std::ptrdiff_t before = Allocations::number_alive();
-    is_last = !fails(trial, number, expected) || testing::Test::HasFailure();
+    const bool has_failed = fails(trial, number, expected);
+    number_of_failures += has_failed ? 1 : 0;
+    is_last = !has_failed || testing::Test::HasFailure();
     EXPECT_EQ(Allocations::number_alive(), before);
   }
+  EXPECT_GT(number_of_failures, 0);
 }
 
 // What needs no object, and returns its values.
@@ -150,6 +161,14 @@ inline void expect_survival(const std::function<Values()>& operation)
 {
   expect_survival<Values>({[] { return Values(); }, [&](Values& values) { values = operation(); },
                            [](Values& values) { return values; }});
+}
+
+template <typename Operation>
+bool needs_no_allocation(const Operation& operation)
+{
+  const Failing_allocation first(1);
+  operation();
+  return !first.has_failed();
 }
 
 } // namespace geodesics_test

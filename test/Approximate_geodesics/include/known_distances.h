@@ -16,6 +16,8 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -146,6 +148,34 @@ private:
   Rounding_of_lengths m_rounding;
   By_source m_by_edges, m_by_lines;
 };
+
+// ----- all meshes
+
+// Where paths do not run across faces.
+inline const std::set<std::string>& refused_across_faces()
+{
+  static const std::set<std::string> result = [] {
+    std::set<std::string> names;
+    for(const Hostile_mesh& row : accepted_meshes())
+      if(!row.refusal_across_faces.empty())
+        names.insert(row.name);
+    return names;
+  }();
+  return result;
+}
+
+// Calls `f(known)` for each that is not left out by its name.
+template <typename F>
+void for_accepted_meshes(const std::set<std::string>& left_out, F f)
+{
+  for(const Hostile_mesh& row : accepted_meshes())
+    if(left_out.count(row.name) == 0)
+    {
+      SCOPED_TRACE(row.name);
+      Known_distances known(row);
+      f(known);
+    }
+}
 
 // ----- what is expected of a graph
 

@@ -79,6 +79,16 @@ inline Soup random_small_soup(const std::uint64_t seed)
   }
 }
 
+// Three meshes of each kind.
+inline std::vector<std::uint64_t> seeds_of_small_soups()
+{
+  const std::uint64_t first = test_seed();
+  std::vector<std::uint64_t> result;
+  for(std::uint64_t i = 0; i < 3 * number_of_kinds_of_soups; ++i)
+    result.push_back(first + i);
+  return result;
+}
+
 // Whether the area of a face is rounding, or little more: its height is the root of that.
 inline bool has_flat_faces(const Mesh& mesh)
 {

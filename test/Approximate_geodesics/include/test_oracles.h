@@ -86,6 +86,14 @@ inline std::vector<double> minimum(std::vector<double> a, const std::vector<doub
   return a;
 }
 
+inline double largest_finite(const std::vector<double>& values)
+{
+  double result = 0;
+  for(const double x : values)
+    result = x < infinity ? (std::max)(result, x) : result;
+  return result;
+}
+
 /*
  * A proof, without any reference, that distances are those from the nearest source: no edge can
  * lower one of them, and each is the sum along the path that its predecessors form. All sums are
@@ -228,6 +236,16 @@ private:
 };
 
 using Mesh_search = Basic_mesh_search<Graph>;
+
+// Those that a search has found, by the number of the node.
+template <typename Search>
+std::vector<double> distances_of_nodes(const Search& search)
+{
+  std::vector<double> result;
+  for(Node n = 0; n < search.graph().number_of_nodes(); ++n)
+    result.push_back(search.distance(n));
+  return result;
+}
 
 inline Vertex random_vertex(const Mesh& mesh, Random& random)
 {
