@@ -237,6 +237,7 @@ private:
         m_halfedges.push_back(h);
         m_result.m_target.push_back(reach(target(h, m_mesh), end_of_patch));
         m_result.m_is_border.push_back(is_border(h, m_mesh));
+        m_number_of_sides += m_result.m_is_border.back() ? 0u : 1u;
         if constexpr(lengths_are_given)
           m_result.m_length.push_back(checked_length(h));
         h = counterclockwise(h, m_mesh);
@@ -267,20 +268,34 @@ private:
   // Every halfedge was copied once, from the group of its source.
   void link_twins()
   {
+    const bool are_complete = are_halfedges_complete();
     m_result.m_twin.resize(m_result.m_target.size());
     for(Index v = 0; v < m_result.number_of_vertices(); ++v)
       for(Index h = m_result.first_halfedge(v); h < m_result.beyond_halfedge(v); ++h)
       {
         const halfedge_descriptor opposite_of_h = opposite(m_halfedges[h], m_mesh);
         const Index twin = m_number_of_halfedge[checked_index(opposite_of_h)];
-        if(twin == null_index || m_halfedges[twin] != opposite_of_h || m_result.target(twin) != v)
+        if(twin == null_index || m_result.target(twin) != v ||
+           !(are_complete || m_halfedges[twin] == opposite_of_h))
           reject_halfedges_around(m_vertices[m_result.target(h)]);
         m_result.m_twin.set(h, twin - m_result.first_halfedge(m_result.target(h)));
       }
   }
 
+  // Whether every halfedge of the mesh was found around a vertex; no index is given twice then. If
+  // not, there are removed ones, or something is wrong.
+  bool are_halfedges_complete() const { return m_halfedges.size() == m_number_of_halfedges; }
+
   // The halfedges of a face have to be those that were found to have one, no fewer and no more.
   void check_sides() const
+  {
+    if(!are_halfedges_complete())
+      check_that_vertices_know_faces();
+    if(m_number_of_sides != 3 * std::size_t(m_result.m_number_of_faces))
+      reject_false_side();
+  }
+
+  void check_that_vertices_know_faces() const
   {
     Index number_of_face = 0;
     for(const face_descriptor f : faces(m_mesh))
@@ -291,10 +306,6 @@ private:
                  name(checked_index(source(h, m_mesh))));
       ++number_of_face;
     }
-    const std::size_t number_of_sides = 3 * std::size_t(m_result.m_number_of_faces);
-    const auto& is_border = m_result.m_is_border;
-    if(std::size_t(std::count(is_border.begin(), is_border.end(), false)) != number_of_sides)
-      reject_false_side();
   }
 
   // A halfedge has a face without being one of those that go round it.
@@ -337,14 +348,13 @@ private:
   {
     const std::vector<Point> points = scaled_points();
     m_result.m_length.resize(m_result.number_of_halfedges());
-    double longest = 0;
     for(Index v = 0; v < m_result.number_of_vertices(); ++v)
       for(Index h = m_result.first_halfedge(v); h < m_result.beyond_halfedge(v); ++h)
       {
         m_result.m_length[h] = distance(points[v], points[m_result.target(h)]);
-        longest = (std::max)(longest, m_result.m_length[h]);
+        m_longest = (std::max)(m_longest, m_result.m_length[h]);
       }
-    if(std::isinf(longest * m_result.m_unit))
+    if(std::isinf(m_longest * m_result.m_unit))
       reject("the length of the " + name_of_longest_edge() + " does not fit a double");
   }
 
@@ -411,6 +421,7 @@ private:
       m_result.m_unit = scale.unit();
       for(double& length : m_result.m_length)
         length = scale.reduce(length);
+      m_longest = scale.reduce(extent);
     }
   }
 
@@ -419,6 +430,8 @@ private:
   void check_sum_of_lengths() const
   {
     const auto& lengths = m_result.m_length; // each of an edge is there twice
+    if(!std::isinf(m_longest * m_result.m_unit * static_cast<double>(lengths.size())))
+      return;
     if(std::isinf(std::accumulate(lengths.begin(), lengths.end(), 0.) * m_result.m_unit))
       reject(
           "the lengths of all edges add up to more than half of what a double holds; the longest "
@@ -466,6 +479,8 @@ private:
   std::vector<vertex_descriptor> m_rim;      // where further patches of the component may start
   std::vector<halfedge_descriptor> m_halfedges;
   std::vector<Index> m_number_of_halfedge; // by index
+  std::size_t m_number_of_sides = 0;       // halfedges with a face
+  double m_longest = 0;                    // length
 };
 
 } // namespace internal
