@@ -182,6 +182,8 @@ void check_shortcuts(const Triangulation& triangulation,
                      const NamedParameters& np)
 {
   const Graph graph(triangulation, np);
+  if(graph.number_of_nodes() > 5000) // thousands on an edge: searches take seconds then
+    return;
   const std::vector<double> across_faces = check_searches(graph, source, data);
   const double tolerance = length_of_shortest_arcs(triangulation);
   for(std::size_t i = 0; i < along_edges.size(); ++i)

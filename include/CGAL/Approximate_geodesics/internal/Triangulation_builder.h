@@ -10,19 +10,15 @@
 
 #include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/internal/face_weights.h>
 #include <CGAL/Approximate_geodesics/internal/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/internal/messages.h>
 #include <CGAL/Approximate_geodesics/internal/named_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -58,7 +54,6 @@ class Triangulation_builder
   static constexpr std::size_t SIZE_OF_PATCH = 32768; // smaller ones make small meshes slower
 
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
-  static constexpr bool lengths_are_given = is_given<NamedParameters, internal_np::edge_length_t>;
 
 public:
   Triangulation_builder(Intrinsic_triangulation& triangulation,
@@ -81,10 +76,7 @@ public:
     copy_connectivity();
     link_twins();
     check_sides();
-    if constexpr(!lengths_are_given)
-      compute_lengths();
-    normalize_lengths();
-    check_sum_of_lengths();
+    copy_lengths();
     copy_weights();
     copy_barriers();
   }
@@ -105,12 +97,11 @@ private:
   {
     for(const auto f : faces(m_mesh))
     {
-      const halfedge_descriptor h = halfedge(f, m_mesh);
-      if(h == Graph_traits::null_halfedge())
+      if(halfedge(f, m_mesh) == Graph_traits::null_halfedge())
         reject(name_of_face(m_result.m_number_of_faces) + " has no halfedge");
-      if(!is_triangle(f, h))
+      if(!is_linked_triangle(f, m_mesh))
         reject(name_of_face(m_result.m_number_of_faces) + ", at " +
-               name(checked_index(target(h, m_mesh))) +
+               name(checked_index(target(halfedge(f, m_mesh), m_mesh))) +
                ", is not a triangle, or not linked to its halfedges in both directions");
       ++m_result.m_number_of_faces;
     }
@@ -119,21 +110,6 @@ private:
   static std::string name_of_face(const Index i)
   {
     return "face " + std::to_string(i) + " (in the order of faces())";
-  }
-
-  // Unlike `CGAL::is_triangle()`, trusts no link.
-  bool is_triangle(const face_descriptor f, const halfedge_descriptor first) const
-  {
-    halfedge_descriptor h = first;
-    for(int i = 0; i < 3; ++i)
-    {
-      const halfedge_descriptor previous = h;
-      h = next(h, m_mesh);
-      if(h == Graph_traits::null_halfedge() || face(h, m_mesh) != f ||
-         prev(h, m_mesh) != previous || (h == first) != (i == 2))
-        return false;
-    }
-    return true;
   }
 
   // ----- connectivity
@@ -169,8 +145,6 @@ private:
     m_result.m_first_halfedge.reserve(m_number_of_vertices + 1);
     m_result.m_target.reserve(m_number_of_halfedges);
     m_result.m_is_border.reserve(m_number_of_halfedges);
-    if constexpr(lengths_are_given)
-      m_result.m_length.reserve(m_number_of_halfedges);
 
     for(const vertex_descriptor root : vertices(m_mesh))
     {
@@ -237,9 +211,6 @@ private:
         m_halfedges.push_back(h);
         m_result.m_target.push_back(reach(target(h, m_mesh), end_of_patch));
         m_result.m_is_border.push_back(is_border(h, m_mesh));
-        m_number_of_sides += m_result.m_is_border.back() ? 0u : 1u;
-        if constexpr(lengths_are_given)
-          m_result.m_length.push_back(checked_length(h));
         h = counterclockwise(h, m_mesh);
       } while(h != first);
     }
@@ -291,7 +262,9 @@ private:
   {
     if(!are_halfedges_complete())
       check_that_vertices_know_faces();
-    if(m_number_of_sides != 3 * std::size_t(m_result.m_number_of_faces))
+    const auto number_of_sides =
+        std::count(m_result.m_is_border.begin(), m_result.m_is_border.end(), false);
+    if(static_cast<std::size_t>(number_of_sides) != 3 * std::size_t(m_result.m_number_of_faces))
       reject_false_side();
   }
 
@@ -312,134 +285,21 @@ private:
   [[noreturn]] void reject_false_side() const
   {
     for(Index h = 0; h < m_halfedges.size(); ++h)
-      if(!m_result.m_is_border[h] && !is_side(m_halfedges[h]))
+      if(!m_result.m_is_border[h] && !is_on_cycle_of_face(m_halfedges[h], m_mesh))
         reject("the halfedge from " + name(checked_index(source(m_halfedges[h], m_mesh))) + " to " +
                name(checked_index(target(m_halfedges[h], m_mesh))) +
                " has a face, but is not one of those that go round it");
     reject("there are halfedges with a face that is not one of faces()");
   }
 
-  bool is_side(const halfedge_descriptor h) const
+  // ----- lengths, weights, and barriers
+
+  void copy_lengths()
   {
-    halfedge_descriptor side = halfedge(face(h, m_mesh), m_mesh);
-    for(int i = 0; i < 3 && side != Graph_traits::null_halfedge(); ++i)
-    {
-      if(side == h)
-        return true;
-      side = next(side, m_mesh);
-    }
-    return false;
+    Edge_lengths lengths = read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, m_result);
+    m_result.m_length = std::move(lengths.of_halfedge);
+    m_result.m_unit = lengths.unit;
   }
-
-  // ----- lengths
-
-  double checked_length(const halfedge_descriptor h) const
-  {
-    const auto length_map = parameters::get_parameter(m_np, internal_np::edge_length);
-    const double length = CGAL::to_double(get(length_map, edge(h, m_mesh)));
-    if(!(length >= 0) || std::isinf(length))
-      reject("the edge between " + name(checked_index(source(h, m_mesh))) + " and " +
-             name(checked_index(target(h, m_mesh))) + " has length " + text_of(length) +
-             "; it must be a finite number that is not negative");
-    return length + 0.0; // turns a negative zero into a positive one
-  }
-
-  void compute_lengths()
-  {
-    const std::vector<Point> points = scaled_points();
-    m_result.m_length.resize(m_result.number_of_halfedges());
-    for(Index v = 0; v < m_result.number_of_vertices(); ++v)
-      for(Index h = m_result.first_halfedge(v); h < m_result.beyond_halfedge(v); ++h)
-      {
-        m_result.m_length[h] = distance(points[v], points[m_result.target(h)]);
-        m_longest = (std::max)(m_longest, m_result.m_length[h]);
-      }
-    if(std::isinf(m_longest * m_result.m_unit))
-      reject("the length of the " + name_of_longest_edge() + " does not fit a double");
-  }
-
-  std::string name_of_longest_edge() const
-  {
-    const auto& lengths = m_result.m_length;
-    const auto h =
-        static_cast<Index>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
-    return "edge between " + name(m_result.index(m_result.source(h))) + " and " +
-           name(m_result.index(m_result.target(h)));
-  }
-
-  // Returns the points, in the order of the numbers of the vertices, in units of `m_unit`. Isolated
-  // vertices do not count for that: they can be anywhere, and need not fit it.
-  std::vector<Point> scaled_points()
-  {
-    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-    const Traits traits = parameters::choose_parameter<Traits>(
-        parameters::get_parameter(m_np, internal_np::geom_traits));
-    const auto point_map =
-        parameters::choose_parameter(parameters::get_parameter(m_np, internal_np::vertex_point),
-                                     get_const_property_map(CGAL::vertex_point, m_mesh));
-
-    std::vector<Point> points;
-    points.reserve(m_vertices.size());
-    double extent = 0;
-    for(Index v = 0; v < m_vertices.size(); ++v)
-    {
-      points.push_back(double_point(get(point_map, m_vertices[v]), traits));
-      for(const double coordinate : points.back())
-      {
-        if(!std::isfinite(coordinate))
-          reject(name(m_result.index(v)) + " has a coordinate that is infinite or not a number");
-        if(m_result.degree(v) > 0)
-          extent = (std::max)(extent, std::abs(coordinate));
-      }
-    }
-
-    const Scale scale(extent);
-    m_result.m_unit = scale.unit();
-    for(Point& p : points)
-      for(double& coordinate : p)
-        coordinate = scale.reduce(coordinate);
-    return points;
-  }
-
-  template <typename Point_3, typename Traits>
-  static Point double_point(const Point_3& p, const Traits& traits)
-  {
-    return {CGAL::to_double(traits.compute_x_3_object()(p)),
-            CGAL::to_double(traits.compute_y_3_object()(p)),
-            CGAL::to_double(traits.compute_z_3_object()(p))};
-  }
-
-  // Given lengths are scaled here; computed ones are already.
-  void normalize_lengths()
-  {
-    if constexpr(lengths_are_given)
-    {
-      double extent = 0;
-      for(const double length : m_result.m_length)
-        extent = (std::max)(extent, length);
-      const Scale scale(extent);
-      m_result.m_unit = scale.unit();
-      for(double& length : m_result.m_length)
-        length = scale.reduce(length);
-      m_longest = scale.reduce(extent);
-    }
-  }
-
-  // No path is longer than all edges together, and two of them, unless it goes nowhere; so
-  // distances fit a `double`, too.
-  void check_sum_of_lengths() const
-  {
-    const auto& lengths = m_result.m_length; // each of an edge is there twice
-    if(!std::isinf(m_longest * m_result.m_unit * static_cast<double>(lengths.size())))
-      return;
-    if(std::isinf(std::accumulate(lengths.begin(), lengths.end(), 0.) * m_result.m_unit))
-      reject(
-          "the lengths of all edges add up to more than half of what a double holds; the longest "
-          "is that of the " +
-          name_of_longest_edge());
-  }
-
-  // ----- weights and barriers
 
   void copy_weights()
   {
@@ -479,8 +339,6 @@ private:
   std::vector<vertex_descriptor> m_rim;      // where further patches of the component may start
   std::vector<halfedge_descriptor> m_halfedges;
   std::vector<Index> m_number_of_halfedge; // by index
-  std::size_t m_number_of_sides = 0;       // halfedges with a face
-  double m_longest = 0;                    // length
 };
 
 } // namespace internal

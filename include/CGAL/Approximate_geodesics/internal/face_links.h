@@ -1,0 +1,57 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_INTERNAL_FACE_LINKS_H
+#define CGAL_APPROXIMATE_GEODESICS_INTERNAL_FACE_LINKS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+// Whether the faces of a mesh and their halfedges know each other. Unlike `CGAL::is_triangle()`,
+// these functions trust no link.
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// `f` has a halfedge.
+template <typename TriangleMesh>
+bool is_linked_triangle(const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+                        const TriangleMesh& tmesh)
+{
+  const auto first = halfedge(f, tmesh);
+  auto h = first;
+  for(int i = 0; i < 3; ++i)
+  {
+    const auto previous = h;
+    h = next(h, tmesh);
+    if(h == boost::graph_traits<TriangleMesh>::null_halfedge() || face(h, tmesh) != f ||
+       prev(h, tmesh) != previous || (h == first) != (i == 2))
+      return false;
+  }
+  return true;
+}
+
+// `h` has a face, which is a triangle.
+template <typename TriangleMesh>
+bool is_on_cycle_of_face(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                         const TriangleMesh& tmesh)
+{
+  auto side = halfedge(face(h, tmesh), tmesh);
+  for(int i = 0; i < 3 && side != boost::graph_traits<TriangleMesh>::null_halfedge(); ++i)
+  {
+    if(side == h)
+      return true;
+    side = next(side, tmesh);
+  }
+  return false;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_INTERNAL_FACE_LINKS_H
