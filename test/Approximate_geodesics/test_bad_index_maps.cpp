@@ -22,8 +22,6 @@ namespace {
 using namespace geodesics_test;
 namespace parameters = CGAL::parameters;
 
-Mesh quiet_mesh() { return to_mesh(flat_grid(5, 4)); }
-
 template <typename Index>
 std::vector<Index> numbers_up_to(const std::size_t n)
 {

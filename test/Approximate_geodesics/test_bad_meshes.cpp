@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -20,15 +19,11 @@ namespace {
 using namespace geodesics_test;
 namespace parameters = CGAL::parameters;
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 template <typename... Texts>
 void expect_rejection(const Mesh& mesh, const Texts&... texts)
 {
   expect_message<std::invalid_argument>([&] { Triangulation{mesh}; }, texts...);
 }
-
-Mesh quiet_mesh() { return to_mesh(flat_grid(5, 4)); }
 
 TEST(Bad_mesh, face_that_is_no_triangle)
 {

@@ -16,7 +16,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,8 +28,6 @@ namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
 using Paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh>;
 using Coordinates = std::array<double, 3>;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 class Bad_place : public testing::Test
 {

@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <iterator>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -24,8 +23,6 @@ namespace {
 using namespace geodesics_test;
 namespace parameters = CGAL::parameters;
 using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh>;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 class Bad_query : public testing::Test
 {

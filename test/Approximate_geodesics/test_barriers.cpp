@@ -6,6 +6,7 @@
 #include "Cut_mesh.h"
 #include "expect_costs.h"
 #include "steiner_meshes.h"
+#include "straight_lines.h"
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -26,8 +27,8 @@ namespace {
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
 
-constexpr double all_epsilons[] = {0.5, 0.1, 0.02};
-constexpr std::size_t nested_numbers[] = {0, 1, 3, 7};
+constexpr double few_epsilons[] = {0.5, 0.1, 0.02};
+constexpr std::size_t few_nested_numbers[] = {0, 1, 3, 7};
 
 template <typename Placement>
 Basic_mesh_search<Steiner_graph<Placement>> search(const Mesh& mesh,
@@ -58,15 +59,13 @@ Barriers barriers_by_place(const Mesh& mesh, F is_barrier)
   return result;
 }
 
-double straight(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
-
 // ----- walls in the plane
 
-constexpr std::size_t columns = 13, rows = 11;
+constexpr std::size_t grid_columns = 13, grid_rows = 11;
 
 Vertex at(const std::size_t i, const std::size_t j)
 {
-  return Vertex(static_cast<Mesh::size_type>(i + j * columns));
+  return Vertex(static_cast<Mesh::size_type>(i + j * grid_columns));
 }
 
 // on the line x = 6, from y = low to y = high
@@ -78,14 +77,15 @@ struct Wall
   double length_around(const Point& p, const Point& q) const
   {
     if((p.x() - 6) * (q.x() - 6) >= 0)
-      return straight(p, q);
+      return distance_in_space(p, q);
     const double y = p.y() + (q.y() - p.y()) * (6 - p.x()) / (q.x() - p.x());
     if(y <= low || y >= high)
-      return straight(p, q);
+      return distance_in_space(p, q);
     double result = infinity;
     for(const double end : {low, high})
-      if(end > 0 && end < rows - 1)
-        result = (std::min)(result, straight(p, Point(6, end, 0)) + straight(Point(6, end, 0), q));
+      if(end > 0 && end < grid_rows - 1)
+        result = (std::min)(result, distance_in_space(p, Point(6, end, 0)) +
+                                        distance_in_space(Point(6, end, 0), q));
     return result;
   }
 
@@ -96,7 +96,7 @@ struct Wall
 // wall, far from it, and on it: at its ends, and between them, from where both sides are in sight.
 TEST(Barriers, make_paths_go_around_their_ends)
 {
-  const Mesh mesh = to_mesh(flat_grid(columns, rows));
+  const Mesh mesh = to_mesh(flat_grid(grid_columns, grid_rows));
   for(const Wall& wall : {Wall{0, 7}, Wall{3, 10}, Wall{2, 8}, Wall{5, 6}, Wall{0, 10}})
     for(const Vertex source : {at(2, 2), at(5, 6), at(9, 3), at(6, 0), at(6, 5), at(6, 10)})
     {
@@ -107,13 +107,13 @@ TEST(Barriers, make_paths_go_around_their_ends)
       for(const Vertex v : mesh.vertices())
         exact.push_back(wall.length_around(mesh.point(source), mesh.point(v)));
       const Weights weights(mesh.num_faces(), 1);
-      for(const double e : all_epsilons)
+      for(const double e : few_epsilons)
       {
         auto s = search(mesh, weights, barriers, Geometric_points(e));
         EXPECT_EQ(s.graph().epsilon(), e);
         expect_within_bound(s.distances({source}), exact, e);
       }
-      for(const std::size_t m : nested_numbers)
+      for(const std::size_t m : few_nested_numbers)
       {
         const std::vector<double> found =
             distances(mesh, barriers, Equally_spaced_points(m), source);
@@ -127,8 +127,8 @@ TEST(Barriers, make_paths_go_around_their_ends)
 // The two sides of a wall cost what the faces there do.
 TEST(Barriers, have_two_sides_with_weights_of_their_own)
 {
-  const Mesh mesh = to_mesh(flat_grid(columns, rows));
-  const Wall wall{0, rows - 1};
+  const Mesh mesh = to_mesh(flat_grid(grid_columns, grid_rows));
+  const Wall wall{0, grid_rows - 1};
   const Barriers barriers = barriers_by_place(
       mesh, [&](const Point& p, const Point& q) { return wall.contains(p) && wall.contains(q); });
   const double left = 1, right = 10;
@@ -142,7 +142,7 @@ TEST(Barriers, have_two_sides_with_weights_of_their_own)
     for(const Vertex v : mesh.vertices())
     {
       const Point& p = mesh.point(v);
-      const double d = straight(p, mesh.point(at(6, 4)));
+      const double d = distance_in_space(p, mesh.point(at(6, 4)));
       const double weight = p.x() > 6 ? right : left;
       EXPECT_GE(from_wall[v], weight * d * (1 - 1e-12));
       if(p.x() == 6 || p.y() == 4) // along edges
@@ -152,7 +152,7 @@ TEST(Barriers, have_two_sides_with_weights_of_their_own)
       EXPECT_EQ(from_right[v] == infinity, p.x() < 6);
       if(p.x() >= 6) // not the cheap way along the other side
       {
-        EXPECT_GE(from_right[v], right * straight(p, mesh.point(at(8, 4))) * (1 - 1e-12));
+        EXPECT_GE(from_right[v], right * distance_in_space(p, mesh.point(at(8, 4))) * (1 - 1e-12));
       }
     }
   }
@@ -160,7 +160,7 @@ TEST(Barriers, have_two_sides_with_weights_of_their_own)
 
 TEST(Barriers, keep_in_what_they_enclose)
 {
-  const Mesh mesh = to_mesh(flat_grid(columns, rows));
+  const Mesh mesh = to_mesh(flat_grid(grid_columns, grid_rows));
   const auto from_middle = [](const Point& p) {
     return (std::max)(std::abs(p.x() - 6), std::abs(p.y() - 5));
   };
@@ -178,7 +178,7 @@ TEST(Barriers, keep_in_what_they_enclose)
       EXPECT_LT(wall[v], infinity);
     }
   };
-  for(const std::size_t m : nested_numbers)
+  for(const std::size_t m : few_nested_numbers)
     expect(search(mesh, weights, barriers, Equally_spaced_points(m)));
   expect(search(mesh, weights, barriers, Geometric_points(0.1)));
 
@@ -231,7 +231,7 @@ TEST(Barriers, do_not_leak_where_they_meet)
 // The arms of a cross: the way leads around their ends, not through the middle.
 TEST(Barriers, may_cross_each_other)
 {
-  const Mesh mesh = to_mesh(flat_grid(columns, rows));
+  const Mesh mesh = to_mesh(flat_grid(grid_columns, grid_rows));
   const auto is_on_cross = [](const Point& p) {
     const double dx = std::abs(p.x() - 6), dy = std::abs(p.y() - 5);
     return (std::min)(dx, dy) == 0 && (std::max)(dx, dy) <= 3;
@@ -240,8 +240,9 @@ TEST(Barriers, may_cross_each_other)
     return is_on_cross(p) && is_on_cross(q) && (p.x() == q.x() || p.y() == q.y());
   });
   const Point s(5, 4, 0), t(7, 6, 0), end(6, 8, 0), side(3, 5, 0);
-  const double exact = straight(s, side) + straight(side, end) + straight(end, t);
-  for(const double e : all_epsilons)
+  const double exact =
+      distance_in_space(s, side) + distance_in_space(side, end) + distance_in_space(end, t);
+  for(const double e : few_epsilons)
   {
     const double found = distances(mesh, barriers, Geometric_points(e), at(5, 4))[at(7, 6)];
     EXPECT_GE(found, exact * (1 - 1e-12));

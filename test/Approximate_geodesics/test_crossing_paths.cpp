@@ -5,6 +5,7 @@
 
 #include "Path_recorder.h"
 #include "exact_distances.h"
+#include "straight_lines.h"
 #include "test_oracles.h"
 
 #include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
@@ -34,14 +35,6 @@ using AG::Discrete_geodesic_graph;
 using AG::Lazy_discrete_geodesic_graph;
 using CGAL::parameters::epsilon;
 
-double length(const std::vector<Point>& points)
-{
-  double result = 0;
-  for(std::size_t i = 1; i < points.size(); ++i)
-    result += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
-  return result;
-}
-
 template <typename GeodesicGraph>
 void expect_paths_of_the_length_they_say(const Mesh& mesh, const double tolerance)
 {
@@ -62,7 +55,7 @@ void expect_paths_of_the_length_they_say(const Mesh& mesh, const double toleranc
     EXPECT_EQ(points.front(), mesh.point(v));
     EXPECT_EQ(points.back(), mesh.point(source));
     EXPECT_TRUE(recorder.stays_on_surface()) << "to vertex " << v;
-    EXPECT_NEAR(length(points), distance, distance * tolerance) << "to vertex " << v;
+    EXPECT_NEAR(length_of(points), distance, distance * tolerance) << "to vertex " << v;
   }
 }
 
@@ -176,7 +169,7 @@ TEST(Functions_with_epsilon, agree_and_keep_their_bound)
       const double to_v =
           CGAL::approximate_geodesic_path(mesh, source, v, std::back_inserter(points), epsilon(e));
       EXPECT_NEAR(to_v, found[v.idx()], found[v.idx()] * e);
-      EXPECT_NEAR(length(points), to_v, to_v * 1e-10);
+      EXPECT_NEAR(length_of(points), to_v, to_v * 1e-10);
       EXPECT_EQ(points.front(), mesh.point(source));
       EXPECT_EQ(points.back(), mesh.point(v));
     }

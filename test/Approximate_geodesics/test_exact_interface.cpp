@@ -74,7 +74,7 @@ protected:
   const Mesh m_mesh = to_mesh(flat_grid(6, 5));
   Shortest_paths m_paths;
 };
-struct Names
+struct Names_of_classes
 {
   template <typename Shortest_paths>
   static std::string GetName(int)
@@ -83,7 +83,7 @@ struct Names
   }
 };
 using Classes = testing::Types<Our_shortest_paths, Exact_shortest_paths>;
-TYPED_TEST_SUITE(Both, Classes, Names);
+TYPED_TEST_SUITE(Both, Classes, Names_of_classes);
 
 TYPED_TEST(Both, keep_iterators_valid)
 {

@@ -70,7 +70,7 @@ protected:
   }
 };
 
-struct Names
+struct Names_of_graphs
 {
   template <typename Graph>
   static std::string GetName(int)
@@ -79,7 +79,7 @@ struct Names
   }
 };
 using Graphs = testing::Types<AG::Edge_graph, AG::Discrete_geodesic_graph>;
-TYPED_TEST_SUITE(Known_traps, Graphs, Names);
+TYPED_TEST_SUITE(Known_traps, Graphs, Names_of_graphs);
 
 // Of two triangles, as they are found in a square.
 Mesh square()
@@ -331,10 +331,7 @@ TYPED_TEST(Known_traps, line_beside_an_edge)
   paths.add_source_point(Edge_location(Halfedge(5), 0.51385994793987544));
   const Face_location query(Face(1), {1e-12, 0.4867521621088059, 0.51324783789019413});
   const std::vector<Surface_point> points = this->path(paths, query);
-  double length = 0;
-  for(std::size_t i = 1; i < points.size(); ++i)
-    length += distance_in_space(position(mesh, points[i - 1]), position(mesh, points[i]));
-  EXPECT_NEAR(length, this->distance(paths, query), 1e-12);
+  EXPECT_NEAR(length_of(mesh, points), this->distance(paths, query), 1e-12);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fixed_bucket_width.h"
+#include "random_gap.h"
 #include "test_random.h"
 
 #include <CGAL/Approximate_geodesics/Array_queue.h>
@@ -51,10 +52,10 @@ Queue_entry extract_one(Queue& queue)
 
 // A queue beside the keys that it should hold.
 template <typename Queue>
-class Checked_queue
+class Checked_ordered_queue
 {
 public:
-  explicit Checked_queue(const Arc_lengths& arcs) : m_queue(number_of_nodes, arcs) {}
+  explicit Checked_ordered_queue(const Arc_lengths& arcs) : m_queue(number_of_nodes, arcs) {}
 
   bool is_empty()
   {
@@ -159,35 +160,20 @@ using Types_of_queues = testing::Types<Array_queue,
                                        Basic_published_bucket_queue<Fixed_bucket_width>>;
 TYPED_TEST_SUITE(Ordered_queues, Types_of_queues, );
 
-double random_gap(const Arc_lengths& arcs, Random& random)
-{
-  switch(random.below(5))
-  {
-  case 0:
-    return 0;
-  case 1:
-    return arcs.longest;
-  case 2: // any order of magnitude
-    return arcs.longest * std::pow(2., -random.between(0, 60));
-  default:
-    return random.between(0, 2 * arcs.mean);
-  }
-}
-
-const Arc_lengths arcs_of_many_kinds[] = {{1, 1, 1},
-                                          {0.5, 1, 3},
-                                          {0, 1e-3, 1},
-                                          {1e-12, 1e-9, 1},
-                                          {1e-310, 1e-309, 1e-308},
-                                          {1e290, 1e300, 1e303}};
+const Arc_lengths arcs_of_several_sizes[] = {{1, 1, 1},
+                                             {0.5, 1, 3},
+                                             {0, 1e-3, 1},
+                                             {1e-12, 1e-9, 1},
+                                             {1e-310, 1e-309, 1e-308},
+                                             {1e290, 1e300, 1e303}};
 
 TYPED_TEST(Ordered_queues, agree_with_a_sorted_container)
 {
-  for(const Arc_lengths& arcs : arcs_of_many_kinds)
+  for(const Arc_lengths& arcs : arcs_of_several_sizes)
   {
     SCOPED_TRACE(arcs.longest);
     Random random(test_seed());
-    Checked_queue<TypeParam> queue(arcs);
+    Checked_ordered_queue<TypeParam> queue(arcs);
     for(std::size_t run = 0; run < 8; ++run)
     {
       std::size_t pushes_left = 1500;
@@ -212,7 +198,7 @@ TYPED_TEST(Ordered_queues, agree_with_a_sorted_container)
 
 TYPED_TEST(Ordered_queues, take_equal_keys)
 {
-  Checked_queue<TypeParam> queue({1, 1, 1});
+  Checked_ordered_queue<TypeParam> queue({1, 1, 1});
   for(Node n = 0; n < 100; ++n)
     queue.push(n, n % 2 == 0 ? 0.0 : 1.0);
   for(Node n = 0; n < 100; ++n)
@@ -222,7 +208,7 @@ TYPED_TEST(Ordered_queues, take_equal_keys)
 
 TYPED_TEST(Ordered_queues, take_keys_of_all_magnitudes)
 {
-  Checked_queue<TypeParam> queue({1, 1, 1});
+  Checked_ordered_queue<TypeParam> queue({1, 1, 1});
   const std::vector<double> keys = {-0.0, 5e-324, 1e-310, 1e-200, 1, 1e15, 1e200, 1.7e308};
   for(std::size_t i = keys.size(); i > 0; --i)
     queue.push(static_cast<Node>(i), keys[i - 1]);
@@ -234,7 +220,7 @@ TYPED_TEST(Ordered_queues, take_keys_of_all_magnitudes)
 // The key of each node falls again and again, those of others between them.
 TYPED_TEST(Ordered_queues, lower_keys)
 {
-  Checked_queue<TypeParam> queue({1, 10, 100});
+  Checked_ordered_queue<TypeParam> queue({1, 10, 100});
   Random random(test_seed());
   for(Node n = 0; n < number_of_nodes; ++n)
     queue.push(n, 400);
@@ -248,7 +234,7 @@ TYPED_TEST(Ordered_queues, lower_keys)
 
 TYPED_TEST(Ordered_queues, are_moved_with_their_entries)
 {
-  Checked_queue<TypeParam> queue({1, 1, 1});
+  Checked_ordered_queue<TypeParam> queue({1, 1, 1});
   for(Node n = 0; n < 100; ++n)
     queue.push(n, 50 + double(n * 37 % 100) / 7);
   queue.pop();
@@ -262,7 +248,7 @@ TYPED_TEST(Ordered_queues, are_moved_with_their_entries)
 
 TYPED_TEST(Ordered_queues, take_memory_in_proportion)
 {
-  Checked_queue<TypeParam> queue({1, 1, 1});
+  Checked_ordered_queue<TypeParam> queue({1, 1, 1});
   const std::size_t memory_when_empty = queue.queue().memory();
   EXPECT_LT(memory_when_empty, 200000u);
   for(Node n = 0; n < number_of_nodes; ++n)

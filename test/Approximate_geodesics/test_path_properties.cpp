@@ -29,14 +29,6 @@ using namespace geodesics_test;
 // Arcs of discrete geodesic graphs are numbers of single precision.
 constexpr double rounding_of_arcs = 1e-6;
 
-double length_of(const Mesh& mesh, const std::vector<Surface_point>& points)
-{
-  double result = 0;
-  for(std::size_t i = 1; i < points.size(); ++i)
-    result += distance_in_space(position(mesh, points[i - 1]), position(mesh, points[i]));
-  return result;
-}
-
 template <typename GeodesicGraph>
 class Checked_paths
 {

@@ -9,6 +9,7 @@
 #include "expect_message.h"
 #include "sample_meshes.h"
 #include "steiner_meshes.h"
+#include "straight_lines.h"
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
@@ -53,7 +54,7 @@ struct Weighted_path : Path_recorder
         if(f != Mesh::null_face() && faces[i - 1].count(f) > 0)
           weight = (std::min)(weight, weights[f.idx()]);
       if(points[i] != points[i - 1])
-        result += weight * std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
+        result += weight * distance_in_space(points[i - 1], points[i]);
     }
     return result;
   }
@@ -142,14 +143,6 @@ TEST(Weighted_paths, lead_from_predecessor_to_vertex)
 }
 
 // ----- refined
-
-double length_of(const std::vector<Point>& points)
-{
-  double result = 0;
-  for(std::size_t i = 1; i < points.size(); ++i)
-    result += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
-  return result;
-}
 
 TEST(Refined_path, is_close_to_the_exact_one)
 {

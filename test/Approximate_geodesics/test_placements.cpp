@@ -139,14 +139,12 @@ TEST(Geometric_points, may_meet_edges_of_length_zero)
 
 // ----- bad parameters
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 TEST(Bad_parameters, are_refused)
 {
   const Mesh mesh = to_mesh(flat_grid(4, 4));
   const Triangulation triangulation(mesh);
   const Weights weights(mesh.num_faces(), 1);
-  for(const double e : {0., -0.1, nan, infinity, -infinity})
+  for(const double e : {0., -0.1, not_a_number, infinity, -infinity})
   {
     const auto np = parameters::epsilon(e);
     expect_message<std::invalid_argument>([&] { Geometric_points points(e); }, "epsilon");
@@ -164,12 +162,12 @@ TEST(Bad_parameters, are_refused)
     expect_message<std::invalid_argument>(
         [&] { Spaced_graph g(triangulation, parameters::number_of_points_per_edge(m)); },
         "points per edge", std::to_string(m));
-  for(const double m : {-1., 2.5, nan, infinity})
+  for(const double m : {-1., 2.5, not_a_number, infinity})
     expect_message<std::invalid_argument>(
         [&] { Spaced_graph g(triangulation, parameters::number_of_points_per_edge(m)); },
         "points per edge");
   using Dense_graph = Steiner_graph<Equally_dense_points>;
-  for(const double d : {0., -1., nan})
+  for(const double d : {0., -1., not_a_number})
   {
     expect_message<std::invalid_argument>([&] { Equally_dense_points points(d); }, "spacing");
     expect_message<std::invalid_argument>(

@@ -17,7 +17,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -321,14 +320,10 @@ TEST_P(Properties, a_turn_changes_roundings)
 
 TEST_P(Properties, another_order_changes_roundings)
 {
-  std::vector<std::size_t> position(m_soup.points.size());
-  std::iota(position.begin(), position.end(), std::size_t(0));
-  m_random.shuffle(position);
-  Soup other = m_soup;
-  for(std::size_t i = 0; i < position.size(); ++i)
-    other.points[position[i]] = m_soup.points[i];
+  const std::vector<std::size_t> position = m_random.permutation(m_soup.points.size());
+  Soup other = m_soup.renumbered(position);
   for(auto& t : other.triangles)
-    t = {position[t[0]], position[t[2]], position[t[1]]}; // other orientation
+    std::swap(t[1], t[2]); // other orientation
   m_random.shuffle(other.triangles);
   const Vertex s = random_source();
   for_each_method([&](const Method& m, const Searcher& distances) {

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fixed_bucket_width.h"
+#include "random_gap.h"
 #include "test_random.h"
 
 #include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
@@ -113,25 +114,6 @@ private:
   std::vector<double> m_batch; // what came out and was not popped, the next one at the end
   Node m_number_of_nodes = 0;
 };
-
-// Keys between the last one extracted and one longest arc beyond it, as in a search: some equal,
-// some close by, some far away, some farther than any arc.
-double random_gap(const Arc_lengths& arcs, Random& random)
-{
-  switch(random.below(6))
-  {
-  case 0:
-    return 0;
-  case 1:
-    return arcs.shortest * random.between(0, 1);
-  case 2:
-    return arcs.longest;
-  case 3: // any order of magnitude
-    return arcs.longest * std::pow(2., -random.between(0, 60));
-  default:
-    return random.between(0, 2 * arcs.mean);
-  }
-}
 
 template <typename Queue>
 void run_random_program(Checked_queue<Queue>& queue, const Arc_lengths& arcs, Random& random)

@@ -5,6 +5,7 @@
 
 #include "Fuzzed_data.h"
 #include "require.h"
+#include "straight_lines.h"
 #include "test_meshes.h"
 
 #include <CGAL/Approximate_geodesics.h>
@@ -92,14 +93,6 @@ Surface_point fuzzed_place(Fuzzed_data& data, const Mesh& mesh)
     return Face_location(f, fuzzed_coordinates(data));
   }
   }
-}
-
-double length_of(const std::vector<Point>& points)
-{
-  double result = 0;
-  for(std::size_t i = 0; i + 1 < points.size(); ++i)
-    result += std::sqrt(CGAL::squared_distance(points[i], points[i + 1]));
-  return result;
 }
 
 // An object that is used in all ways, and the sources that it should have by now.

@@ -7,7 +7,7 @@
 #define APPROXIMATE_GEODESICS_TEST_FUZZED_MESHES_H
 
 #include "Fuzzed_data.h"
-#include "test_soup.h"
+#include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
@@ -77,17 +77,8 @@ inline Mesh mesh_of_triangles(Fuzzed_data& data)
 inline Mesh mesh_with_flaws(Fuzzed_data& data)
 {
   const std::size_t columns = 2 + data.below(4), rows = 2 + data.below(4);
-  Soup soup;
-  for(std::size_t j = 0; j < rows; ++j)
-    for(std::size_t i = 0; i < columns; ++i)
-      soup.points.push_back(Point(static_cast<double>(i), static_cast<double>(j), data.part()));
-  for(std::size_t j = 0; j + 1 < rows; ++j)
-    for(std::size_t i = 0; i + 1 < columns; ++i)
-    {
-      const std::size_t a = i + j * columns, b = a + columns;
-      soup.triangles.push_back({a, a + 1, b + 1});
-      soup.triangles.push_back({a, b + 1, b});
-    }
+  Soup soup =
+      grid(columns, rows, [&](const double i, const double j) { return Point(i, j, data.part()); });
   for(std::size_t moves = data.below(8); moves > 0; --moves)
   {
     Point& p = soup.points[data.below(soup.points.size())];

@@ -6,6 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_DISTANCE_FIELDS_H
 #define APPROXIMATE_GEODESICS_TEST_DISTANCE_FIELDS_H
 
+#include "straight_lines.h"
 #include "test_oracles.h"
 
 #include <CGAL/farthest_point_sampling.h>
@@ -58,11 +59,6 @@ inline std::array<Vertex, 3> corners(const Mesh& mesh, const Face f)
   return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
 }
 
-inline double length(const Point& p, const Point& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
-
 template <typename Map>
 std::vector<Polyline> isolines(const Mesh& mesh, const Map& map, const std::vector<double>& values)
 {
@@ -78,7 +74,7 @@ inline double length(const std::vector<Polyline>& polylines)
   double result = 0;
   for(const Polyline& polyline : polylines)
     for(std::size_t i = 1; i < polyline.size(); ++i)
-      result += length(polyline[i - 1], polyline[i]);
+      result += distance_in_space(polyline[i - 1], polyline[i]);
   return result;
 }
 
@@ -110,7 +106,7 @@ length_in_faces(const Mesh& mesh, const std::vector<double>& values, const doubl
         ends.push_back(CGAL::barycenter(mesh.point(b), (isovalue - x) / (y - x), mesh.point(a)));
     }
     if(is_reached && !ends.empty())
-      result += length(ends.at(0), ends.at(1));
+      result += distance_in_space(ends.at(0), ends.at(1));
   }
   return result;
 }

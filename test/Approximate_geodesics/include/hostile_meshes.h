@@ -8,6 +8,7 @@
 
 #include "surface_points.h"
 #include "test_meshes.h"
+#include "test_oracles.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -175,13 +175,24 @@ inline Mesh pinched_vertex()
   return mesh;
 }
 
+// Makes halfedges follow each other around a face, or around nothing.
+inline void link(Mesh& mesh, const Face f, const std::vector<Halfedge>& cycle)
+{
+  for(std::size_t i = 0; i < cycle.size(); ++i)
+  {
+    mesh.set_face(cycle[i], f);
+    mesh.set_next(cycle[i], cycle[(i + 1) % cycle.size()]);
+  }
+  if(f != Mesh::null_face())
+    mesh.set_halfedge(f, cycle.front());
+}
+
 inline Mesh edge_without_faces()
 {
   Mesh mesh;
   const Vertex a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(3, 4, 0));
   const Halfedge h = mesh.add_edge(a, b), g = mesh.opposite(h);
-  mesh.set_next(h, g);
-  mesh.set_next(g, h);
+  link(mesh, Mesh::null_face(), {h, g});
   mesh.set_halfedge(b, h);
   mesh.set_halfedge(a, g);
   return mesh;
@@ -195,14 +206,8 @@ inline Mesh loop()
   const Halfedge around = mesh.add_edge(b, a), up = mesh.add_edge(a, b);
   const Halfedge border = mesh.opposite(around), down = mesh.opposite(up);
   mesh.set_target(border, a); // an edge cannot be added as a loop
-  const Face f = mesh.add_face();
-  mesh.set_halfedge(f, around);
-  for(const auto& [h, g] : {std::pair(around, up), std::pair(up, down), std::pair(down, around)})
-  {
-    mesh.set_face(h, f);
-    mesh.set_next(h, g);
-  }
-  mesh.set_next(border, border);
+  link(mesh, mesh.add_face(), {around, up, down});
+  link(mesh, Mesh::null_face(), {border});
   mesh.set_halfedge(a, border);
   mesh.set_halfedge(b, up);
   return mesh;
@@ -254,14 +259,8 @@ inline Mesh with_lune()
   Mesh mesh;
   const Vertex a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0));
   const Halfedge there = mesh.add_edge(a, b), back = mesh.add_edge(b, a);
-  const Halfedge h = mesh.opposite(there), g = mesh.opposite(back);
-  const Face f = mesh.add_face();
-  mesh.set_halfedge(f, there);
-  mesh.set_face(there, f);
-  mesh.set_face(back, f);
-  for(const auto& [before, after] :
-      {std::pair(there, back), std::pair(back, there), std::pair(h, g), std::pair(g, h)})
-    mesh.set_next(before, after);
+  link(mesh, mesh.add_face(), {there, back});
+  link(mesh, Mesh::null_face(), {mesh.opposite(there), mesh.opposite(back)});
   mesh.set_halfedge(b, there);
   mesh.set_halfedge(a, back);
   return mesh;
@@ -374,13 +373,11 @@ private:
 
   void add_refused()
   {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-    const Mesh quiet = to_mesh(flat_grid(5, 4));
+    const Mesh quiet = quiet_mesh();
     const std::vector<std::string> coordinate{"vertex 13", "infinite or not a number"};
     refuse("not a number", with_point(quiet, 13, Point(1, not_a_number, 1)), coordinate);
-    refuse("infinity", with_point(quiet, 13, Point(infinite, 1, 1)), coordinate);
-    refuse("minus infinity", with_point(quiet, 13, Point(1, 1, -infinite)), coordinate);
+    refuse("infinity", with_point(quiet, 13, Point(infinity, 1, 1)), coordinate);
+    refuse("minus infinity", with_point(quiet, 13, Point(1, 1, -infinity)), coordinate);
     refuse("not a number, isolated",
            with_point(to_mesh(Soup{std::vector<Point>(3), {}}), 1, Point(0, 0, not_a_number)),
            {"vertex 1", "infinite or not a number"});

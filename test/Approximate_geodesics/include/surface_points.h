@@ -6,6 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_SURFACE_POINTS_H
 #define APPROXIMATE_GEODESICS_TEST_SURFACE_POINTS_H
 
+#include "straight_lines.h"
 #include "test_oracles.h"
 
 #include <CGAL/Approximate_geodesics/Surface_point.h>
@@ -50,9 +51,12 @@ inline Point position(const Mesh& mesh, const Surface_point& p)
   return std::visit([&](const auto& point) { return position(mesh, point); }, p);
 }
 
-inline double distance_in_space(const Point& p, const Point& q)
+inline double length_of(const Mesh& mesh, const std::vector<Surface_point>& points)
 {
-  return std::sqrt(CGAL::squared_distance(p, q));
+  std::vector<Point> positions;
+  for(const Surface_point& p : points)
+    positions.push_back(position(mesh, p));
+  return length_of(positions);
 }
 
 // The length of the diagonal of what the mesh is in.

@@ -44,6 +44,9 @@ inline Soup flat_grid(const std::size_t columns, const std::size_t rows)
   return grid(columns, rows, [](const double i, const double j) { return Point(i, j, 0); });
 }
 
+// One that gives no trouble by itself.
+inline Mesh quiet_mesh() { return to_mesh(flat_grid(5, 4)); }
+
 // Random heights, and points moved at random in the plane.
 inline Soup terrain(const std::size_t columns, const std::size_t rows, Random& random)
 {

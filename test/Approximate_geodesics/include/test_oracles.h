@@ -29,6 +29,7 @@
 namespace geodesics_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 using Graph = CGAL::Approximate_geodesics::Edge_graph;
 using Triangulation = CGAL::Approximate_geodesics::Intrinsic_triangulation;

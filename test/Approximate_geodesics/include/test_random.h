@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -33,6 +34,14 @@ public:
   double between(const double low, const double high)
   {
     return low + (high - low) * (static_cast<double>(m_engine() >> 11) * 0x1p-53);
+  }
+
+  std::vector<std::size_t> permutation(const std::size_t size)
+  {
+    std::vector<std::size_t> result(size);
+    std::iota(result.begin(), result.end(), std::size_t(0));
+    shuffle(result);
+    return result;
   }
 
   template <typename T>

@@ -41,6 +41,17 @@ struct Soup
       triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
   }
 
+  // The same surface, with the point of index i at index position[i].
+  Soup renumbered(const std::vector<std::size_t>& position) const
+  {
+    Soup result = *this;
+    for(std::size_t i = 0; i < position.size(); ++i)
+      result.points[position[i]] = points[i];
+    for(auto& t : result.triangles)
+      t = {position[t[0]], position[t[1]], position[t[2]]};
+    return result;
+  }
+
   template <typename F>
   Soup transformed(F f) const
   {
