@@ -120,4 +120,29 @@ TEST_F(Bad_index_map, halfedge_index_used_twice_around_a_vertex)
   expect_equal_indices_rejected(necklace(3), true);
 }
 
+// A halfedge that its vertex does not know of, with the index of one that has the same target.
+TEST_F(Bad_index_map, halfedge_index_used_twice_beyond_what_a_vertex_knows)
+{
+  Soup soup;
+  soup.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0),
+                 Point(3, 0, 0), Point(4, 0, 0), Point(3, 1, 0)};
+  soup.triangles = {{0, 1, 2}, {3, 4, 5}};
+  Mesh mesh = to_mesh(soup);
+  const auto h = [&mesh](const Mesh::size_type from, const Mesh::size_type to) {
+    return mesh.halfedge(Vertex(from), Vertex(to));
+  };
+  const Halfedge out = h(3, 4), in = h(5, 3), beside_out = h(5, 4), beside_in = h(4, 5);
+  std::vector<std::size_t> indices = numbers_up_to<std::size_t>(mesh.num_halfedges());
+  const auto np = parameters::halfedge_index_map(map_of<Halfedge>(indices));
+  EXPECT_NO_THROW(Triangulation(mesh, np));
+  mesh.set_target(in, Vertex(0));
+  mesh.set_target(mesh.opposite(out), Vertex(0));
+  mesh.set_halfedge(Vertex(3), Mesh::null_halfedge());
+  indices[out.idx()] = indices[beside_out.idx()];
+  indices[mesh.opposite(in).idx()] = indices[beside_in.idx()];
+  expect_rejection(mesh, np, "do not form one cycle");
+  mesh.set_face(beside_out, mesh.face(out)); // makes up for the side that is not known of
+  expect_rejection(mesh, np, "do not form one cycle");
+}
+
 } // namespace

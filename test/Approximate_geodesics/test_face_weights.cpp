@@ -225,8 +225,19 @@ TEST(Bad_weights, are_refused_by_name_of_the_face)
 
 TEST(Weighted_faces, are_refused_if_costs_do_not_fit_a_double)
 {
-  expect_message<std::invalid_argument>([] { costs_on_square(1e150, 1e300); }, "weights",
-                                        "lengths");
+  for(const double weight : {1e158, 1e300}) // with the smaller one, the unit of costs does fit
+    expect_message<std::invalid_argument>([&] { costs_on_square(1e150, weight); }, "weights",
+                                          "lengths");
+}
+
+// Lengths of zero do not make up for a unit of costs that does not fit.
+TEST(Weighted_faces, are_refused_if_the_unit_of_costs_does_not_fit_a_double)
+{
+  const Mesh mesh =
+      to_mesh(flat_grid(3, 3).transformed([](const Point&) { return Point(1e150, 0, 0); }));
+  const Weights weights(mesh.num_faces(), 1e300);
+  expect_message<std::invalid_argument>(
+      [&] { costs(mesh, weights, Equally_spaced_points(1), {Vertex(0)}); }, "weights", "lengths");
 }
 
 template <typename Graph>

@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <new>
 #include <type_traits>
 #include <vector>
 
@@ -193,6 +194,22 @@ TEST(Interrupted_questions_for_sources, can_be_repeated)
   };
   expect_survival<Search>({make, [](Search& search) { search.source(17); },
                            [](Search& search) { return distances_and_sources(search); }});
+}
+
+// An entry that there was no memory for is forgotten, too; or else the heap would look, when there
+// are none, at the last one that it had, whose memory may be another queue's.
+TEST(Interrupted_push, does_not_outlast_clear)
+{
+  AG::Fibonacci_heap_queue queue(3), other(3);
+  queue.push(0, 1);
+  {
+    const Failing_allocation failing(1);
+    EXPECT_THROW(queue.push(1, 2), std::bad_alloc);
+  }
+  queue.clear();
+  other.push(2, 0);
+  queue.push(1, 5);
+  EXPECT_EQ(queue.extract_min().begin()->node, 1u);
 }
 
 } // namespace

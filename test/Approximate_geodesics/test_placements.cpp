@@ -8,6 +8,8 @@
 #include "steiner_meshes.h"
 
 #include <CGAL/Approximate_geodesics/Equally_dense_points.h>
+#include <CGAL/Approximate_geodesics/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Published_geometric_points.h>
 #include <CGAL/approximate_geodesic_path.h>
 
 #include <gtest/gtest.h>
@@ -199,6 +201,23 @@ TEST(Bad_parameters, are_refused_if_there_would_be_too_many_points)
   for(const double e : {1e-18, 1e-300})
     expect_message<std::length_error>(
         [&] { Steiner_graph<> g(triangulation, Geometric_points(e)); }, "points");
+}
+
+// Its square would not fit a double.
+template <typename Placement>
+void expect_that_a_huge_bound_is_cut_off()
+{
+  const Triangulation triangulation(to_mesh(flat_grid(4, 4)));
+  const Steiner_graph<Placement> large(triangulation, Placement(1e6));
+  const Steiner_graph<Placement> huge(triangulation, Placement(1e300));
+  EXPECT_EQ(huge.number_of_points(), large.number_of_points());
+  EXPECT_EQ(huge.epsilon(), large.epsilon());
+}
+
+TEST(Placements, take_a_huge_bound_for_the_largest_of_use)
+{
+  expect_that_a_huge_bound_is_cut_off<Geometric_points>();
+  expect_that_a_huge_bound_is_cut_off<CGAL::Approximate_geodesics::Published_geometric_points>();
 }
 
 } // namespace

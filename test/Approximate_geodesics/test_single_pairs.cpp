@@ -119,6 +119,39 @@ TYPED_TEST(Single_pairs, on_a_strip_that_grows_by_orders_of_magnitude)
   this->compare(to_mesh(growing_strip(30, 1e-20, 1)));
 }
 
+// How often a search expands nodes that is led to a goal beside whose distance all other lengths
+// vanish by rounding, so that all keys are the same.
+template <typename Queue>
+std::size_t number_of_expansions_on_the_way_to_a_far_goal(const std::size_t size)
+{
+  constexpr double length = 1e-20; // of the edges of the grid
+  Soup soup = flat_grid(size, size).transformed([](const Point& p) {
+    return Point(p.x() * length, p.y() * length, 0);
+  });
+  const std::size_t far = soup.points.size();
+  soup.points.push_back(Point(0, -1, 0));
+  soup.triangles.push_back({1, 0, far});
+  const AG::Edge_graph graph{Triangulation(to_mesh(soup))};
+  const Node goal = graph.triangulation().vertex(far);
+
+  AG::Propagation<AG::Edge_graph, Queue> search(graph);
+  search.run_toward({{graph.triangulation().vertex(far - 1)}}, {infinity, {goal}},
+                    [&](const Node n) { return n == goal ? 0 : 1 / graph.unit(); });
+  EXPECT_EQ(search.distance(goal), 1);
+  return search.reached_nodes().size();
+}
+
+TEST(Led_search, does_not_expand_nodes_again_and_again)
+{
+  constexpr std::size_t size = 40, number_of_nodes = size * size + 1;
+  EXPECT_LE(number_of_expansions_on_the_way_to_a_far_goal<AG::Adaptive_bucket_queue>(size),
+            3 * number_of_nodes);
+  EXPECT_LE(number_of_expansions_on_the_way_to_a_far_goal<AG::Binary_heap_queue>(size),
+            3 * number_of_nodes);
+  EXPECT_LE(number_of_expansions_on_the_way_to_a_far_goal<AG::Radix_heap_queue>(size),
+            3 * number_of_nodes);
+}
+
 TYPED_TEST(Single_pairs, between_subnormal_coordinates)
 {
   const double step = 2e-323; // four times the smallest number
