@@ -100,7 +100,8 @@ namespace CGAL {
  *   \cgalParamNBegin{straighten}
  *     \cgalParamDescription{whether the path is shortened to a locally shortest one on the surface:
  *                           one that gets longer if it is moved a little. It is never made longer,
- *                           and in most cases becomes the shortest one.}
+ *                           but for roundings in caps (see section \ref AG_bad_meshes), and in most
+ *                           cases becomes the shortest one.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`}
  *     \cgalParamExtra{It cannot be asked for if faces have weights.}

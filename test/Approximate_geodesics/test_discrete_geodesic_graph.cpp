@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -283,18 +282,13 @@ TEST(Discrete_geodesic_graph, does_not_depend_on_the_order_of_the_mesh)
   Random random(test_seed());
   for(const Soup& soup : {terrain(18, 14, random), sphere(14, 9)})
   {
-    std::vector<std::size_t> position(soup.points.size());
-    std::iota(position.begin(), position.end(), std::size_t(0));
-    random.shuffle(position);
+    const std::vector<std::size_t> position = random.permutation(soup.points.size());
     const auto turn = [](const Point& p) { // about an axis, by the angle of a 3-4-5 triangle
       return Point(0.6 * p.x() - 0.8 * p.y() + 3, 0.8 * p.x() + 0.6 * p.y(), -p.z());
     };
-    Soup other = soup.transformed(turn);
-    const std::vector<Point> points = other.points;
-    for(std::size_t i = 0; i < position.size(); ++i)
-      other.points[position[i]] = points[i];
+    Soup other = soup.transformed(turn).renumbered(position);
     for(auto& t : other.triangles)
-      t = {position[t[2]], position[t[1]], position[t[0]]};
+      std::swap(t[0], t[2]);
     random.shuffle(other.triangles);
 
     const std::vector<double> expected =

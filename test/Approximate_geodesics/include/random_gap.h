@@ -14,8 +14,8 @@
 
 namespace geodesics_test {
 
-// What a key may be farther than the last one extracted, up to one longest arc, as in a search:
-// some equal, some close by, some far away, some farther than any arc.
+// What a key may be farther than the last one extracted: nothing, a little, as much as in a search,
+// and sometimes more than any arc.
 inline double random_gap(const CGAL::Approximate_geodesics::Arc_lengths& arcs, Random& random)
 {
   switch(random.below(6))

@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,7 +31,8 @@ namespace internal {
 
 /*
  * Reads a mesh into an `Intrinsic_triangulation`. This is the only place of the package where a
- * mesh is traversed and its input is checked.
+ * mesh is traversed and its input is checked, with the help of the headers on links of faces,
+ * lengths, and weights.
  *
  * One traversal numbers the vertices and writes the halfedge groups at the same time: the group of
  * a vertex is read off the mesh when its turn comes, and numbers its new neighbours. Numbers follow

@@ -17,13 +17,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <numeric>
 #include <string>
 #include <vector>
 
-// Lengths that neither overflow nor underflow on the way: see the remark on units at
-// `Intrinsic_triangulation`.
+// Reads and checks the lengths of edges, which neither overflow nor underflow on the way: see the
+// remark on units at `Intrinsic_triangulation`, whose header is the one to include.
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -36,7 +35,9 @@ using Point = std::array<double, 3>;
 class Scale
 {
 public:
-  static constexpr double LARGEST_DISTANCE = 0x1p203; // of two points, in the unit
+  // in the unit, between points within the extent
+  static constexpr double LARGEST_DISTANCE = 0x1p203;
+
   explicit Scale(const double extent)
     : m_exponent(extent > 0 ? (std::max)(std::ilogb(extent) - 200, SMALLEST_EXPONENT) : 0),
       m_half_way(std::ldexp(1., -(m_exponent / 2))),

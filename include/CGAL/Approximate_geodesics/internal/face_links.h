@@ -35,7 +35,7 @@ bool is_linked_triangle(const typename boost::graph_traits<TriangleMesh>::face_d
   return true;
 }
 
-// `h` has a face, which is a triangle.
+// `h` has a face.
 template <typename TriangleMesh>
 bool is_on_cycle_of_face(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                          const TriangleMesh& tmesh)
