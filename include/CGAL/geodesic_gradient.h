@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/internal/messages.h>
+#include <CGAL/Approximate_geodesics/internal/face_links.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -114,7 +114,8 @@ typename Traits::Vector_3 gradient(const std::array<typename Traits::Point_3, 3>
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws std::invalid_argument if a face is not a triangle; nothing has been written then.
+ * \throws std::invalid_argument naming a face that is not a triangle; nothing has been written
+ * then.
  *
  * Run time is \cgalBigO{n} for `n` faces.
  *
@@ -135,8 +136,7 @@ void geodesic_gradient(const TriangleMesh& tmesh,
   namespace AG = Approximate_geodesics;
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
-  if(!is_triangle_mesh(tmesh))
-    AG::internal::reject("the mesh has a face that is not a triangle");
+  AG::internal::check_triangles(tmesh);
   const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, tmesh));
   const auto traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));

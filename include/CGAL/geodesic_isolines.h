@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/internal/messages.h>
+#include <CGAL/Approximate_geodesics/internal/face_links.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -219,7 +219,8 @@ private:
  *
  * \return the output iterator, behind the last polyline.
  *
- * \throws std::invalid_argument if a face is not a triangle; nothing has been written then.
+ * \throws std::invalid_argument naming a face that is not a triangle; nothing has been written
+ * then.
  *
  * Run time is \cgalBigO{n + k \log k} for every value, for `n` faces, `k` of which have a part of
  * the isoline.
@@ -243,8 +244,7 @@ OutputIterator geodesic_isolines(const TriangleMesh& tmesh,
   namespace AG = Approximate_geodesics;
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
-  if(!is_triangle_mesh(tmesh))
-    AG::internal::reject("the mesh has a face that is not a triangle");
+  AG::internal::check_triangles(tmesh);
   const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, tmesh));
   const auto traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));

@@ -289,8 +289,9 @@ TEST(Distance_fields, refuse_other_faces_than_triangles)
   Mesh mesh;
   CGAL::make_quad(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), mesh);
   const auto x = at_points(mesh, [](const Point& p) { return p.x(); });
-  expect_message<std::invalid_argument>([&] { isolines(mesh, x, {0.5}); }, "not a triangle");
-  expect_message<std::invalid_argument>([&] { gradients(mesh, x); }, "not a triangle");
+  expect_message<std::invalid_argument>([&] { isolines(mesh, x, {0.5}); }, "face 0",
+                                        "not a triangle");
+  expect_message<std::invalid_argument>([&] { gradients(mesh, x); }, "face 0", "not a triangle");
   expect_message<std::invalid_argument>([&] { partition(mesh, {}); }, "not a triangle");
   expect_message<std::invalid_argument>([&] { sample(mesh, {}, 3); }, "not a triangle");
 }

@@ -97,21 +97,10 @@ private:
 
   void check_faces()
   {
-    for(const auto f : faces(m_mesh))
-    {
-      if(halfedge(f, m_mesh) == Graph_traits::null_halfedge())
-        reject(name_of_face(m_result.m_number_of_faces) + " has no halfedge");
-      if(!is_linked_triangle(f, m_mesh))
-        reject(name_of_face(m_result.m_number_of_faces) + ", at " +
-               name(checked_index(target(halfedge(f, m_mesh), m_mesh))) +
-               ", is not a triangle, or not linked to its halfedges in both directions");
-      ++m_result.m_number_of_faces;
-    }
-  }
-
-  static std::string name_of_face(const Index i)
-  {
-    return "face " + std::to_string(i) + " (in the order of faces())";
+    m_result.m_number_of_faces =
+        static_cast<Index>(number_of_triangles(m_mesh, [this](const vertex_descriptor v) {
+          return ", at " + name(checked_index(v)) + ',';
+        }));
   }
 
   // ----- connectivity

@@ -8,7 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/internal/messages.h>
+
 #include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <string>
 
 // Whether the faces of a mesh and their halfedges know each other. Unlike `CGAL::is_triangle()`,
 // these functions trust no link.
@@ -33,6 +38,35 @@ bool is_linked_triangle(const typename boost::graph_traits<TriangleMesh>::face_d
       return false;
   }
   return true;
+}
+
+inline std::string name_of_face(const std::size_t i)
+{
+  return "face " + std::to_string(i) + " (in the order of faces())";
+}
+
+// Returns the number of faces, and refuses a mesh that has others than triangles. `place_of(v)`
+// tells where a vertex of such a face is.
+template <typename TriangleMesh, typename PlaceOf>
+std::size_t number_of_triangles(const TriangleMesh& tmesh, const PlaceOf place_of)
+{
+  std::size_t result = 0;
+  for(const auto f : faces(tmesh))
+  {
+    if(halfedge(f, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
+      reject(name_of_face(result) + " has no halfedge");
+    if(!is_linked_triangle(f, tmesh))
+      reject(name_of_face(result) + place_of(target(halfedge(f, tmesh), tmesh)) +
+             " is not a triangle, or not linked to its halfedges in both directions");
+    ++result;
+  }
+  return result;
+}
+
+template <typename TriangleMesh>
+void check_triangles(const TriangleMesh& tmesh)
+{
+  number_of_triangles(tmesh, [](const auto&) { return ""; });
 }
 
 // `h` has a face.
