@@ -10,7 +10,8 @@
 #include "Steiner_trial.h"
 #include "Table.h"
 
-#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cmath>
 #include <cstddef>

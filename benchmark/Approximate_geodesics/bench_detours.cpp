@@ -14,11 +14,12 @@
 #include "Table.h"
 #include "measure.h"
 
-#include <CGAL/Approximate_geodesics/Propagation.h>
-#include <CGAL/Approximate_geodesics/internal/Arc_rows.h>
-#include <CGAL/Approximate_geodesics/internal/Cone_expansion.h>
-#include <CGAL/Approximate_geodesics/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/internal/stored_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <cstddef>
 #include <string>
@@ -66,7 +67,7 @@ public:
 
 private:
   const Intrinsic_triangulation& m_triangulation;
-  AG::internal::Arc_rows m_rows;
+  AG::internal::Compressed_arcs m_rows;
 };
 
 // Does what usual expansions do, and counts the windows that they look through.

@@ -13,11 +13,11 @@
 #include "child_process.h"
 #include "resident_memory.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 
@@ -160,7 +160,7 @@ Table measure_queries(const Mesh& mesh, const std::size_t number)
   add_queries<AG::Edge_graph>("along edges", mesh, number, table, parameters::default_values());
   add_queries<AG::Discrete_geodesic_graph>("built, epsilon 0.1", mesh, number, table, epsilon);
   add_queries<AG::Lazy_discrete_geodesic_graph>("lazy, epsilon 0.1", mesh, number, table, epsilon);
-  add_queries<AG::Steiner_graph<AG::Equally_spaced_points>>(
+  add_queries<AG::Steiner_graph<AG::Fixed_number_of_points>>(
       "3 points per edge", mesh, number, table, parameters::number_of_points_per_edge(3));
   return table;
 }

@@ -11,16 +11,17 @@
 #include "Table.h"
 #include "measure.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Place.h>
-#include <CGAL/Approximate_geodesics/Propagation.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/internal/Mesh_vertices.h>
-#include <CGAL/Approximate_geodesics/internal/Straight_line_estimate.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Euclidean_heuristic.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -54,10 +55,7 @@ public:
       m_graph_name(std::move(graph_name)),
       m_mesh(mesh),
       m_graph(graph),
-      m_positions(
-          graph.triangulation(),
-          AG::internal::Mesh_vertices(mesh, get(boost::vertex_index, mesh), graph.triangulation()),
-          mesh.points()),
+      m_positions(positions(mesh, graph.triangulation())),
       m_complete(graph),
       m_ending(graph),
       m_led(graph)
@@ -86,6 +84,15 @@ public:
   }
 
 private:
+  static AG::internal::Vertex_positions positions(const Mesh& mesh,
+                                                  const AG::Intrinsic_triangulation& triangulation)
+  {
+    const AG::internal::Mesh_translation translation(mesh, get(boost::vertex_index, mesh),
+                                                     triangulation);
+    const auto points = mesh.points();
+    return {triangulation, translation.position_of_vertex(points)};
+  }
+
   struct Counts // of expanded nodes
   {
     std::size_t all = 0, to = 0, toward = 0;
@@ -132,8 +139,8 @@ private:
   void search_toward(const std::size_t round, Counts& counts)
   {
     const auto [source, target] = m_pairs[round];
-    const AG::internal::Straight_line_estimate<Graph> estimate(m_graph, m_positions,
-                                                               AG::Place::at_vertex(target));
+    const AG::internal::Euclidean_heuristic<Graph> estimate(m_graph, m_positions,
+                                                            AG::Intrinsic_point::at_vertex(target));
     m_led.run_toward({{source}}, stop_at(target), estimate);
     counts.toward += m_led.reached_nodes().size();
   }
@@ -198,8 +205,8 @@ int main(int argc, char* argv[])
       add_graph(table, options, mesh, mesh_name, "epsilon 0.1, lazy",
                 AG::Lazy_discrete_geodesic_graph(triangulation, epsilon));
       add_graph(table, options, mesh, mesh_name, "3 points per edge",
-                AG::Steiner_graph<AG::Equally_spaced_points>(triangulation,
-                                                             AG::Equally_spaced_points(3)));
+                AG::Steiner_graph<AG::Fixed_number_of_points>(triangulation,
+                                                              AG::Fixed_number_of_points(3)));
     }
     report.print("pairs",
                  "Single pairs of vertices: complete searches, those that end at the target, and "

@@ -12,12 +12,13 @@
 #include "Table.h"
 #include "measure.h"
 
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Propagation.h>
-#include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -13,11 +13,11 @@
 #include "Table.h"
 #include "measure.h"
 
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Queries/refined_geodesic_path.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/approximate_geodesic_path.h>
 #include <CGAL/iterator.h>
-#include <CGAL/refined_geodesic_path.h>
 
 #include <cstddef>
 #include <functional>

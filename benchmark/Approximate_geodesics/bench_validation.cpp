@@ -12,9 +12,10 @@
 #include "Options.h"
 #include "Table.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Propagation.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,15 @@
 // What to do with distances: isolines, the gradient, a partition, and points that are spread
 // evenly. draw_field.py draws the results.
 
+#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_voronoi_partition.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/farthest_point_sampling.h>
-#include <CGAL/geodesic_gradient.h>
-#include <CGAL/geodesic_isolines.h>
-#include <CGAL/geodesic_voronoi_partition.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Many sources, one after the other, on a mesh that is prepared once: along edges, across faces,
 // and the same code with CGAL's exact class, for which another type is all that it takes.
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>

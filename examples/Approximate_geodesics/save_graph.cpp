@@ -5,7 +5,7 @@
 
 // A graph that is built once, by several threads if possible, and read from a file from then on.
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>

@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/internal/Mesh_query.h>
-#include <CGAL/Approximate_geodesics/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_query.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 
 namespace CGAL {
 

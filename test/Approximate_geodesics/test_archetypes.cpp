@@ -6,14 +6,14 @@
 #include "fixed_bucket_width.h"
 #include "test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/D_ary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Pairing_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>

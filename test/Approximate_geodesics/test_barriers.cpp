@@ -116,7 +116,7 @@ TEST(Barriers, make_paths_go_around_their_ends)
       for(const std::size_t m : few_nested_numbers)
       {
         const std::vector<double> found =
-            distances(mesh, barriers, Equally_spaced_points(m), source);
+            distances(mesh, barriers, Fixed_number_of_points(m), source);
         expect_within_bound(found, exact, infinity);
         for(std::size_t i = 0; i < exact.size(); ++i)
           EXPECT_EQ(found[i] == infinity, exact[i] == infinity);
@@ -136,7 +136,7 @@ TEST(Barriers, have_two_sides_with_weights_of_their_own)
       weights_by_place(mesh, [&](const Point& p) { return p.x() < 6 ? left : right; });
   for(const std::size_t m : {0u, 1u, 15u, 40u})
   {
-    auto s = search(mesh, weights, barriers, Equally_spaced_points(m));
+    auto s = search(mesh, weights, barriers, Fixed_number_of_points(m));
     const std::vector<double> from_wall = s.distances({at(6, 4)});
     const std::vector<double> from_right = s.distances({at(8, 4)});
     for(const Vertex v : mesh.vertices())
@@ -179,7 +179,7 @@ TEST(Barriers, keep_in_what_they_enclose)
     }
   };
   for(const std::size_t m : few_nested_numbers)
-    expect(search(mesh, weights, barriers, Equally_spaced_points(m)));
+    expect(search(mesh, weights, barriers, Fixed_number_of_points(m)));
   expect(search(mesh, weights, barriers, Geometric_points(0.1)));
 
   AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<>> paths(mesh, with_barriers(barriers));
@@ -198,30 +198,33 @@ TEST(Barriers, do_not_leak_where_they_meet)
   const std::size_t valence = 12;
   const Mesh mesh = to_mesh(fan(valence));
   const Vertex hub(0);
-  const auto rim = [](const std::size_t i) { return Vertex(1 + Mesh::size_type(i % valence)); };
+  const auto frontier = [](const std::size_t i) {
+    return Vertex(1 + Mesh::size_type(i % valence));
+  };
   for(const std::size_t number_of_walls : {1u, 2u, 3u, 4u, 6u, 12u})
   {
     const std::size_t width = valence / number_of_walls;
     Barriers barriers(mesh.num_edges());
     for(std::size_t i = 0; i < valence; i += width)
-      barriers[mesh.edge(mesh.halfedge(hub, rim(i))).idx()] = true;
+      barriers[mesh.edge(mesh.halfedge(hub, frontier(i))).idx()] = true;
     for(const std::size_t m : {0u, 1u, 4u})
     {
-      const std::vector<double> from_hub = distances(mesh, barriers, Equally_spaced_points(m), hub);
+      const std::vector<double> from_hub =
+          distances(mesh, barriers, Fixed_number_of_points(m), hub);
       const std::vector<double> from_first =
-          distances(mesh, barriers, Equally_spaced_points(m), rim(0));
+          distances(mesh, barriers, Fixed_number_of_points(m), frontier(0));
       const std::vector<double> from_wedge =
-          distances(mesh, barriers, Equally_spaced_points(m), rim(width / 2));
+          distances(mesh, barriers, Fixed_number_of_points(m), frontier(width / 2));
       EXPECT_DOUBLE_EQ(from_wedge[hub], 1);
       for(std::size_t i = 0; i < valence; ++i)
       {
-        EXPECT_DOUBLE_EQ(from_hub[rim(i)], 1);
+        EXPECT_DOUBLE_EQ(from_hub[frontier(i)], 1);
         // at the end of a wall, both wedges beside it are in reach
         const std::size_t steps = (std::min)(i, valence - i);
-        EXPECT_EQ(from_first[rim(i)] < infinity, steps <= width) << i;
+        EXPECT_EQ(from_first[frontier(i)] < infinity, steps <= width) << i;
         if(width > 1)
         {
-          EXPECT_EQ(from_wedge[rim(i)] < infinity, i <= width || number_of_walls == 1) << i;
+          EXPECT_EQ(from_wedge[frontier(i)] < infinity, i <= width || number_of_walls == 1) << i;
         }
       }
     }
@@ -258,8 +261,8 @@ TEST(Barriers, change_nothing_at_the_border)
       border[e.idx()] = mesh.is_border(e);
     const Vertex source = random_vertex(mesh, random);
     const Barriers none(mesh.num_edges());
-    EXPECT_TRUE(have_same_bits(distances(mesh, border, Equally_spaced_points(3), source),
-                               distances(mesh, none, Equally_spaced_points(3), source)));
+    EXPECT_TRUE(have_same_bits(distances(mesh, border, Fixed_number_of_points(3), source),
+                               distances(mesh, none, Fixed_number_of_points(3), source)));
   });
 }
 
@@ -280,9 +283,9 @@ TEST(Barriers, do_the_same_as_cuts)
         for(const std::size_t m : {0u, 1u, 3u})
         {
           const Vertex source = random_vertex(mesh, random);
-          auto before = search(mesh, weights, barriers, Equally_spaced_points(m));
+          auto before = search(mesh, weights, barriers, Fixed_number_of_points(m));
           const std::vector<double> after =
-              costs(cut.mesh(), weights, Equally_spaced_points(m), cut.copies(source));
+              costs(cut.mesh(), weights, Fixed_number_of_points(m), cut.copies(source));
           expect_about_the_same(before.distances({source}), cut.nearest(after), 1e-12);
         }
     }
@@ -300,9 +303,9 @@ TEST(Barriers, do_the_same_as_cuts_with_many_points)
       const Cut_mesh cut(mesh, barriers);
       const Weights weights = random_weights(mesh, random, 0.1, 100, 0.05);
       const Vertex source = random_vertex(mesh, random);
-      auto before = search(mesh, weights, barriers, Equally_spaced_points(33));
+      auto before = search(mesh, weights, barriers, Fixed_number_of_points(33));
       const std::vector<double> after =
-          costs(cut.mesh(), weights, Equally_spaced_points(33), cut.copies(source));
+          costs(cut.mesh(), weights, Fixed_number_of_points(33), cut.copies(source));
       expect_about_the_same(before.distances({source}), cut.nearest(after), 1e-12);
     }
 }

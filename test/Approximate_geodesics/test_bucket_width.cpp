@@ -5,10 +5,10 @@
 
 #include "fixed_bucket_width.h"
 
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Balanced_bucket_width.h>
-#include <CGAL/Approximate_geodesics/Bucket_statistics.h>
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Balanced_bucket_width.h>
+#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
 
 #include <gtest/gtest.h>
 

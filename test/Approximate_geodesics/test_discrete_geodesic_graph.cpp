@@ -8,8 +8,8 @@
 #include "sample_meshes.h"
 #include "test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 
 #include <gtest/gtest.h>
 
@@ -112,7 +112,7 @@ TYPED_TEST(Graph_with_a_bound, holds_it_on_a_cone)
         const double steps = static_cast<double>((std::min)(i, valence - i));
         const double turn = (std::min)(steps * angle, 4 * std::atan(1.));
         const double exact = 2 * slant * std::sin(turn / 2);
-        // straight lines between points of a circle leave it, where the rim is cut off
+        // straight lines between points of a circle leave it, where the frontier is cut off
         EXPECT_GE(found[i + 1], exact * (1 - rounding));
         EXPECT_LE(found[i + 1], exact * (1 + e));
       }

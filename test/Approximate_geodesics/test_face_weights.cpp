@@ -7,8 +7,8 @@
 #include "expect_message.h"
 #include "steiner_meshes.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -39,18 +39,18 @@ TEST(Exchanged_weights, give_the_same_as_a_graph_built_with_them)
     const Vertex source = random_vertex(mesh, random);
     const Weights first = random_weights(mesh, random, 0.1, 10, 0.05);
     const Weights second = random_weights(mesh, random, 1e-3, 1e5, 0.05);
-    auto graph = steiner_graph(mesh, first, Equally_spaced_points(2));
-    graph.set_face_weights(mesh, weight_map(second));
-    Basic_mesh_search<Steiner_graph<Equally_spaced_points>> exchanged(mesh, std::move(graph));
+    auto graph = steiner_graph(mesh, first, Fixed_number_of_points(2));
+    graph.set_weights(AG::read_face_weights(mesh, graph.triangulation(), weight_map(second)));
+    Basic_mesh_search<Steiner_graph<Fixed_number_of_points>> exchanged(mesh, std::move(graph));
     EXPECT_TRUE(have_same_bits(exchanged.distances({source}),
-                               costs(mesh, second, Equally_spaced_points(2), {source})));
+                               costs(mesh, second, Fixed_number_of_points(2), {source})));
 
-    AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Equally_spaced_points>> paths(
-        mesh, steiner_graph(mesh, first, Equally_spaced_points(2)));
+    AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Fixed_number_of_points>> paths(
+        mesh, steiner_graph(mesh, first, Fixed_number_of_points(2)));
     paths.add_source_point(source);
     const Vertex target = random_vertex(mesh, random);
     const auto expect = [&](const Weights& weights) {
-      const double expected = costs(mesh, weights, Equally_spaced_points(2), {source})[target];
+      const double expected = costs(mesh, weights, Fixed_number_of_points(2), {source})[target];
       const double found = paths.shortest_distance_to_source_points(target).first;
       EXPECT_EQ(found, expected == infinity ? -1 : expected);
     };
@@ -74,9 +74,9 @@ TEST(Exchanged_weights, have_a_worse_bound_if_they_are_more_different)
   }();
   auto graph = steiner_graph(mesh, mild, Geometric_points(0.1));
   EXPECT_EQ(graph.epsilon(), 0.1);
-  graph.set_face_weights(mesh, weight_map(scaled));
+  graph.set_weights(AG::read_face_weights(mesh, graph.triangulation(), weight_map(scaled)));
   EXPECT_EQ(graph.epsilon(), 0.1);
-  graph.set_face_weights(mesh, weight_map(strong));
+  graph.set_weights(AG::read_face_weights(mesh, graph.triangulation(), weight_map(strong)));
   EXPECT_GT(graph.epsilon(), 0.1);
   EXPECT_LT(graph.epsilon(), infinity);
   const double bound = graph.epsilon();
@@ -90,13 +90,20 @@ TEST(Exchanged_weights, have_a_worse_bound_if_they_are_more_different)
 TEST(Exchanged_weights, are_refused_for_another_mesh)
 {
   const Mesh mesh = to_mesh(flat_grid(5, 4)), other = to_mesh(flat_grid(5, 5));
-  auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 1), Equally_spaced_points(1));
+  auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 1), Fixed_number_of_points(1));
   const Weights weights(other.num_faces(), 1);
-  expect_message<std::invalid_argument>([&] { graph.set_face_weights(other, weight_map(weights)); },
-                                        "mesh");
+  expect_message<std::invalid_argument>(
+      [&] {
+        graph.set_weights(AG::read_face_weights(other, graph.triangulation(), weight_map(weights)));
+      },
+      "mesh");
   const Mesh smaller = to_mesh(flat_grid(4, 4));
   expect_message<std::invalid_argument>(
-      [&] { graph.set_face_weights(smaller, weight_map(weights)); }, "mesh");
+      [&] {
+        graph.set_weights(
+            AG::read_face_weights(smaller, graph.triangulation(), weight_map(weights)));
+      },
+      "mesh");
 }
 
 // Weights that are refused for what costs would be do not take the place of those before.
@@ -105,13 +112,16 @@ TEST(Exchanged_weights, are_not_exchanged_if_costs_do_not_fit_a_double)
   const Mesh mesh = to_mesh(flat_grid(4, 4).transformed(
       [](const Point& p) { return Point(p.x() * 1e200, p.y() * 1e200, 0); }));
   const Weights ones(mesh.num_faces(), 1), large(mesh.num_faces(), 1e200);
-  auto graph = steiner_graph(mesh, ones, Equally_spaced_points(1));
+  auto graph = steiner_graph(mesh, ones, Fixed_number_of_points(1));
   const double unit = graph.unit();
-  expect_message<std::invalid_argument>([&] { graph.set_face_weights(mesh, weight_map(large)); },
-                                        "weights", "lengths");
+  expect_message<std::invalid_argument>(
+      [&] {
+        graph.set_weights(AG::read_face_weights(mesh, graph.triangulation(), weight_map(large)));
+      },
+      "weights", "lengths");
   EXPECT_EQ(graph.unit(), unit);
 
-  AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Equally_spaced_points>> paths(mesh, graph);
+  AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Fixed_number_of_points>> paths(mesh, graph);
   paths.add_source_point(Vertex(0));
   const double distance = paths.shortest_distance_to_source_points(Vertex(15)).first;
   expect_message<std::invalid_argument>([&] { paths.set_face_weights(weight_map(large)); },
@@ -124,8 +134,9 @@ TEST(Exchanged_weights, are_not_exchanged_if_costs_do_not_fit_a_double)
 TEST(Exchanged_weights, may_forbid_everything)
 {
   const Mesh mesh = to_mesh(flat_grid(3, 3));
-  auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 1), Equally_spaced_points(1));
-  graph.set_face_weights(mesh, weight_map(Weights(mesh.num_faces(), infinity)));
+  auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 1), Fixed_number_of_points(1));
+  graph.set_weights(AG::read_face_weights(mesh, graph.triangulation(),
+                                          weight_map(Weights(mesh.num_faces(), infinity))));
   EXPECT_EQ(graph.arc_lengths().longest, 0);
 }
 
@@ -141,8 +152,8 @@ TEST(Weighted_faces, may_have_weights_of_all_magnitudes)
     w = values[random.below(5)];
   for(const Vertex source : {Vertex(0), Vertex(40), Vertex(100)})
   {
-    const std::vector<double> coarse = costs(mesh, weights, Equally_spaced_points(1), {source});
-    const std::vector<double> fine = costs(mesh, weights, Equally_spaced_points(3), {source});
+    const std::vector<double> coarse = costs(mesh, weights, Fixed_number_of_points(1), {source});
+    const std::vector<double> fine = costs(mesh, weights, Fixed_number_of_points(3), {source});
     const std::vector<double> bound = costs(mesh, weights, Geometric_points(0.1), {source});
     EXPECT_EQ(fine[source], 0);
     for(std::size_t i = 0; i < fine.size(); ++i)
@@ -159,7 +170,7 @@ std::vector<double> costs_on_square(const double length, const double weight)
 {
   const auto stretch = [&](const Point& p) { return Point(p.x() * length, p.y() * length, 0); };
   const Mesh mesh = to_mesh(flat_grid(4, 4).transformed(stretch));
-  return costs(mesh, Weights(mesh.num_faces(), weight), Equally_spaced_points(1), {Vertex(0)});
+  return costs(mesh, Weights(mesh.num_faces(), weight), Fixed_number_of_points(1), {Vertex(0)});
 }
 
 void expect_in_proportion_to(const double weight)
@@ -237,7 +248,7 @@ TEST(Weighted_faces, are_refused_if_the_unit_of_costs_does_not_fit_a_double)
       to_mesh(flat_grid(3, 3).transformed([](const Point&) { return Point(1e150, 0, 0); }));
   const Weights weights(mesh.num_faces(), 1e300);
   expect_message<std::invalid_argument>(
-      [&] { costs(mesh, weights, Equally_spaced_points(1), {Vertex(0)}); }, "weights", "lengths");
+      [&] { costs(mesh, weights, Fixed_number_of_points(1), {Vertex(0)}); }, "weights", "lengths");
 }
 
 template <typename Graph>

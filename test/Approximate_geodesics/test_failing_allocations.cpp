@@ -116,7 +116,10 @@ TEST(Interrupted_exchange_of_weights, has_changed_nothing)
     const auto make = [&] { return kind.make(Triangulation(mesh, with_weights(before))); };
     const Values costs = distances_in(make());
     expect_survival<Steiner>(
-        {make, [&](Steiner& graph) { graph.set_face_weights(mesh, weight_map(after)); },
+        {make,
+         [&](Steiner& graph) {
+           graph.set_weights(AG::read_face_weights(mesh, graph.triangulation(), weight_map(after)));
+         },
          [](Steiner& graph) { return distances_in(graph); },
          [&](Steiner& graph) { EXPECT_TRUE(have_same_bits(distances_in(graph), costs)); }});
   });

@@ -5,9 +5,9 @@
 
 #include "distance_fields.h"
 
-#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST(Farthest_point_sampling, is_the_same_as_from_scratch)
     namespace AG = CGAL::Approximate_geodesics;
     expect_sample_from_scratch<AG::Edge_graph>(mesh);
     expect_sample_from_scratch<AG::Discrete_geodesic_graph>(mesh, parameters::epsilon(0.2));
-    expect_sample_from_scratch<AG::Steiner_graph<AG::Equally_spaced_points>>(
+    expect_sample_from_scratch<AG::Steiner_graph<AG::Fixed_number_of_points>>(
         mesh, parameters::number_of_points_per_edge(1));
   }
 }

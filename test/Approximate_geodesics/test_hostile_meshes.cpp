@@ -5,11 +5,11 @@
 
 #include "expect_everything.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 
 #include <gtest/gtest.h>
 
@@ -47,8 +47,8 @@ TEST(Hostile_meshes, lazy_discrete_geodesic_graph)
 
 // ----- a vertex with very many neighbours, in every graph
 
-// From a vertex of the rim of a disk whose hub is vertex 0: the shortest way along edges is the
-// rim's, or by way of the hub.
+// From a vertex of the frontier of a disk whose hub is vertex 0: the shortest way along edges is
+// the frontier's, or by way of the hub.
 template <typename Graph, typename NamedParameters>
 void expect_distances_on_fan(const std::size_t valence, const NamedParameters& np)
 {
@@ -58,7 +58,7 @@ void expect_distances_on_fan(const std::size_t valence, const NamedParameters& n
   };
   Shortest_paths<Graph> paths(mesh, np);
   const Bound bound = bound_of(paths.graph());
-  constexpr double rounding = 1e-11; // of sums along the rim
+  constexpr double rounding = 1e-11; // of sums along the frontier
   paths.set_sources({Vertex(1)});
   for(const Vertex v : mesh.vertices())
   {
@@ -84,7 +84,7 @@ TEST(Hostile_meshes, vertex_with_very_many_neighbours)
     expect_distances_on_fan<AG::Edge_graph>(valence, parameters::default_values());
   expect_distances_on_fan<AG::Discrete_geodesic_graph>(1000, parameters::epsilon(0.1));
   expect_distances_on_fan<AG::Lazy_discrete_geodesic_graph>(1000, parameters::epsilon(0.1));
-  expect_distances_on_fan<AG::Steiner_graph<AG::Equally_spaced_points>>(
+  expect_distances_on_fan<AG::Steiner_graph<AG::Fixed_number_of_points>>(
       1000, parameters::number_of_points_per_edge(1));
 }
 

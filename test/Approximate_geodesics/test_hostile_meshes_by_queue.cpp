@@ -6,17 +6,17 @@
 #include "known_distances.h"
 #include "test_weights.h"
 
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/D_ary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Pairing_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Propagation.h>
-#include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <gtest/gtest.h>
 
@@ -129,7 +129,7 @@ TEST(Hostile_meshes, are_searched_alike_by_all_queues_in_lazy_graphs)
 TEST(Hostile_meshes, are_searched_alike_by_all_queues_among_points)
 {
   expect_same_distances_on_all_meshes([](const Mesh& mesh) {
-    return Steiner_graph<Equally_spaced_points>(Triangulation(mesh), Equally_spaced_points(2));
+    return Steiner_graph<Fixed_number_of_points>(Triangulation(mesh), Fixed_number_of_points(2));
   });
 }
 
@@ -139,8 +139,8 @@ TEST(Hostile_meshes, are_searched_alike_by_all_queues_among_points_with_weights)
     Weights weights(mesh.num_faces());
     for(std::size_t i = 0; i < weights.size(); ++i)
       weights[i] = i % 5 == 0 ? 0 : i % 5 == 1 ? infinity : 1e-30 * double(i);
-    return Steiner_graph<Equally_spaced_points>(Triangulation(mesh, with_weights(weights)),
-                                                Equally_spaced_points(2));
+    return Steiner_graph<Fixed_number_of_points>(Triangulation(mesh, with_weights(weights)),
+                                                 Fixed_number_of_points(2));
   });
 }
 

@@ -8,11 +8,11 @@
 #include "expect_message.h"
 #include "test_weights.h"
 
-#include <CGAL/Approximate_geodesics/Equally_dense_points.h>
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Published_geometric_points.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
+#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ using namespace geodesics_test;
 
 TEST(Hostile_meshes, equally_spaced_points)
 {
-  expect_everything<AG::Steiner_graph<AG::Equally_spaced_points>>(
+  expect_everything<AG::Steiner_graph<AG::Fixed_number_of_points>>(
       parameters::number_of_points_per_edge(3), {});
 }
 
@@ -113,7 +113,7 @@ TEST(Hostile_meshes, equally_dense_points)
     for(const Long length : known.lengths_of_edges())
       longest = (std::max)(longest, length);
     const double smallest = std::numeric_limits<double>::denorm_min(); // where all lengths are zero
-    expect_distances(known, AG::Equally_dense_points((std::max)(double(longest / 4), smallest)));
+    expect_distances(known, AG::Points_at_interval((std::max)(double(longest / 4), smallest)));
   });
 }
 
@@ -188,12 +188,12 @@ public:
   }
 
 private:
-  using Graph = Steiner_graph<Equally_spaced_points>;
+  using Graph = Steiner_graph<Fixed_number_of_points>;
   using Search = Basic_mesh_search<Graph>;
 
   static constexpr std::size_t number_of_points = 3;
 
-  static Equally_spaced_points placement() { return Equally_spaced_points(number_of_points); }
+  static Fixed_number_of_points placement() { return Fixed_number_of_points(number_of_points); }
 
   void
   lower(std::vector<Long>& costs, const std::vector<Long>& of_copies, const Cut_mesh& cut) const
@@ -271,7 +271,7 @@ TEST(Hostile_weights, give_costs_to_all_points)
       const Weights weights = weights_of_faces(known.mesh, kind);
       if(!do_fit(known, weights))
         return;
-      Shortest_paths<Steiner_graph<Equally_spaced_points>> paths(
+      Shortest_paths<Steiner_graph<Fixed_number_of_points>> paths(
           known.mesh, with_weights(weights).number_of_points_per_edge(2));
       const std::vector<Surface_point> points = some_points(known.mesh);
       for(std::size_t i = 0; i < points.size(); ++i)

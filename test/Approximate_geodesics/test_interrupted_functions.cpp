@@ -6,13 +6,13 @@
 #include "failing_allocation.h"
 #include "test_weights.h"
 
+#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_voronoi_partition.h>
+#include <CGAL/Approximate_geodesics/Queries/refined_geodesic_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
-#include <CGAL/farthest_point_sampling.h>
-#include <CGAL/geodesic_gradient.h>
-#include <CGAL/geodesic_isolines.h>
-#include <CGAL/geodesic_voronoi_partition.h>
-#include <CGAL/refined_geodesic_path.h>
 
 #include <boost/property_map/property_map.hpp>
 

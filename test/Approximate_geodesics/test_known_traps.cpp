@@ -5,7 +5,7 @@
 
 #include "surface_points.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -253,12 +253,13 @@ TYPED_TEST(Known_traps, neighbours_as_sources)
   }
 }
 
-// A bathtub with flat walls, a rim and a plug that does not touch it: from the plug there is no
-// path to the tub, and no path has the same point twice, or one off the surface.
+// A bathtub with flat walls, a frontier and a plug that does not touch it: from the plug there is
+// no path to the tub, and no path has the same point twice, or one off the surface.
 TYPED_TEST(Known_traps, bathtub_with_a_plug)
 {
   Soup soup = grid(13, 13, [](const double i, const double j) {
-    const double depth = (std::min)((std::min)(i, j), (std::min)(12 - i, 12 - j)); // from the rim
+    const double depth =
+        (std::min)((std::min)(i, j), (std::min)(12 - i, 12 - j)); // from the frontier
     return Point(i, j, depth < 2 ? 4 : (std::max)(0., 4 - 2 * (depth - 1)));
   });
   soup.append(

@@ -7,14 +7,14 @@
 #include "random_gap.h"
 #include "test_random.h"
 
-#include <CGAL/Approximate_geodesics/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/D_ary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Pairing_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Published_bucket_width.h>
-#include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_width.h>
 
 #include <gtest/gtest.h>
 

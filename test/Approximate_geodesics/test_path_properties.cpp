@@ -7,9 +7,9 @@
 #include "random_soups.h"
 #include "surface_points.h"
 
-#include <CGAL/Approximate_geodesics/Pairing_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>

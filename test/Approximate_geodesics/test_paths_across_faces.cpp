@@ -11,10 +11,10 @@
 #include "steiner_meshes.h"
 #include "straight_lines.h"
 
+#include <CGAL/Approximate_geodesics/Queries/refined_geodesic_path.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
-#include <CGAL/refined_geodesic_path.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -66,9 +66,9 @@ TEST(Weighted_paths, cost_what_they_say)
 {
   for_weighted_meshes([](const Mesh& mesh, const Weights& weights, Random& random) {
     const std::size_t m = 3;
-    using Graph = Steiner_graph<Equally_spaced_points>;
+    using Graph = Steiner_graph<Fixed_number_of_points>;
     AG::Surface_mesh_shortest_path<Mesh, Graph> paths(
-        mesh, steiner_graph(mesh, weights, Equally_spaced_points(m)));
+        mesh, steiner_graph(mesh, weights, Fixed_number_of_points(m)));
     const Vertex source = random_vertex(mesh, random);
     paths.add_source_point(source);
     for(const Vertex v : mesh.vertices())
@@ -117,8 +117,8 @@ TEST(Weighted_paths, lead_from_predecessor_to_vertex)
     CGAL::approximate_geodesic_distances(
         mesh, distance, source,
         with_weights(weights).predecessor_map(predecessor).number_of_points_per_edge(2));
-    Basic_mesh_search<Steiner_graph<Equally_spaced_points>> search(
-        mesh, steiner_graph(mesh, weights, Equally_spaced_points(2)));
+    Basic_mesh_search<Steiner_graph<Fixed_number_of_points>> search(
+        mesh, steiner_graph(mesh, weights, Fixed_number_of_points(2)));
     EXPECT_EQ(predecessor[source], source);
     EXPECT_EQ(distance[source], 0);
     std::size_t number_of_checks = 0;

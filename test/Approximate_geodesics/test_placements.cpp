@@ -7,9 +7,9 @@
 #include "expect_message.h"
 #include "steiner_meshes.h"
 
-#include <CGAL/Approximate_geodesics/Equally_dense_points.h>
-#include <CGAL/Approximate_geodesics/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Published_geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
+#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
 #include <CGAL/approximate_geodesic_path.h>
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ namespace {
 
 namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
-using CGAL::Approximate_geodesics::Equally_dense_points;
+using CGAL::Approximate_geodesics::Points_at_interval;
 
 // ----- where points are
 
@@ -48,14 +48,14 @@ void for_each_row(const Graph& graph, F f)
   }
 }
 
-TEST(Equally_dense_points, are_as_dense_as_asked_for_and_not_denser)
+TEST(Points_at_interval, are_as_dense_as_asked_for_and_not_denser)
 {
   Random random(test_seed());
   for(const Soup& soup : small_soups(random))
     for(const double density : {0.3, 2., 7.})
     {
       const Mesh mesh = to_mesh(soup);
-      const Steiner_graph<Equally_dense_points> graph(
+      const Steiner_graph<Points_at_interval> graph(
           Triangulation(mesh), parameters::number_of_points_per_distance_unit(density));
       std::size_t smallest = 0, largest = 0, found = 0;
       for(const double length : edge_lengths(mesh)) // which can be multiples of the spacing
@@ -82,12 +82,12 @@ TEST(Equally_dense_points, are_as_dense_as_asked_for_and_not_denser)
     }
 }
 
-TEST(Equally_spaced_points, divide_edges_into_equal_parts)
+TEST(Fixed_number_of_points, divide_edges_into_equal_parts)
 {
   const Mesh mesh = to_mesh(sphere(7, 5));
   for(const std::size_t m : {1u, 2u, 7u, 40u})
   {
-    const auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 1), Equally_spaced_points(m));
+    const auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 1), Fixed_number_of_points(m));
     EXPECT_EQ(graph.number_of_points(), m * mesh.num_edges());
     for_each_row(graph, [&](const Node, const std::vector<double>& parts) {
       ASSERT_EQ(parts.size(), m);
@@ -133,7 +133,7 @@ TEST(Geometric_points, may_meet_edges_of_length_zero)
     const Weights weights = random_weights(mesh, random, 0.1, 10, 0.05);
     const std::vector<double> found = costs(mesh, weights, Geometric_points(0.1), {Vertex(0)});
     const std::vector<double> along_edges =
-        costs(mesh, weights, Equally_spaced_points(0), {Vertex(0)});
+        costs(mesh, weights, Fixed_number_of_points(0), {Vertex(0)});
     for(std::size_t i = 0; i < found.size(); ++i)
       EXPECT_LE(found[i], along_edges[i] * (1 + rounding));
   });
@@ -159,7 +159,7 @@ TEST(Bad_parameters, are_refused)
         },
         "epsilon");
   }
-  using Spaced_graph = Steiner_graph<Equally_spaced_points>;
+  using Spaced_graph = Steiner_graph<Fixed_number_of_points>;
   for(const int m : {-1, std::numeric_limits<int>::min()})
     expect_message<std::invalid_argument>(
         [&] { Spaced_graph g(triangulation, parameters::number_of_points_per_edge(m)); },
@@ -168,10 +168,10 @@ TEST(Bad_parameters, are_refused)
     expect_message<std::invalid_argument>(
         [&] { Spaced_graph g(triangulation, parameters::number_of_points_per_edge(m)); },
         "points per edge");
-  using Dense_graph = Steiner_graph<Equally_dense_points>;
+  using Dense_graph = Steiner_graph<Points_at_interval>;
   for(const double d : {0., -1., not_a_number})
   {
-    expect_message<std::invalid_argument>([&] { Equally_dense_points points(d); }, "spacing");
+    expect_message<std::invalid_argument>([&] { Points_at_interval points(d); }, "spacing");
     expect_message<std::invalid_argument>(
         [&] { Dense_graph g(triangulation, parameters::number_of_points_per_distance_unit(d)); },
         "points per distance unit");
@@ -190,13 +190,11 @@ TEST(Bad_parameters, are_refused_if_there_would_be_too_many_points)
   for(const std::size_t m :
       {std::size_t(1) << 31, std::size_t(1) << 32, (std::numeric_limits<std::size_t>::max)()})
     expect_message<std::length_error>(
-        [&] { Steiner_graph<Equally_spaced_points> g(triangulation, Equally_spaced_points(m)); },
+        [&] { Steiner_graph<Fixed_number_of_points> g(triangulation, Fixed_number_of_points(m)); },
         "points");
   for(const double spacing : {1e-9, 1e-300})
     expect_message<std::length_error>(
-        [&] {
-          Steiner_graph<Equally_dense_points> g(triangulation, Equally_dense_points(spacing));
-        },
+        [&] { Steiner_graph<Points_at_interval> g(triangulation, Points_at_interval(spacing)); },
         "points");
   for(const double e : {1e-18, 1e-300})
     expect_message<std::length_error>(

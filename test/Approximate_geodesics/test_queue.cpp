@@ -7,7 +7,7 @@
 #include "random_gap.h"
 #include "test_random.h"
 
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 
 #include <gtest/gtest.h>
 

@@ -7,13 +7,13 @@
 #include "test_random.h"
 #include "test_soup.h"
 
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_path.h>
 
@@ -86,7 +86,7 @@ using Subjects =
                    Subject<AG::Edge_graph, AG::Radix_heap_queue>,
                    Subject<AG::Discrete_geodesic_graph, AG::Adaptive_bucket_queue>,
                    Subject<AG::Discrete_geodesic_graph, AG::Binary_heap_queue>,
-                   Subject<AG::Steiner_graph<AG::Equally_spaced_points>, AG::Radix_heap_queue>>;
+                   Subject<AG::Steiner_graph<AG::Fixed_number_of_points>, AG::Radix_heap_queue>>;
 TYPED_TEST_SUITE(Single_pairs, Subjects, );
 
 // Many paths are equally long, and the keys of their nodes the same but for rounding.

@@ -11,9 +11,9 @@
 #include "sample_meshes.h"
 #include "steiner_meshes.h"
 
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(Steiner_graph, is_the_edge_graph_if_there_are_no_points)
 {
   for_generated_meshes([](const Mesh& mesh, Random& random) {
     const Vertex source = random_vertex(mesh, random);
-    Basic_mesh_search<Steiner_graph<Equally_spaced_points>> search(
+    Basic_mesh_search<Steiner_graph<Fixed_number_of_points>> search(
         mesh, parameters::number_of_points_per_edge(0));
     EXPECT_EQ(search.graph().number_of_nodes(), mesh.number_of_vertices());
     EXPECT_TRUE(have_same_bits(search.distances({source}), Mesh_search(mesh).distances({source})));
@@ -58,8 +58,8 @@ TEST(Steiner_graph, does_not_change_if_all_weights_are_one)
 {
   for_weighted_meshes([](const Mesh& mesh, const Weights&, Random& random) {
     const Vertex source = random_vertex(mesh, random);
-    expect_unweighted(mesh, Equally_spaced_points(0), source);
-    expect_unweighted(mesh, Equally_spaced_points(3), source);
+    expect_unweighted(mesh, Fixed_number_of_points(0), source);
+    expect_unweighted(mesh, Fixed_number_of_points(3), source);
     expect_unweighted(mesh, Geometric_points(0.3), source);
   });
 }
@@ -73,11 +73,11 @@ TEST(Steiner_graph, has_costs_in_exact_proportion_to_powers_of_two)
       Weights scaled = weights;
       for(double& w : scaled)
         w = std::ldexp(w, k);
-      std::vector<double> expected = costs(mesh, weights, Equally_spaced_points(2), {source});
+      std::vector<double> expected = costs(mesh, weights, Fixed_number_of_points(2), {source});
       for(double& d : expected)
         d = std::ldexp(d, k);
       EXPECT_TRUE(
-          have_same_bits(costs(mesh, scaled, Equally_spaced_points(2), {source}), expected));
+          have_same_bits(costs(mesh, scaled, Fixed_number_of_points(2), {source}), expected));
     }
   });
 }
@@ -88,7 +88,7 @@ TEST(Steiner_graph, may_be_empty)
   EXPECT_EQ(graph.number_of_nodes(), 0u);
   const Mesh mesh;
   const Weights weights;
-  EXPECT_EQ(steiner_graph(mesh, weights, Equally_spaced_points(4)).number_of_nodes(), 0u);
+  EXPECT_EQ(steiner_graph(mesh, weights, Fixed_number_of_points(4)).number_of_nodes(), 0u);
 }
 
 TEST(Bad_meshes, are_refused_only_if_paths_run_across_faces)
@@ -99,9 +99,9 @@ TEST(Bad_meshes, are_refused_only_if_paths_run_across_faces)
   const auto np = parameters::edge_length_map(
       boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh)));
   const Triangulation triangulation(mesh, np);
-  using Graph = Steiner_graph<Equally_spaced_points>;
-  EXPECT_NO_THROW(Graph(triangulation, Equally_spaced_points(0)));
-  expect_message<std::invalid_argument>([&] { Graph g(triangulation, Equally_spaced_points(1)); },
+  using Graph = Steiner_graph<Fixed_number_of_points>;
+  EXPECT_NO_THROW(Graph(triangulation, Fixed_number_of_points(0)));
+  expect_message<std::invalid_argument>([&] { Graph g(triangulation, Fixed_number_of_points(1)); },
                                         "triangle inequality");
 }
 
@@ -146,8 +146,8 @@ TEST(Steiner_graph, finds_the_cheapest_of_all_paths)
 {
   for_weighted_meshes([](const Mesh& mesh, const Weights& weights, Random& random) {
     for(const std::size_t m : {0u, 1u, 2u, 5u})
-      expect_all_arcs(mesh, weights, Equally_spaced_points(m), random);
-    expect_all_arcs(mesh, Weights(mesh.num_faces(), 1), Equally_spaced_points(3), random);
+      expect_all_arcs(mesh, weights, Fixed_number_of_points(m), random);
+    expect_all_arcs(mesh, Weights(mesh.num_faces(), 1), Fixed_number_of_points(3), random);
     expect_all_arcs(mesh, weights, Random_points(6), random);
   });
 }
@@ -165,7 +165,7 @@ TEST(Steiner_graph, finds_the_cheapest_of_all_paths_among_many_points)
         SCOPED_TRACE(range);
         const Weights weights = random_weights(mesh, random, 1, range, extreme);
         for(const std::size_t m : {19u, 20u, 37u, 60u})
-          expect_all_arcs(mesh, weights, Equally_spaced_points(m), random);
+          expect_all_arcs(mesh, weights, Fixed_number_of_points(m), random);
         expect_all_arcs(mesh, weights, Random_points(60, random.below(1000)), random);
         if(range < 100) // else there are thousands of points
           expect_all_arcs(mesh, weights, Geometric_points(0.1), random);
@@ -189,7 +189,7 @@ TEST(Steiner_graph, has_no_more_arcs_than_its_maximum_degree)
         const Barriers barriers = random_barriers(mesh, share, random);
         const Triangulation triangulation(
             mesh, with_weights(weights).edge_is_constrained_map(barrier_map(barriers)));
-        const Steiner_graph<Equally_spaced_points> graph(triangulation, Equally_spaced_points(m));
+        const Steiner_graph<Fixed_number_of_points> graph(triangulation, Fixed_number_of_points(m));
         std::size_t largest = 0;
         for(Node n = 0; n < graph.number_of_nodes(); ++n)
         {
@@ -209,10 +209,10 @@ TEST(Steiner_graph, has_no_more_arcs_than_its_maximum_degree)
 // ----- relations between distances
 
 template <typename Queue>
-std::vector<double> distances_by(const Steiner_graph<Equally_spaced_points>& graph,
+std::vector<double> distances_by(const Steiner_graph<Fixed_number_of_points>& graph,
                                  const Node source)
 {
-  AG::Propagation<Steiner_graph<Equally_spaced_points>, Queue> search(graph);
+  AG::Propagation<Steiner_graph<Fixed_number_of_points>, Queue> search(graph);
   search.run(source);
   return distances_of_nodes(search);
 }
@@ -223,7 +223,7 @@ TEST(Steiner_graph, gives_the_same_with_every_queue)
   for_weighted_meshes([&](const Mesh& mesh, const Weights& weights, Random& random) {
     for(const std::size_t m : {2u, 22u})
     {
-      const auto graph = steiner_graph(mesh, weights, Equally_spaced_points(m));
+      const auto graph = steiner_graph(mesh, weights, Fixed_number_of_points(m));
       const Node source = static_cast<Node>(random.below(graph.number_of_nodes()));
       const std::vector<double> first = distances_by<AG::Adaptive_bucket_queue>(graph, source);
       for(const std::vector<double>& other : {distances_by<AG::Binary_heap_queue>(graph, source),
@@ -246,7 +246,7 @@ TEST(Steiner_graph, does_not_get_worse_with_more_points)
     std::vector<double> last(mesh.num_vertices(), infinity);
     for(const std::size_t m : {0u, 1u, 3u, 7u})
     {
-      const std::vector<double> found = costs(mesh, weights, Equally_spaced_points(m), {source});
+      const std::vector<double> found = costs(mesh, weights, Fixed_number_of_points(m), {source});
       for(std::size_t i = 0; i < found.size(); ++i)
         EXPECT_LE(found[i], last[i] * (1 + rounding));
       last = found;
@@ -257,8 +257,8 @@ TEST(Steiner_graph, does_not_get_worse_with_more_points)
 TEST(Steiner_graph, is_symmetric)
 {
   for_weighted_meshes([](const Mesh& mesh, const Weights& weights, Random& random) {
-    Basic_mesh_search<Steiner_graph<Equally_spaced_points>> search(
-        mesh, steiner_graph(mesh, weights, Equally_spaced_points(3)));
+    Basic_mesh_search<Steiner_graph<Fixed_number_of_points>> search(
+        mesh, steiner_graph(mesh, weights, Fixed_number_of_points(3)));
     const Vertex source = random_vertex(mesh, random);
     const std::vector<double> there = search.distances({source});
     for(std::size_t i = 0; i < 5; ++i)
@@ -272,8 +272,8 @@ TEST(Steiner_graph, is_symmetric)
 TEST(Steiner_graph, finds_the_nearest_of_several_sources)
 {
   for_weighted_meshes([](const Mesh& mesh, const Weights& weights, Random& random) {
-    Basic_mesh_search<Steiner_graph<Equally_spaced_points>> search(
-        mesh, steiner_graph(mesh, weights, Equally_spaced_points(3)));
+    Basic_mesh_search<Steiner_graph<Fixed_number_of_points>> search(
+        mesh, steiner_graph(mesh, weights, Fixed_number_of_points(3)));
     std::vector<Vertex> sources;
     std::vector<double> expected(mesh.num_vertices(), infinity);
     for(std::size_t i = 0; i < 4; ++i)
@@ -298,8 +298,8 @@ TEST(Steiner_graph, does_not_depend_on_where_the_mesh_is)
     const Mesh mesh = to_mesh(soup), moved = to_mesh(soup.transformed(move));
     const Weights weights = random_weights(mesh, random, 1, 10, 0.1);
     const Vertex source = random_vertex(mesh, random);
-    expect_about_the_same(costs(moved, weights, Equally_spaced_points(5), {source}),
-                          costs(mesh, weights, Equally_spaced_points(5), {source}), 1e-9);
+    expect_about_the_same(costs(moved, weights, Fixed_number_of_points(5), {source}),
+                          costs(mesh, weights, Fixed_number_of_points(5), {source}), 1e-9);
   }
 }
 

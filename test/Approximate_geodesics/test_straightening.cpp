@@ -22,7 +22,7 @@ using namespace geodesics_test;
 
 // ----- closed forms
 
-TEST(Straightening, finds_straight_lines_in_the_plane)
+TEST(Path_straightener, finds_straight_lines_in_the_plane)
 {
   const std::size_t columns = 13, rows = 11;
   const Surface surface(to_mesh(flat_grid(columns, rows)));
@@ -34,7 +34,7 @@ TEST(Straightening, finds_straight_lines_in_the_plane)
       const Point p = surface.point(straight.points.front());
       const Point q = surface.point(straight.points.back());
       EXPECT_NEAR(straight.length, norm(q - p), 1e-12 * norm(q - p));
-      for(const Place& place : straight.points)
+      for(const Intrinsic_point& place : straight.points)
         EXPECT_NEAR(norm(CGAL::cross_product(surface.point(place) - p, q - p)), 0, 1e-9);
       Path in_unit = straight;
       in_unit.length /= surface.triangulation().unit();
@@ -48,7 +48,7 @@ Soup tetrahedron()
           {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
 }
 
-TEST(Straightening, unfolds_cubes)
+TEST(Path_straightener, unfolds_cubes)
 {
   const Surface surface(to_mesh(cube()));
   EXPECT_NEAR(surface.shortened({0, 1, 2, 6}).length, std::sqrt(5.), 1e-12);
@@ -62,12 +62,12 @@ TEST(Straightening, unfolds_cubes)
 }
 
 // From the middle of a face to that of the face beside it, by way of the third vertex.
-TEST(Straightening, unfolds_tetrahedra)
+TEST(Path_straightener, unfolds_tetrahedra)
 {
   const Surface surface(to_mesh(tetrahedron()));
   const double third = 1. / 3;
-  const Place p = Place::in_face(surface.halfedge(0, 1), third, third);
-  const Place q = Place::in_face(surface.halfedge(0, 2), third, third);
+  const Intrinsic_point p = Intrinsic_point::in_face(surface.halfedge(0, 1), third, third);
+  const Intrinsic_point q = Intrinsic_point::in_face(surface.halfedge(0, 2), third, third);
   const double side = std::sqrt(8.), height = side * std::sqrt(3.) / 2;
   for(const std::size_t by : {0u, 2u})
     EXPECT_NEAR(surface.shortened({p, surface.place(by), q}).length, 2 * height / 3, 1e-12);
@@ -76,7 +76,7 @@ TEST(Straightening, unfolds_tetrahedra)
   EXPECT_NEAR(path.length, 2 * height / 3, 1e-12);
 }
 
-TEST(Straightening, unrolls_cylinders)
+TEST(Path_straightener, unrolls_cylinders)
 {
   const std::size_t columns = 25, rows = 9;
   const double step = pi / 20, chord = 2 * std::sin(step / 2);
@@ -120,7 +120,7 @@ Soup ringed_cone(const std::size_t meridians, const std::size_t rings, const dou
 
 // A path that goes round the apex, for once or more often, gets to one of the two ways that are
 // straight in the unrolled cone.
-TEST(Straightening, unrolls_cones)
+TEST(Path_straightener, unrolls_cones)
 {
   const std::size_t meridians = 12, rings = 4;
   const double height = 1.5, slant = std::hypot(1, height) * 3 / 4;
@@ -170,7 +170,7 @@ double length_in_l_shape(const Point& p, const Point& q)
   return is_around ? norm(corner - p) + norm(q - corner) : norm(q - p);
 }
 
-TEST(Straightening, goes_round_the_corners_of_a_border)
+TEST(Path_straightener, goes_round_the_corners_of_a_border)
 {
   const Surface surface(l_shape());
   const Graph graph{surface.triangulation()};
@@ -185,7 +185,7 @@ TEST(Straightening, goes_round_the_corners_of_a_border)
     }
 }
 
-TEST(Straightening, follows_a_border)
+TEST(Path_straightener, follows_a_border)
 {
   const Surface surface(l_shape());
   std::vector<std::size_t> vertices;
@@ -199,7 +199,7 @@ TEST(Straightening, follows_a_border)
 }
 
 // A wall is a line of barriers, with a path along one side of it, round its end, and to the other.
-TEST(Straightening, does_not_cross_barriers)
+TEST(Path_straightener, does_not_cross_barriers)
 {
   const std::size_t columns = 9;
   const Mesh mesh = to_mesh(flat_grid(columns, columns));
@@ -227,7 +227,7 @@ TEST(Straightening, does_not_cross_barriers)
 }
 
 // A hub whose neighbours are high and low by turns.
-TEST(Straightening, goes_through_saddles)
+TEST(Path_straightener, goes_through_saddles)
 {
   Soup soup = fan(12);
   for(std::size_t i = 1; i < soup.points.size(); ++i)

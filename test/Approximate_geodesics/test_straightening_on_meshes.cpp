@@ -7,7 +7,7 @@
 #include "sample_meshes.h"
 #include "straightened_paths.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ void expect_sound_paths(const Surface& surface, const GeodesicGraph& graph, cons
   for(const Index source : {Index(0), t.number_of_vertices() / 2})
     for(const Path& path : paths_from(graph, source, step))
     {
-      const Path shorter = Straightening(t).shortened(path);
+      const Path shorter = Path_straightener(t).shortened(path);
       expect_sound(t, path, shorter);
       if(is_regular)
       {
@@ -44,7 +44,7 @@ void expect_sound_paths(const Surface& surface, const GeodesicGraph& graph, cons
     }
 }
 
-TEST(Straightening, never_makes_a_path_longer)
+TEST(Path_straightener, never_makes_a_path_longer)
 {
   for(const auto& [name, mesh] : generated_meshes(test_seed()))
   {
@@ -58,7 +58,7 @@ TEST(Straightening, never_makes_a_path_longer)
   }
 }
 
-TEST(Straightening, copes_with_faces_without_area)
+TEST(Path_straightener, copes_with_faces_without_area)
 {
   Random random(test_seed());
   for(std::size_t i = 0; i < 20; ++i)
@@ -71,7 +71,7 @@ TEST(Straightening, copes_with_faces_without_area)
   }
 }
 
-TEST(Straightening, copes_with_lengths_that_fit_no_surface)
+TEST(Path_straightener, copes_with_lengths_that_fit_no_surface)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(12, 12, random));
@@ -83,15 +83,16 @@ TEST(Straightening, copes_with_lengths_that_fit_no_surface)
   for(Index source = 0; source < 140; source += 20)
     for(const Path& path : paths_from(graph, source, 1))
       expect_sound(graph.triangulation(), path,
-                   Straightening(graph.triangulation()).shortened(path));
+                   Path_straightener(graph.triangulation()).shortened(path));
 }
 
-TEST(Straightening, leaves_points_alone)
+TEST(Path_straightener, leaves_points_alone)
 {
   const Surface surface(to_mesh(cube()));
-  EXPECT_TRUE(surface.shortened(std::vector<Place>()).points.empty());
-  for(const Place& p : {surface.place(3), Place::on_edge(surface.halfedge(0, 1), 0.25),
-                        Place::in_face(surface.halfedge(0, 1), 0.25, 0.25)})
+  EXPECT_TRUE(surface.shortened(std::vector<Intrinsic_point>()).points.empty());
+  for(const Intrinsic_point& p :
+      {surface.place(3), Intrinsic_point::on_edge(surface.halfedge(0, 1), 0.25),
+       Intrinsic_point::in_face(surface.halfedge(0, 1), 0.25, 0.25)})
   {
     const Path path = surface.shortened({p});
     ASSERT_EQ(path.points.size(), 1u);
@@ -103,20 +104,21 @@ TEST(Straightening, leaves_points_alone)
 // ----- ends of every kind
 
 // A point of a face at a vertex, or of an edge there.
-Place near_vertex(const Triangulation& t, const Index v, Random& random)
+Intrinsic_point near_vertex(const Triangulation& t, const Index v, Random& random)
 {
   Index h = t.first_halfedge(v) + static_cast<Index>(random.below(t.degree(v)));
   const bool is_on_edge = random.below(2) == 0 || t.is_border(h);
   const double part = random.between(0.1, 0.4), other = random.between(0.1, 0.4);
   if(is_on_edge)
-    return random.below(2) == 0 ? Place::on_edge(h, part) : Place::on_edge(t.opposite(h), other);
+    return random.below(2) == 0 ? Intrinsic_point::on_edge(h, part)
+                                : Intrinsic_point::on_edge(t.opposite(h), other);
   const std::size_t turns = random.below(3); // the vertex can be any of the three
   for(std::size_t i = 0; i < turns; ++i)
     h = t.next(h);
-  return Place::in_face(h, part, other);
+  return Intrinsic_point::in_face(h, part, other);
 }
 
-TEST(Straightening, starts_and_ends_anywhere)
+TEST(Path_straightener, starts_and_ends_anywhere)
 {
   Random random(test_seed());
   const Surface surface(to_mesh(terrain(30, 20, random)));
@@ -127,7 +129,7 @@ TEST(Straightening, starts_and_ends_anywhere)
     {
       path.points.insert(path.points.begin(), near_vertex(t, path.points.front().vertex, random));
       path.points.push_back(near_vertex(t, path.points.back().vertex, random));
-      const Path shorter = Straightening(t).shortened(path);
+      const Path shorter = Path_straightener(t).shortened(path);
       expect_sound(t, path, shorter);
       expect_idempotent(t, shorter);
       EXPECT_LE(Local_check(surface).largest_defect(shorter.points), 1e-9);
@@ -135,7 +137,7 @@ TEST(Straightening, starts_and_ends_anywhere)
     }
 }
 
-TEST(Straightening, starts_and_ends_anywhere_in_the_plane)
+TEST(Path_straightener, starts_and_ends_anywhere_in_the_plane)
 {
   Random random(test_seed());
   const Surface surface(to_mesh(flat_grid(12, 9)));
@@ -154,12 +156,12 @@ TEST(Straightening, starts_and_ends_anywhere_in_the_plane)
 }
 
 // Next to a vertex, the part of an edge before a point can vanish when it is taken from 1.
-TEST(Straightening, starts_next_to_a_vertex)
+TEST(Path_straightener, starts_next_to_a_vertex)
 {
   const Surface surface(to_mesh(flat_grid(4, 4)));
   for(const double t : {1e-18, 1e-17, 1e-16, 1e-15})
-    for(const Place start :
-        {Place::on_edge(surface.halfedge(5, 6), t), Place::on_edge(surface.halfedge(6, 5), 1 - t)})
+    for(const Intrinsic_point start : {Intrinsic_point::on_edge(surface.halfedge(5, 6), t),
+                                       Intrinsic_point::on_edge(surface.halfedge(6, 5), 1 - t)})
       for(const unsigned target : {1u, 4u, 9u, 10u})
       {
         const Path path = surface.shortened({start, surface.place(5), surface.place(target)});
@@ -168,11 +170,11 @@ TEST(Straightening, starts_next_to_a_vertex)
 }
 
 // Points inside faces in the middle of a path are not kept.
-TEST(Straightening, takes_points_in_faces_on_the_way)
+TEST(Path_straightener, takes_points_in_faces_on_the_way)
 {
   const Surface surface(to_mesh(flat_grid(4, 4)));
-  const Place on_way = Place::in_face(surface.halfedge(0, 1), 0.5, 0.25);
-  const Place crossing = Place::on_edge(surface.halfedge(0, 5), 0.75);
+  const Intrinsic_point on_way = Intrinsic_point::in_face(surface.halfedge(0, 1), 0.5, 0.25);
+  const Intrinsic_point crossing = Intrinsic_point::on_edge(surface.halfedge(0, 5), 0.75);
   const Path path = surface.shortened({surface.place(1), on_way, crossing, surface.place(4)});
   EXPECT_NEAR(path.length, std::sqrt(2.), 1e-12);
   EXPECT_EQ(path.points.size(), 3u);
@@ -190,14 +192,14 @@ std::size_t number_of_exact_paths(const GeodesicGraph& graph,
   for(const Path& path : paths_from(graph, t.vertex(source.idx()), 1))
   {
     const double expected = exact[t.index(path.points.front().vertex)];
-    const double length = Straightening(t).shortened(path).length * t.unit();
+    const double length = Path_straightener(t).shortened(path).length * t.unit();
     EXPECT_GE(length, expected * (1 - 1e-9));
     result += length <= expected * (1 + 1e-9) ? 1 : 0;
   }
   return result;
 }
 
-TEST(Straightening, finds_most_of_the_shortest_paths)
+TEST(Path_straightener, finds_most_of_the_shortest_paths)
 {
   SKIP_WITHOUT_SAMPLE_MESHES();
   for(const std::string name : {"elephant.off", "cow.off", "blobby.off"})

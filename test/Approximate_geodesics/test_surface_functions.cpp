@@ -7,7 +7,7 @@
 #include "steiner_meshes.h"
 #include "surface_points.h"
 
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -34,7 +34,7 @@ using namespace geodesics_test;
 template <typename Graph>
 using Paths_over = AG::Surface_mesh_shortest_path<Mesh, Graph>;
 
-using Steiner = Steiner_graph<Equally_spaced_points>;
+using Steiner = Steiner_graph<Fixed_number_of_points>;
 
 // What the class says of all vertices.
 template <typename Graph>
@@ -133,7 +133,7 @@ TEST(Surface_functions, find_the_paths_that_the_class_finds)
 TEST(Surface_functions, take_costs_for_distances)
 {
   for_weighted_meshes([](const Mesh& mesh, const Weights& weights, Random& random) {
-    Paths_over<Steiner> paths(mesh, steiner_graph(mesh, weights, Equally_spaced_points(2)));
+    Paths_over<Steiner> paths(mesh, steiner_graph(mesh, weights, Fixed_number_of_points(2)));
     const Surface_point source = random_surface_point(mesh, random);
     paths.add_source_point(source);
     EXPECT_TRUE(have_same_bits(
@@ -213,14 +213,14 @@ TEST(Surface_functions, find_a_path_from_several_places)
 }
 
 // A place in a face can be given from any of the three halfedges.
-TEST(Mesh_places, give_the_same_point_as_a_face_location)
+TEST(Mesh_translation, give_the_same_point_as_a_face_location)
 {
   const Mesh mesh = to_mesh(sphere(6, 5));
   const Triangulation triangulation(mesh);
-  const AG::internal::Mesh_places places(mesh, get(boost::vertex_index, mesh), triangulation);
+  const AG::internal::Mesh_translation places(mesh, get(boost::vertex_index, mesh), triangulation);
   for(Triangulation::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
   {
-    const AG::Place place = AG::Place::in_face(h, 0.5, 0.125);
+    const AG::Intrinsic_point place = AG::Intrinsic_point::in_face(h, 0.5, 0.125);
     const Point expected = places.point(place, mesh.points(), Kernel());
     EXPECT_LE(distance_in_space(position(mesh, places.face_location(place)), expected), 1e-12);
   }

@@ -7,7 +7,7 @@
 #include "steiner_meshes.h"
 #include "surface_points.h"
 
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -65,7 +65,7 @@ TEST(Surface_paths, are_straight_in_a_face)
 {
   for_generated_meshes([](const Mesh& mesh, Random& random) {
     AG::Surface_mesh_shortest_path<Mesh> on_edges(mesh);
-    AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Equally_spaced_points>> on_points(mesh);
+    AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Fixed_number_of_points>> on_points(mesh);
     for(int i = 0; i < 20; ++i)
     {
       const Face_location p = random_face_location(mesh, random);
@@ -223,7 +223,7 @@ TEST(Surface_paths, cost_nothing_in_free_faces_and_do_not_enter_forbidden_ones)
   Weights weights(mesh.num_faces(), 1);
   weights[in_free.first.idx()] = 0;
   weights[in_forbidden.first.idx()] = infinity;
-  AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Equally_spaced_points>> paths(
+  AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Fixed_number_of_points>> paths(
       mesh, with_weights(weights).number_of_points_per_edge(3));
   paths.add_source_point(in_free);
   EXPECT_EQ(paths.shortest_distance_to_source_points(Vertex(0)).first, 0);

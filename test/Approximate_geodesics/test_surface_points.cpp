@@ -8,12 +8,12 @@
 #include "surface_points.h"
 #include "surface_subjects.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>
@@ -303,7 +303,7 @@ void expect_everything(const std::vector<Subject>& subjects)
                                                    epsilon(0.1));
     expect_everything<AG::Lazy_discrete_geodesic_graph>(pairs, random, "lazy graph", 0.05,
                                                         epsilon(0.05));
-    expect_everything<AG::Steiner_graph<AG::Equally_spaced_points>>(
+    expect_everything<AG::Steiner_graph<AG::Fixed_number_of_points>>(
         pairs, random, "equal parts", infinity, parameters::number_of_points_per_edge(3));
     expect_everything<AG::Steiner_graph<AG::Geometric_points>>(pairs, random, "progressions", 0.5,
                                                                epsilon(0.5));

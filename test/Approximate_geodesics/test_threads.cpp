@@ -7,12 +7,12 @@
 #include "surface_points.h"
 #include "test_weights.h"
 
+#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_voronoi_partition.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
-#include <CGAL/farthest_point_sampling.h>
-#include <CGAL/geodesic_isolines.h>
-#include <CGAL/geodesic_voronoi_partition.h>
 
 #include <gtest/gtest.h>
 

@@ -6,12 +6,12 @@
 #include "surface_points.h"
 #include "test_weights.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
-#include <CGAL/geodesic_gradient.h>
-#include <CGAL/geodesic_isolines.h>
 
 #include <gtest/gtest.h>
 
@@ -183,16 +183,16 @@ TEST_F(Impatient_maps, have_what_was_written_before)
 
 TEST_F(Impatient_maps, leave_weights_alone)
 {
-  using Weighted_graph = Steiner_graph<Equally_spaced_points>;
+  using Weighted_graph = Steiner_graph<Fixed_number_of_points>;
   using Paths = AG::Surface_mesh_shortest_path<Mesh, Weighted_graph>;
   Paths paths(m_mesh,
-              steiner_graph(m_mesh, Weights(m_mesh.num_faces(), 1), Equally_spaced_points(1)));
+              steiner_graph(m_mesh, Weights(m_mesh.num_faces(), 1), Fixed_number_of_points(1)));
   paths.add_source_point(Vertex(3));
   const auto cost = [&] { return paths.shortest_distance_to_source_points(Vertex(60)).first; };
   const double before = cost();
   interrupt([&] { paths.set_face_weights(map<Face>(m_weights)); },
             [&](std::size_t) { EXPECT_EQ(cost(), before); });
-  EXPECT_EQ(cost(), costs(m_mesh, m_weights, Equally_spaced_points(1), {Vertex(3)})[60]);
+  EXPECT_EQ(cost(), costs(m_mesh, m_weights, Fixed_number_of_points(1), {Vertex(3)})[60]);
 }
 
 TEST_F(Impatient_maps, interrupt_queries_of_the_class)

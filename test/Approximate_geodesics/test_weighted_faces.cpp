@@ -106,7 +106,7 @@ void expect_truth(const Mesh& mesh,
   for(const std::size_t m : nested_numbers)
   {
     SCOPED_TRACE(m);
-    const std::vector<double> found = costs(mesh, weights, Equally_spaced_points(m), {source});
+    const std::vector<double> found = costs(mesh, weights, Fixed_number_of_points(m), {source});
     expect_within_bound(found, exact, infinity);
     double error = 0;
     for(std::size_t i = 0; i < exact.size(); ++i)
@@ -243,7 +243,7 @@ TEST(Weighted_faces, make_paths_walk_around_forbidden_ones)
   for(const double e : all_epsilons)
     expect_within_bound(costs(mesh, weights, Geometric_points(e), {source}), exact, e);
   for(const std::size_t m : nested_numbers)
-    expect_within_bound(costs(mesh, weights, Equally_spaced_points(m), {source}), exact, infinity);
+    expect_within_bound(costs(mesh, weights, Fixed_number_of_points(m), {source}), exact, infinity);
 
   // with expensive ground in place of it, nothing changes but that its inside can be reached
   const Weights expensive = weights_of_hexagon(mesh, 1e6);
@@ -291,15 +291,15 @@ TEST(Weighted_faces, have_their_inside_unreachable_if_forbidden_ones_surround_it
   const Vertex outside(0), inside(4 + 4 * 9);
   for(const std::size_t m : {0u, 1u, 5u})
   {
-    const std::vector<double> found = costs(mesh, weights, Equally_spaced_points(m), {outside});
+    const std::vector<double> found = costs(mesh, weights, Fixed_number_of_points(m), {outside});
     for(const Vertex v : mesh.vertices())
     {
       const Point& p = mesh.point(v);
       const bool is_enclosed = std::abs(p.x() - 4) <= 1 && std::abs(p.y() - 4) <= 1;
       EXPECT_EQ(found[v] == infinity, is_enclosed);
     }
-    AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Equally_spaced_points>> paths(
-        mesh, steiner_graph(mesh, weights, Equally_spaced_points(m)));
+    AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Fixed_number_of_points>> paths(
+        mesh, steiner_graph(mesh, weights, Fixed_number_of_points(m)));
     paths.add_source_point(outside);
     EXPECT_LT(paths.shortest_distance_to_source_points(inside).first, 0);
     std::vector<Point> points;
@@ -331,7 +331,8 @@ TEST(Weighted_faces, are_crossed_about_as_cheaply_as_with_many_points)
         const Mesh mesh = to_mesh(soup);
         const Weights weights = random_weights(mesh, random, 1, range, extreme);
         const Vertex source = random_vertex(mesh, random);
-        const std::vector<double> dense = costs(mesh, weights, Equally_spaced_points(64), {source});
+        const std::vector<double> dense =
+            costs(mesh, weights, Fixed_number_of_points(64), {source});
         for(const double e : all_epsilons)
         {
           const auto graph = steiner_graph(mesh, weights, Geometric_points(e));

@@ -6,8 +6,8 @@
 #include "test_oracles.h"
 #include "test_recorder.h"
 
-#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <gtest/gtest.h>
@@ -208,13 +208,13 @@ TEST(Statistics, do_not_call_a_pop_repeated_that_was_not)
 // patient.
 TEST(Effort, is_bounded_around_a_hub_that_is_lowered_again_and_again)
 {
-  constexpr std::size_t chain = 2000, rim = 22000, number_idle = 1000;
+  constexpr std::size_t chain = 2000, frontier = 22000, number_idle = 1000;
   Mesh mesh;
   const Vertex hub = mesh.add_vertex(Point(0, 0, 0));
   std::vector<Vertex> around;
-  for(std::size_t i = 0; i < rim; ++i)
+  for(std::size_t i = 0; i < frontier; ++i)
     around.push_back(mesh.add_vertex(Point(double(i), 1, 0)));
-  for(std::size_t i = 0; i + 1 < rim; ++i)
+  for(std::size_t i = 0; i + 1 < frontier; ++i)
     mesh.add_face(hub, around[i + 1], around[i]);
   for(const Vertex v : around)
     mesh.set_halfedge(v, mesh.halfedge(hub, v)); // the hub is the first neighbor looked at

@@ -9,11 +9,12 @@
 #include "Mesh.h"
 #include "Table.h"
 
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Propagation.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,7 +39,7 @@ public:
       m_costs(m_sources.size() * mesh.number_of_vertices(), std::numeric_limits<double>::infinity())
   {
     namespace AG = CGAL::Approximate_geodesics;
-    lower_costs(AG::Steiner_graph(triangulation, AG::Equally_spaced_points(NUMBER_OF_POINTS)));
+    lower_costs(AG::Steiner_graph(triangulation, AG::Fixed_number_of_points(NUMBER_OF_POINTS)));
     lower_costs(AG::Steiner_graph(triangulation, AG::Geometric_points(EPSILON)));
   }
 

@@ -11,11 +11,12 @@
 #include "Table.h"
 #include "measure.h"
 
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Propagation.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cmath>
 #include <cstddef>
@@ -134,7 +135,7 @@ steiner_trials(const CGAL::Approximate_geodesics::Intrinsic_triangulation& trian
   std::vector<Steiner_trial> result;
   for(const std::size_t m : numbers_of_points)
     result.emplace_back(SPACED, double(m), triangulation,
-                        CGAL::Approximate_geodesics::Equally_spaced_points(m));
+                        CGAL::Approximate_geodesics::Fixed_number_of_points(m));
   for(const double epsilon : epsilons)
     result.emplace_back(GEOMETRIC, epsilon, triangulation,
                         CGAL::Approximate_geodesics::Geometric_points(epsilon));

@@ -6,7 +6,8 @@
 #ifndef BENCHMARK_PEERS_H
 #define BENCHMARK_PEERS_H
 
-#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -69,7 +69,7 @@ public:
   /// returns where a node is that is not one of the vertices of `triangulation()`; it may stand for
   /// one of them, or lie on an edge. Only graphs with such nodes have this member function. The
   /// search does not need it; whoever draws paths does.
-  CGAL::Approximate_geodesics::Place place(Node node) const;
+  CGAL::Approximate_geodesics::Intrinsic_point place(Node node) const;
 
   /// returns a summary of the lengths of the arcs, or an estimate. Queues set themselves up with
   /// it; they work with arcs of other lengths, too, only not as fast.
@@ -152,7 +152,7 @@ public:
   for it, with length `0`.
   */
   template <typename F>
-  void for_each_arc(const CGAL::Approximate_geodesics::Place& place, F f) const;
+  void for_each_arc(const CGAL::Approximate_geodesics::Intrinsic_point& place, F f) const;
 
   /*!
   calls `f(i, length)` for straight lines from a place on the surface to others, none of which need
@@ -165,20 +165,21 @@ public:
   \param f what to call
   */
   template <typename Places, typename F>
-  void
-  for_each_line(const CGAL::Approximate_geodesics::Place& place, const Places& places, F f) const;
+  void for_each_line(const CGAL::Approximate_geodesics::Intrinsic_point& place,
+                     const Places& places,
+                     F f) const;
 
   /// does what `for_each_crossing()` does between nodes, from a place to the node `target`.
   template <typename F>
-  double for_each_crossing(const CGAL::Approximate_geodesics::Place& source,
+  double for_each_crossing(const CGAL::Approximate_geodesics::Intrinsic_point& source,
                            Node target,
                            double length,
                            F f) const;
 
   /// does the same from a place to another.
   template <typename F>
-  double for_each_crossing(const CGAL::Approximate_geodesics::Place& source,
-                           const CGAL::Approximate_geodesics::Place& target,
+  double for_each_crossing(const CGAL::Approximate_geodesics::Intrinsic_point& source,
+                           const CGAL::Approximate_geodesics::Intrinsic_point& target,
                            double length,
                            F f) const;
 

@@ -10,8 +10,8 @@ close to an end can be told apart: from `0` to `0.5`, it is the part of the edge
 of the halfedge and the point; if it is negative, minus the part between the point and the target.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Approximate_geodesics::Equally_spaced_points}
-\cgalHasModels{CGAL::Approximate_geodesics::Equally_dense_points}
+\cgalHasModels{CGAL::Approximate_geodesics::Fixed_number_of_points}
+\cgalHasModels{CGAL::Approximate_geodesics::Points_at_interval}
 \cgalHasModels{CGAL::Approximate_geodesics::Geometric_points}
 \cgalHasModels{CGAL::Approximate_geodesics::Published_geometric_points}
 \cgalHasModelsEnd

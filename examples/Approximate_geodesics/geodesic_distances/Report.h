@@ -3,7 +3,7 @@
 
 #include "exact_comparison.h"
 
-#include <CGAL/Approximate_geodesics/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 
 #include <algorithm>
 #include <chrono>

@@ -9,21 +9,23 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Propagation.h>
-#include <CGAL/Approximate_geodesics/Surface_point.h>
-#include <CGAL/Approximate_geodesics/internal/Function_property_map.h>
-#include <CGAL/Approximate_geodesics/internal/Mesh_locations.h>
-#include <CGAL/Approximate_geodesics/internal/Mesh_places.h>
-#include <CGAL/Approximate_geodesics/internal/Path.h>
-#include <CGAL/Approximate_geodesics/internal/Source_list.h>
-#include <CGAL/Approximate_geodesics/internal/Surface_search.h>
-#include <CGAL/Approximate_geodesics/internal/index_maps.h>
-#include <CGAL/Approximate_geodesics/internal/messages.h>
-#include <CGAL/Approximate_geodesics/internal/run_parameters.h>
-#include <CGAL/Approximate_geodesics/internal/straighten.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Function_property_map.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Location_functions.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Source_list.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/run_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/straighten.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Ray_3.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for programs
@@ -78,10 +80,10 @@ template <typename TriangleMesh,
           typename PriorityQueue = Adaptive_bucket_queue>
 class Surface_mesh_shortest_path
 #ifndef DOXYGEN_RUNNING
-  : private internal::Mesh_locations<TriangleMesh>
+  : private internal::Location_functions<TriangleMesh>
 #endif
 {
-  using Locations = internal::Mesh_locations<TriangleMesh>;
+  using Locations = internal::Location_functions<TriangleMesh>;
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Sources = internal::Source_list<TriangleMesh>;
   using Surface_search = internal::Surface_search<GeodesicGraph, PriorityQueue>;
@@ -214,7 +216,7 @@ public:
    */
   Source_point_iterator add_source_point(const vertex_descriptor v, const FT initial_distance = 0)
   {
-    const Place place = m_places.place(v); // which refuses what is not a vertex, first
+    const Intrinsic_point place = m_places.place(v); // which refuses what is not a vertex, first
     return add_source(place, initial_distance, face_location(v));
   }
 
@@ -238,7 +240,7 @@ public:
   /// adds a point of the surface as a source.
   Source_point_iterator add_source_point(const Surface_point& point, const FT initial_distance = 0)
   {
-    const Place place = m_places.place(point);
+    const Intrinsic_point place = m_places.place(point);
     return add_source(place, initial_distance, face_location(point));
   }
 
@@ -354,7 +356,7 @@ public:
    *
    * \param face_weight_map a property map as for the constructor of `Intrinsic_triangulation`
    *
-   * \pre `Graph` has a member function of the same name, as `Steiner_graph` does.
+   * \pre `Graph` has a member function `set_weights()`, as `Steiner_graph` does.
    *
    * \throws std::invalid_argument if a weight is negative or not a number, or if costs do not fit a
    *         `double`; the weights are then those that they were before.
@@ -362,8 +364,8 @@ public:
   template <typename FaceWeightMap>
   void set_face_weights(const FaceWeightMap& face_weight_map)
   {
-    m_graph.set_face_weights(m_mesh, face_weight_map,
-                             parameters::vertex_index_map(m_places.index_map()));
+    m_graph.set_weights(read_face_weights(m_mesh, m_graph.triangulation(), face_weight_map,
+                                          parameters::vertex_index_map(m_places.index_map())));
     m_has_changed = true;
     m_pair_search.reset();
     m_search.restart();
@@ -439,7 +441,8 @@ public:
                                         OutputIterator points,
                                         const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_places.place(v), np, [&](const Place& p) { *points++ = point(p); });
+    return for_each_point(m_places.place(v), np,
+                          [&](const Intrinsic_point& p) { *points++ = point(p); });
   }
 
   /// writes those of a shortest path from a point in the face `f`.
@@ -452,7 +455,7 @@ public:
                                         const NamedParameters& np = parameters::default_values())
   {
     return for_each_point(m_places.place(f, location), np,
-                          [&](const Place& p) { *points++ = point(p); });
+                          [&](const Intrinsic_point& p) { *points++ = point(p); });
   }
 
   /*!
@@ -467,7 +470,8 @@ public:
                                           Visitor& visitor,
                                           const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_places.place(v), np, [&](const Place& p) { visit(p, visitor); });
+    return for_each_point(m_places.place(v), np,
+                          [&](const Intrinsic_point& p) { visit(p, visitor); });
   }
 
   /// tells `visitor` that of a shortest path from a point in the face `f`.
@@ -479,7 +483,7 @@ public:
                                           const NamedParameters& np = parameters::default_values())
   {
     return for_each_point(m_places.place(f, location), np,
-                          [&](const Place& p) { visit(p, visitor); });
+                          [&](const Intrinsic_point& p) { visit(p, visitor); });
   }
 
   /*!
@@ -496,7 +500,7 @@ public:
       const NamedParameters& np = parameters::default_values())
   {
     return for_each_point(m_places.place(start), np,
-                          [&](const Place& p) { *points++ = m_places.surface_point(p); });
+                          [&](const Intrinsic_point& p) { *points++ = m_places.surface_point(p); });
   }
 
   /// @}
@@ -526,7 +530,7 @@ public:
                        const NamedParameters& np = parameters::default_values())
   {
     if constexpr(internal::is_given<NamedParameters, internal_np::straighten_t>)
-      return for_each_point_between(source, target, np, [](const Place&) {});
+      return for_each_point_between(source, target, np, [](const Intrinsic_point&) {});
     else
     {
       const double result =
@@ -546,7 +550,7 @@ public:
                           const NamedParameters& np = parameters::default_values())
   {
     return for_each_point_between(source, target, np,
-                                  [&](const Place& p) { *points++ = point(p); });
+                                  [&](const Intrinsic_point& p) { *points++ = point(p); });
   }
 
   /// @}
@@ -712,14 +716,14 @@ private:
   using Index_function = internal::Function_property_map<vertex_descriptor, std::size_t>;
 
   Source_point_iterator
-  add_source(const Place& place, const FT initial_distance, const Face_location& location)
+  add_source(const Intrinsic_point& place, const FT initial_distance, const Face_location& location)
   {
     const double distance = internal::checked_initial_distance(initial_distance);
     m_has_changed = true;
     return m_sources.add({place, distance}, location);
   }
 
-  Shortest_path_result shortest_distance(const Place& place)
+  Shortest_path_result shortest_distance(const Intrinsic_point& place)
   {
     build_sequence_tree();
     const typename Surface_search::Answer answer = m_search.nearest(place);
@@ -730,14 +734,14 @@ private:
 
   // Calls `f(place)` for the points of the path from a place to its nearest source.
   template <typename NamedParameters, typename F>
-  Shortest_path_result for_each_point(const Place& place, const NamedParameters& np, F f)
+  Shortest_path_result for_each_point(const Intrinsic_point& place, const NamedParameters& np, F f)
   {
     Shortest_path_result result = shortest_distance(place);
     if(result.second == source_points_end())
       return result;
     internal::Path path = m_search.find_path(place);
     const bool is_straight = internal::straighten_if_wanted(m_graph.triangulation(), np, path);
-    for(const Place& p : path.points)
+    for(const Intrinsic_point& p : path.points)
       f(p);
     if(internal::has_crossing_arcs<Graph> || is_straight)
       result.first = path.length * m_graph.unit() + Sources::source(result.second).distance;
@@ -778,7 +782,7 @@ private:
   }
 
   template <typename Visitor>
-  void visit(const Place& p, Visitor& visitor) const
+  void visit(const Intrinsic_point& p, Visitor& visitor) const
   {
     if(p.is_vertex())
       visitor(m_places.vertex(p.vertex));
@@ -792,7 +796,7 @@ private:
   }
 
   // Along edges, paths between vertices do not need points that can be computed with.
-  Point_3 point(const Place& p) const
+  Point_3 point(const Intrinsic_point& p) const
   {
     if constexpr(internal::is_point_of_kernel<Point_3>)
       return m_places.point(p, m_point_map, typename Kernel_traits<Point_3>::Kernel());
@@ -806,7 +810,8 @@ private:
   internal::Vertex_positions positions() const
   {
     if constexpr(internal::is_point_of_kernel<Point_3>)
-      return internal::Vertex_positions(m_graph.triangulation(), m_places, m_point_map);
+      return internal::Vertex_positions(m_graph.triangulation(),
+                                        m_places.position_of_vertex(m_point_map));
     else
       return internal::Vertex_positions();
   }
@@ -828,7 +833,7 @@ private:
 
   const Triangle_mesh& m_mesh;
   Graph m_graph;
-  const internal::Mesh_places<Triangle_mesh, Index_function> m_places;
+  const internal::Mesh_translation<Triangle_mesh, Index_function> m_places;
   const internal::Function_property_map<vertex_descriptor, Point_3> m_point_map;
   Surface_search m_search;
   std::unique_ptr<Pair_search> m_pair_search; // made when first needed

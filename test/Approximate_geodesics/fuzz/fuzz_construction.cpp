@@ -7,8 +7,10 @@
 #include "require.h"
 
 #include <CGAL/Approximate_geodesics.h>
-#include <CGAL/Approximate_geodesics/internal/Path.h>
-#include <CGAL/Approximate_geodesics/internal/Straightening.h>
+#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 
 #include <algorithm>
 #include <cmath>
@@ -115,7 +117,7 @@ void check_paths(const Search& search)
     if constexpr(AG::internal::has_crossing_arcs<typename Search::Graph>)
       if(can_be_straightened)
       {
-        const double length = AG::internal::Straightening(t).shortened(path).length;
+        const double length = AG::internal::Path_straightener(t).shortened(path).length;
         const double rounding_of_heights = 1e-8 * std::sqrt(longest) * std::sqrt(path.length);
         require(length <= path.length * rounding + rounding_of_heights, "a path gets longer",
                 length, path.length);
@@ -231,7 +233,7 @@ void check_graphs(const Triangulation& triangulation, Fuzzed_data& data)
     return check(Graph_type<AG::Steiner_graph<AG::Published_geometric_points>>(),
                  fuzzed_epsilon(data, 1));
   default:
-    check(Graph_type<AG::Steiner_graph<AG::Equally_spaced_points>>(),
+    check(Graph_type<AG::Steiner_graph<AG::Fixed_number_of_points>>(),
           parameters::number_of_points_per_edge(data.below(6)));
   }
 }
@@ -244,7 +246,7 @@ void check_weighted_graph(const Triangulation& triangulation, Fuzzed_data& data)
         AG::Steiner_graph<AG::Geometric_points>(triangulation, fuzzed_epsilon(data, 0.1)), source,
         data);
   else
-    check_searches(AG::Steiner_graph<AG::Equally_spaced_points>(
+    check_searches(AG::Steiner_graph<AG::Fixed_number_of_points>(
                        triangulation, parameters::number_of_points_per_edge(data.below(6))),
                    source, data);
 }

@@ -340,7 +340,7 @@ void call_functions_of_vertices(const Mesh& mesh, Fuzzed_data& data)
 
 void check(const Mesh& mesh, Fuzzed_data& data)
 {
-  using Steiner_graph = AG::Steiner_graph<AG::Equally_spaced_points>;
+  using Steiner_graph = AG::Steiner_graph<AG::Fixed_number_of_points>;
   using parameters::epsilon;
   switch(data.below(9))
   {

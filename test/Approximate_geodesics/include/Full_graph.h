@@ -86,7 +86,7 @@ public:
   }
 
 private:
-  using Place = std::array<long double, 3>; // coordinates cancel when points are close
+  using Intrinsic_point = std::array<long double, 3>; // coordinates cancel when points are close
 
   struct Weighted_face
   {
@@ -94,11 +94,12 @@ private:
     std::vector<Node> nodes;
   };
 
-  static Place place(const Point& p) { return {p.x(), p.y(), p.z()}; }
+  static Intrinsic_point place(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-  static Place between(const Place& p, const Place& q, const long double part)
+  static Intrinsic_point
+  between(const Intrinsic_point& p, const Intrinsic_point& q, const long double part)
   {
-    Place result;
+    Intrinsic_point result;
     for(std::size_t i = 0; i < 3; ++i)
       result[i] = (1 - part) * p[i] + part * q[i];
     return result;
@@ -122,7 +123,7 @@ private:
     m_faces.push_back(face);
   }
 
-  std::vector<Place> m_places; // per node
+  std::vector<Intrinsic_point> m_places; // per node
   std::vector<std::vector<std::size_t>> m_faces_of_node;
   std::vector<Weighted_face> m_faces;
 };

@@ -9,10 +9,10 @@
 #include "straight_lines.h"
 #include "test_oracles.h"
 
-#include <CGAL/farthest_point_sampling.h>
-#include <CGAL/geodesic_gradient.h>
-#include <CGAL/geodesic_isolines.h>
-#include <CGAL/geodesic_voronoi_partition.h>
+#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/geodesic_voronoi_partition.h>
 
 #include <boost/property_map/function_property_map.hpp>
 

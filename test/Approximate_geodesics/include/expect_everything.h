@@ -9,9 +9,9 @@
 #include "expect_message.h"
 #include "known_distances.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>

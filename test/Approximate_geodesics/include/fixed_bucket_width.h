@@ -6,8 +6,8 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_FIXED_BUCKET_WIDTH_H
 #define APPROXIMATE_GEODESICS_TEST_FIXED_BUCKET_WIDTH_H
 
-#include <CGAL/Approximate_geodesics/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Bucket_statistics.h>
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
 
 namespace geodesics_test {
 

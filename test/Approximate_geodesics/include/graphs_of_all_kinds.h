@@ -8,13 +8,13 @@
 
 #include "test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Equally_dense_points.h>
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Published_geometric_points.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
+#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 
 #include <gtest/gtest.h>
 
@@ -25,10 +25,10 @@
 namespace geodesics_test {
 
 using CGAL::Approximate_geodesics::Discrete_geodesic_graph;
-using CGAL::Approximate_geodesics::Equally_dense_points;
-using CGAL::Approximate_geodesics::Equally_spaced_points;
+using CGAL::Approximate_geodesics::Fixed_number_of_points;
 using CGAL::Approximate_geodesics::Geometric_points;
 using CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph;
+using CGAL::Approximate_geodesics::Points_at_interval;
 using CGAL::Approximate_geodesics::Published_geometric_points;
 using CGAL::Approximate_geodesics::Steiner_graph;
 
@@ -95,10 +95,10 @@ graph_with_points(const std::string& name, const Placement& placement, const dou
       1e-14};
 }
 
-inline Kind_of_graph<Steiner_graph<Equally_spaced_points>>
+inline Kind_of_graph<Steiner_graph<Fixed_number_of_points>>
 graph_with_spaced_points(const std::size_t number)
 {
-  return graph_with_points("equally spaced points", Equally_spaced_points(number), infinity);
+  return graph_with_points("equally spaced points", Fixed_number_of_points(number), infinity);
 }
 
 // Calls `f(kind)` for each of those that can do with lengths alone.
@@ -125,7 +125,7 @@ void for_each_graph_with_points(const double epsilon, F f)
     f(kind);
   };
   call(graph_with_spaced_points(2));
-  call(graph_with_points("equally dense points", Equally_dense_points(0.4), infinity));
+  call(graph_with_points("equally dense points", Points_at_interval(0.4), infinity));
   call(graph_with_points("geometric points", Geometric_points(epsilon), epsilon));
   call(graph_with_points("published points", Published_geometric_points(epsilon), infinity));
 }

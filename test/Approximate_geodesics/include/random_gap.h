@@ -8,7 +8,7 @@
 
 #include "test_random.h"
 
-#include <CGAL/Approximate_geodesics/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 
 #include <cmath>
 

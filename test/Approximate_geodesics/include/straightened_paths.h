@@ -8,9 +8,9 @@
 
 #include "test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Place.h>
-#include <CGAL/Approximate_geodesics/Propagation.h>
-#include <CGAL/Approximate_geodesics/internal/Straightening.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <gtest/gtest.h>
 
@@ -25,9 +25,9 @@
 namespace geodesics_test {
 
 namespace AG = CGAL::Approximate_geodesics;
-using AG::Place;
+using AG::Intrinsic_point;
 using AG::internal::Path;
-using AG::internal::Straightening;
+using AG::internal::Path_straightener;
 using Index = Triangulation::Index;
 using Vector = Kernel::Vector_3;
 
@@ -55,7 +55,10 @@ public:
   const Mesh& mesh() const { return m_mesh; }
   const Triangulation& triangulation() const { return m_triangulation; }
 
-  Place place(const std::size_t v) const { return Place::at_vertex(m_triangulation.vertex(v)); }
+  Intrinsic_point place(const std::size_t v) const
+  {
+    return Intrinsic_point::at_vertex(m_triangulation.vertex(v));
+  }
 
   Index halfedge(const std::size_t v, const std::size_t w) const
   {
@@ -71,7 +74,7 @@ public:
     return m_mesh.point(Vertex(static_cast<Mesh::size_type>(m_triangulation.index(v))));
   }
 
-  Point point(const Place& p) const
+  Point point(const Intrinsic_point& p) const
   {
     if(p.is_vertex())
       return point(p.vertex);
@@ -83,7 +86,7 @@ public:
     return a + p.t * (b - a) + p.s * (c - a);
   }
 
-  double length(const std::vector<Place>& points) const
+  double length(const std::vector<Intrinsic_point>& points) const
   {
     double result = 0;
     for(std::size_t i = 1; i < points.size(); ++i)
@@ -92,17 +95,17 @@ public:
   }
 
   // in the unit of the mesh
-  Path shortened(const std::vector<Place>& points) const
+  Path shortened(const std::vector<Intrinsic_point>& points) const
   {
-    Path result =
-        Straightening(m_triangulation).shortened({points, length(points) / m_triangulation.unit()});
+    Path result = Path_straightener(m_triangulation)
+                      .shortened({points, length(points) / m_triangulation.unit()});
     result.length *= m_triangulation.unit();
     return result;
   }
 
   Path shortened(const std::vector<std::size_t>& vertices) const
   {
-    std::vector<Place> points;
+    std::vector<Intrinsic_point> points;
     for(const std::size_t v : vertices)
       points.push_back(place(v));
     return shortened(points);
@@ -127,7 +130,7 @@ public:
 
   // How much is missing to an angle of pi, at most, on any side of a vertex that is open; and by
   // how much the angle at an edge differs from it.
-  double largest_defect(const std::vector<Place>& points) const
+  double largest_defect(const std::vector<Intrinsic_point>& points) const
   {
     double result = 0;
     for(std::size_t i = 1; i + 1 < points.size(); ++i)
@@ -141,7 +144,9 @@ public:
   }
 
 private:
-  double defect_at_edge(const Place& before, const Place& p, const Place& after) const
+  double defect_at_edge(const Intrinsic_point& before,
+                        const Intrinsic_point& p,
+                        const Intrinsic_point& after) const
   {
     const Point end = m_surface.point(m_triangulation.target(p.halfedge));
     const Point q = m_surface.point(p);
@@ -149,7 +154,9 @@ private:
                     angle(end, q, m_surface.point(after)));
   }
 
-  double defect_at_vertex(const Place& before, const Place& p, const Place& after) const
+  double defect_at_vertex(const Intrinsic_point& before,
+                          const Intrinsic_point& p,
+                          const Intrinsic_point& after) const
   {
     const Index v = p.vertex;
     const auto [first, first_angle] = direction(v, before);
@@ -196,7 +203,7 @@ private:
   }
 
   // the halfedge from `v` to the right of a point, and the angle between them
-  std::pair<Index, double> direction(const Index v, const Place& p) const
+  std::pair<Index, double> direction(const Index v, const Intrinsic_point& p) const
   {
     for(Index h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
       if(p.is_vertex() ? m_triangulation.target(h) == p.vertex
@@ -215,7 +222,7 @@ private:
     return h == g || h == m_triangulation.opposite(g);
   }
 
-  bool is_in_face_of(const Index h, const Place& p) const
+  bool is_in_face_of(const Index h, const Intrinsic_point& p) const
   {
     const Index g = m_triangulation.next(h), k = m_triangulation.next(g);
     if(p.is_in_face())
@@ -252,7 +259,7 @@ inline void expect_same_ends(const Path& path, const Path& other)
   }
 }
 
-inline bool is_repeated(const Place& p, const Place& q)
+inline bool is_repeated(const Intrinsic_point& p, const Intrinsic_point& q)
 {
   return p.is_vertex() ? p.vertex == q.vertex : p.halfedge == q.halfedge && p.t == q.t;
 }
@@ -268,7 +275,7 @@ inline void expect_sound(const Triangulation& t, const Path& path, const Path& s
   expect_same_ends(path, shorter);
   for(std::size_t i = 0; i < shorter.points.size(); ++i)
   {
-    const Place& p = shorter.points[i];
+    const Intrinsic_point& p = shorter.points[i];
     EXPECT_TRUE(p.is_vertex() || (p.t >= 0 && p.t <= 1));
     EXPECT_TRUE(i == 0 || !is_repeated(shorter.points[i - 1], p));
   }
@@ -276,7 +283,7 @@ inline void expect_sound(const Triangulation& t, const Path& path, const Path& s
 
 inline void expect_idempotent(const Triangulation& t, const Path& path)
 {
-  const Path again = Straightening(t).shortened(path);
+  const Path again = Path_straightener(t).shortened(path);
   EXPECT_NEAR(again.length, path.length, path.length * 1e-12);
   EXPECT_EQ(again.points.size(), path.points.size());
   for(std::size_t i = 0; i < (std::min)(again.points.size(), path.points.size()); ++i)

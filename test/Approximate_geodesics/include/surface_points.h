@@ -9,7 +9,7 @@
 #include "straight_lines.h"
 #include "test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Surface_point.h>
+#include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 
 #include <array>
 #include <cmath>

@@ -8,9 +8,9 @@
 
 #include "test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -20,7 +20,7 @@
 
 namespace geodesics_test {
 
-using CGAL::Approximate_geodesics::Equally_spaced_points;
+using CGAL::Approximate_geodesics::Fixed_number_of_points;
 using CGAL::Approximate_geodesics::Geometric_points;
 using CGAL::Approximate_geodesics::Steiner_graph;
 

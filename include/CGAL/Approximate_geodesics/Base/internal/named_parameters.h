@@ -1,0 +1,179 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_NAMED_PARAMETERS_H
+#define CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_NAMED_PARAMETERS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/version.h>
+
+#include <functional>
+#include <type_traits>
+
+// The named parameters of this package. Inside CGAL this whole file is one line per name in
+// CGAL/STL_Extension/internal/parameters_interface.h. Outside, CGAL's own chain of parameters
+// cannot be extended; so a chain that starts with a name of ours has a type of ours, which is
+// derived from CGAL's and has the names of both. The other way round, a chain that starts with a
+// name of CGAL, takes `parameters::combine()`.
+
+#define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER(APPLY)                                   \
+  APPLY(edge_length_t, edge_length, edge_length_map)                                               \
+  APPLY(epsilon_t, epsilon, epsilon)                                                               \
+  APPLY(face_weight_t, face_weight, face_weight_map)                                               \
+  APPLY(relative_tolerance_t, relative_tolerance, relative_tolerance)                              \
+  APPLY(initial_distances_t, initial_distances, initial_distances)                                 \
+  APPLY(straighten_t, straighten, straighten)                                                      \
+  APPLY(targets_t, targets, targets)                                                               \
+  APPLY(nearest_source_t, nearest_source, nearest_source_map)                                      \
+  APPLY(geodesic_predecessor_t, geodesic_predecessor, predecessor_map)
+
+// names that newer versions of CGAL already have
+#if CGAL_VERSION_NR < 1050601000
+#define CGAL_APPROXIMATE_GEODESICS_MAXIMUM_DISTANCE(APPLY)                                         \
+  APPLY(maximum_distance_t, maximum_distance, maximum_distance)
+#else
+#define CGAL_APPROXIMATE_GEODESICS_MAXIMUM_DISTANCE(APPLY)
+#endif
+
+#if CGAL_VERSION_NR < 1060001000
+#define CGAL_APPROXIMATE_GEODESICS_CONCURRENCY_TAG(APPLY)                                          \
+  APPLY(concurrency_tag_t, concurrency_tag, concurrency_tag)
+#else
+#define CGAL_APPROXIMATE_GEODESICS_CONCURRENCY_TAG(APPLY)
+#endif
+
+#define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_PARAMETER(APPLY)                                       \
+  CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER(APPLY)                                         \
+  CGAL_APPROXIMATE_GEODESICS_MAXIMUM_DISTANCE(APPLY)                                               \
+  CGAL_APPROXIMATE_GEODESICS_CONCURRENCY_TAG(APPLY)
+
+namespace CGAL {
+
+namespace internal_np {
+
+#define CGAL_APPROXIMATE_GEODESICS_TAG(TAG, VALUE, NAME)                                           \
+  enum TAG                                                                                         \
+  {                                                                                                \
+    VALUE                                                                                          \
+  };
+CGAL_APPROXIMATE_GEODESICS_FOR_EACH_PARAMETER(CGAL_APPROXIMATE_GEODESICS_TAG)
+#undef CGAL_APPROXIMATE_GEODESICS_TAG
+
+} // namespace internal_np
+
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * A chain of named parameters that continues with those of this package and those of CGAL, in any
+ * order. Only the outermost link is of this type, the ones below it are CGAL's: that is what makes
+ * CGAL's functions accept it (of several base classes that match, the nearest is deduced, CWG
+ * 2303).
+ */
+template <typename T, typename Tag, typename Base = internal_np::No_property>
+struct Named_parameters : Named_function_parameters<T, Tag, Base>
+{
+  using Cgal_parameters = Named_function_parameters<T, Tag, Base>;
+  using Cgal_parameters::Cgal_parameters;
+
+  template <typename NewTag, typename K>
+  Named_parameters<K, NewTag, Cgal_parameters> append(const K& k) const
+  {
+    return Named_parameters<K, NewTag, Cgal_parameters>(k, *this);
+  }
+
+#define CGAL_add_named_parameter(TAG, VALUE, NAME)                                                 \
+  template <typename K>                                                                            \
+  auto NAME(const K& k) const                                                                      \
+  {                                                                                                \
+    return this->template append<internal_np::TAG>(k);                                             \
+  }
+#define CGAL_add_named_parameter_with_compatibility CGAL_add_named_parameter
+#define CGAL_add_extra_named_parameter_with_compatibility CGAL_add_named_parameter
+#define CGAL_add_named_parameter_with_compatibility_cref_only(TAG, VALUE, NAME)                    \
+  template <typename K>                                                                            \
+  auto NAME(const K& k) const                                                                      \
+  {                                                                                                \
+    return this->template append<internal_np::TAG>(std::cref(k));                                  \
+  }
+#define CGAL_add_named_parameter_with_compatibility_ref_only(TAG, VALUE, NAME)                     \
+  template <typename K>                                                                            \
+  auto NAME(K& k) const                                                                            \
+  {                                                                                                \
+    return this->template append<internal_np::TAG>(std::ref(k));                                   \
+  }
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+  CGAL_APPROXIMATE_GEODESICS_FOR_EACH_PARAMETER(CGAL_add_named_parameter)
+#undef CGAL_add_named_parameter
+#undef CGAL_add_named_parameter_with_compatibility
+#undef CGAL_add_extra_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+};
+
+template <typename NamedParameters, typename Tag>
+constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+// Appends the links of `second`, innermost first, to `first`.
+template <typename First, typename T, typename Tag, typename Base>
+auto append_parameters(const First& first, const Named_function_parameters<T, Tag, Base>& second)
+{
+  using Value = std::decay_t<decltype(second.v)>;
+  if constexpr(std::is_same_v<Base, internal_np::No_property>)
+    return Named_function_parameters<Value, Tag, First>(second.v, first);
+  else
+  {
+    const auto chain = append_parameters(first, static_cast<const Base&>(second));
+    return Named_function_parameters<Value, Tag, std::decay_t<decltype(chain)>>(second.v, chain);
+  }
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+
+namespace parameters {
+
+#define CGAL_APPROXIMATE_GEODESICS_FUNCTION(TAG, VALUE, NAME)                                      \
+  template <typename K>                                                                            \
+  auto NAME(const K& k)                                                                            \
+  {                                                                                                \
+    return Approximate_geodesics::internal::Named_parameters<K, internal_np::TAG>(k);              \
+  }
+CGAL_APPROXIMATE_GEODESICS_FOR_EACH_PARAMETER(CGAL_APPROXIMATE_GEODESICS_FUNCTION)
+#undef CGAL_APPROXIMATE_GEODESICS_FUNCTION
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * joins two or more chains of named parameters, whichever library they come from.
+ *
+ * A chain that starts with a named parameter of this package can be continued with any other;
+ * a chain that starts with one of \cgal's cannot be continued with one of this package's.
+ * This function is for the latter:
+ * `combine(vertex_point_map(vpm).verbose(true), targets(range))`.
+ *
+ * \return a sequence of \ref bgl_namedparameters "Named Parameters" with those of all arguments.
+ */
+template <typename T, typename Tag, typename Base, typename... NamedParameters>
+auto combine(const Named_function_parameters<T, Tag, Base>& first,
+             const NamedParameters&... further)
+{
+  if constexpr(sizeof...(further) == 0)
+    return first;
+  else
+    return Approximate_geodesics::internal::append_parameters(first, combine(further...));
+}
+
+} // namespace parameters
+} // namespace CGAL
+
+#undef CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER
+#undef CGAL_APPROXIMATE_GEODESICS_MAXIMUM_DISTANCE
+#undef CGAL_APPROXIMATE_GEODESICS_CONCURRENCY_TAG
+#undef CGAL_APPROXIMATE_GEODESICS_FOR_EACH_PARAMETER
+
+#endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_NAMED_PARAMETERS_H

@@ -1,0 +1,35 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_PREFETCH_H
+#define CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_PREFETCH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Asks for the cache line of an entry of an array, which need not have one there: an address as
+// such may be any number, while a pointer must not leave its array.
+template <typename T>
+void prefetch(const T* const array, const std::size_t i)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(
+      reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(array) + i * sizeof(T)));
+#else
+  static_cast<void>(array), static_cast<void>(i);
+#endif
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_PREFETCH_H

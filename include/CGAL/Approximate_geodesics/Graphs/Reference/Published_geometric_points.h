@@ -1,0 +1,191 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_REFERENCE_PUBLISHED_GEOMETRIC_POINTS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_REFERENCE_PUBLISHED_GEOMETRIC_POINTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/epsilon.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsPlacements
+ *
+ * The geometric progressions of Aleksandrov, Lanthier, Maheshwari and Sack
+ * \cgalCite{alms-eawsp-98}, to compare with: `Geometric_points` gives the same bound with a small
+ * part of these points.
+ *
+ * From either end of an edge, points follow each other at distances that grow by the factor
+ * \f$1 + \delta \sin\theta\f$, where \f$\theta\f$ is the smallest angle at the vertex (and the
+ * factor is \f$1 + \delta\f$ if that is obtuse). They start at \f$\delta\f$ times the radius of the
+ * star of the vertex, and end where the spacings of the two progressions are equal. Paths then cost
+ * at most \f$1 + \delta (1 + 2 W / ((1 - 2 \delta) w))\f$ times as much as the cheapest ones, for
+ * \f$\delta < 1/2\f$, where \f$W\f$ is the largest finite weight of a face and \f$w\f$ the smallest
+ * one, which must not be `0`; so \f$\delta\f$ is chosen for this to be \f$1 + \varepsilon\f$.
+ *
+ * `SMALLEST_SINE` is used, and ends the bound, as in `Geometric_points`.
+ *
+ * \cgalModels{SteinerPointPlacement}
+ */
+class Published_geometric_points
+{
+public:
+  /// the number of a halfedge.
+  using Index = Intrinsic_triangulation::Index;
+
+  /// points do not divide edges into equal parts.
+  static constexpr bool makes_equal_parts = false;
+
+  /// angles are taken to have at least this sine.
+  static constexpr double SMALLEST_SINE = 0.02;
+
+  /// progressions start at least this far from the end, in lengths of the edge.
+  static constexpr double SMALLEST_START = 1e-36;
+
+  /// places points for the bound `epsilon`.
+  /// \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
+  explicit Published_geometric_points(const double epsilon = 0.1)
+    : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon)))
+  {
+  }
+
+  /// reads the bound from the named parameter `epsilon`, whose default is `0.1`.
+  /// \throws std::invalid_argument if it is not a finite number above `0`.
+  template <typename T, typename Tag, typename Base>
+  explicit Published_geometric_points(const Named_function_parameters<T, Tag, Base>& np)
+    : m_epsilon(internal::checked_epsilon(np))
+  {
+  }
+
+  /// computes where the progressions of every vertex start, and their factors.
+  /// \throws std::invalid_argument if some faces, but not all, have weight `0`.
+  ///
+  /// Run time is \cgalBigO{n}.
+  void prepare(const Intrinsic_triangulation& triangulation)
+  {
+    const double ratio = ratio_of_weights(triangulation);
+    if(std::isinf(ratio))
+      internal::reject("a face has weight 0, for which the published placement has no points; use "
+                       "Geometric_points");
+    m_delta = delta(ratio);
+    m_ends.clear();
+    m_ends.reserve(triangulation.number_of_vertices());
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    {
+      const double sine = (std::max)(smallest_sine(triangulation, v), SMALLEST_SINE);
+      m_ends.push_back(
+          {m_delta * internal::Star(triangulation, v).radius(), sine, std::log1p(m_delta * sine)});
+    }
+  }
+
+  /// returns the number of points on the edge of `h`.
+  std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    return progressions(triangulation, h).number_of_points();
+  }
+
+  /// writes the positions of these points to `positions`.
+  void place(const Intrinsic_triangulation& triangulation,
+             const Index h,
+             float* positions,
+             std::size_t /* number_of_points */) const
+  {
+    progressions(triangulation, h).place(positions);
+  }
+
+  /// returns the bound that holds with the present weights of `triangulation`.
+  /// Run time is \cgalBigO{n}.
+  double epsilon(const Intrinsic_triangulation& triangulation) const
+  {
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+      if(smallest_sine(triangulation, v) < SMALLEST_SINE ||
+         internal::Star(triangulation, v).is_degenerate())
+        return std::numeric_limits<double>::infinity();
+    constexpr double tolerance = 1e-9;
+    const double result = bound(m_delta, ratio_of_weights(triangulation));
+    return result <= m_epsilon * (1 + tolerance) ? m_epsilon : result;
+  }
+
+  /// returns the number of bytes that are stored per element of the mesh.
+  std::size_t memory() const { return m_ends.capacity() * sizeof(End); }
+
+private:
+  using End = internal::Geometric_progressions::End;
+
+  static double bound(const double delta, const double ratio)
+  {
+    return delta * (1 + 2 * ratio / (1 - 2 * delta));
+  }
+
+  // The solution of `bound(delta, ratio) == m_epsilon` between 0 and 1/2.
+  double delta(const double ratio) const
+  {
+    const double b = 1 + 2 * ratio + 2 * m_epsilon;
+    return 2 * m_epsilon / (b + std::sqrt(b * b - 8 * m_epsilon));
+  }
+
+  // The largest finite weight divided by the smallest.
+  static double ratio_of_weights(const Intrinsic_triangulation& triangulation)
+  {
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+    {
+      const double weight = triangulation.weight(h);
+      if(std::isinf(weight))
+        continue;
+      smallest = (std::min)(smallest, weight);
+      largest = (std::max)(largest, weight);
+    }
+    if(largest == 0)
+      return 1;
+    return smallest > 0 ? largest / smallest : std::numeric_limits<double>::infinity();
+  }
+
+  static double smallest_sine(const Intrinsic_triangulation& triangulation, const Index v)
+  {
+    double result = 1;
+    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+      if(!triangulation.is_border(h))
+        result = (std::min)(result, internal::Face_shape(triangulation, h).sine_of_corner());
+    return result;
+  }
+
+  internal::Geometric_progressions progressions(const Intrinsic_triangulation& triangulation,
+                                                const Index h) const
+  {
+    const double length = triangulation.length(h);
+    return {end(triangulation.source(h), length), end(triangulation.target(h), length)};
+  }
+
+  End end(const Index v, const double length) const
+  {
+    constexpr double largest_start = 0.49;
+    End result = m_ends[v];
+    result.start = (std::clamp)(result.start / length, SMALLEST_START, largest_start);
+    return result;
+  }
+
+  double m_epsilon;
+  double m_delta = 0;
+  std::vector<End> m_ends; // per vertex
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_REFERENCE_PUBLISHED_GEOMETRIC_POINTS_H

@@ -1,0 +1,270 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_STEINER_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_STEINER_GRAPH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Graph_within_faces.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * The graph of the vertices of a mesh and of points on its edges, so-called Steiner points. Two
+ * nodes at the border of the same face are joined by a straight arc across the face, and
+ * neighbours on an edge by an arc along it.
+ *
+ * It is the graph for faces with weights. An arc across a face costs its length times the weight of
+ * the face, and one along an edge its length times the smaller weight of the two faces. There are
+ * no arcs across faces of infinite weight, nor across barriers, along which paths may run. Without
+ * weights and barriers, it is still the graph for paths across a few large faces.
+ *
+ * The placement says where points are, and so which error is made: `Geometric_points` guarantees a
+ * bound, `Fixed_number_of_points` and `Points_at_interval` are simpler and do not.
+ *
+ * Arcs are not stored: the graph takes 36 bytes per vertex, in addition to the triangulation, and 8
+ * per point, or 4 if points divide edges into equal parts. They are not all looked at either. A
+ * path that comes across a face is not continued into the same face again, and where edges have
+ * many points, a point looks only at those of the opposite edges that neither of its two neighbours
+ * reaches on a shorter path.
+ *
+ * Nodes are the vertices, the points, and one more for every sector of those vertices whose
+ * surroundings are divided by barriers into several sectors: no path leads through such a vertex
+ * from one sector into another.
+ *
+ * An object of this class never changes after its construction, unless its weights are exchanged,
+ * and may be used by several threads.
+ *
+ * \tparam Placement a model of `SteinerPointPlacement`
+ *
+ * \cgalModels{GeodesicGraph}
+ */
+template <typename Placement = Geometric_points>
+class Steiner_graph
+#ifndef DOXYGEN_RUNNING
+  : public internal::Graph_within_faces<Steiner_graph<Placement>>
+#endif
+{
+public:
+  /// the number of a node; those of the vertices come first.
+  using Node = Intrinsic_triangulation::Index;
+
+  /// \name Creation
+  /// @{
+
+  /// the graph of an empty mesh.
+  Steiner_graph() : Steiner_graph(Intrinsic_triangulation()) {}
+
+  /*!
+   * builds the graph of `triangulation`, its weights and its barriers.
+   *
+   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * \param triangulation the triangulation
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": that of the
+   *           placement
+   *
+   * \throws std::invalid_argument if there are points, and a face breaks the triangle inequality,
+   *         or as the placement does.
+   * \throws std::length_error if there would be more nodes than 32-bit numbers can tell apart.
+   *
+   * Run time and memory are \cgalBigO{n} for `n` nodes.
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Steiner_graph(Intrinsic_triangulation triangulation,
+                         const NamedParameters& np = parameters::default_values())
+    : Steiner_graph(std::move(triangulation), Placement(np))
+  {
+  }
+
+  /// builds the graph likewise, with a placement that was made before.
+  Steiner_graph(Intrinsic_triangulation triangulation, Placement placement)
+    : m_triangulation(std::move(triangulation)), m_placement(std::move(placement))
+  {
+    m_placement.prepare(m_triangulation);
+    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement);
+    if(number_of_points() > 0) // there are arcs across faces
+      m_triangulation.check_triangle_inequality();
+    find_maximum_degree();
+    summarize_arcs();
+  }
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the triangulation that the graph was built on.
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+
+  /// returns the placement of the points.
+  const Placement& placement() const { return m_placement; }
+
+  /// returns the bound that the placement guarantees with the present weights: paths between
+  /// vertices cost at most `1 + epsilon()` times as much as the cheapest ones on the surface. It is
+  /// infinity if there is none. Run time is \cgalBigO{n}.
+  double epsilon() const { return m_placement.epsilon(m_triangulation); }
+
+  /// returns the number of nodes.
+  std::size_t number_of_nodes() const { return m_nodes.size(); }
+
+  /// returns the number of points on edges. On barriers, those of both sides count.
+  std::size_t number_of_points() const { return m_nodes.points().number_of_points(); }
+
+  /// returns the unit of costs, in the unit of the mesh times that of the weights.
+  double unit() const { return m_triangulation.unit() * m_triangulation.weight_unit(); }
+
+  /// returns a summary of the costs of the arcs along edges, which are the shortest ones, as if
+  /// points divided every edge into equal parts.
+  const Arc_lengths& arc_lengths() const { return m_arc_lengths; }
+
+  /// returns an upper bound of the number of arcs that start from a node.
+  std::size_t maximum_degree() const { return m_maximum_degree; }
+
+  /// returns where a node is, which may be one of the vertices.
+  Intrinsic_point place(const Node node) const { return m_nodes.place(node); }
+
+  /// calls `f(target, cost)` for the arcs that start from `node` and may be part of a cheapest path
+  /// that arrives there as `labels` says.
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    internal::Steiner_arcs(m_triangulation, m_nodes).for_each(node, labels, f);
+  }
+
+  /// calls `f(node, cost)` for the straight lines from a place to the nodes on the sides of its
+  /// face, or of both if it is on an edge. If it is a vertex, `node` is what stands for it: more
+  /// than one node, if barriers divide its faces.
+  template <typename F>
+  void for_each_arc(const Intrinsic_point& place, F f) const
+  {
+    internal::Steiner_arcs(m_triangulation, m_nodes).for_each(place, f);
+  }
+
+  /// asks for what it takes to find the arcs of `node`, which will be needed soon.
+  void prefetch(const Node node) const
+  {
+    if(m_nodes.is_vertex(node))
+      m_triangulation.prefetch(m_triangulation.first_halfedge(node));
+    else if(m_nodes.is_point(node))
+      m_nodes.points().prefetch(m_nodes.point(node));
+  }
+
+  /// returns the number of bytes that the graph takes, its triangulation included.
+  std::size_t memory() const
+  {
+    return m_triangulation.memory() + m_placement.memory() + m_nodes.memory();
+  }
+
+  /// returns whether the triangulation is valid.
+  bool is_valid() const { return m_triangulation.is_valid(); }
+
+  /// @}
+
+  /// \name Modification
+  /// @{
+
+  /*!
+   * exchanges the weights for what `read_face_weights()` returns; the points stay where they are.
+   * If the weights of the faces around a vertex become more different than they were when the graph
+   * was built, or than `Geometric_points` was told to expect, the bound gets worse: `epsilon()`
+   * tells.
+   *
+   * \warning No other thread may use the graph meanwhile, and workspaces that were made for it
+   * before have to be made anew.
+   *
+   * Run time is \cgalBigO{n} for `n` vertices and points.
+   */
+  void set_weights(Face_weights weights)
+  {
+    m_triangulation.set_weights(std::move(weights));
+    summarize_arcs();
+  }
+
+  /// @}
+
+private:
+  using Index = Node;
+
+  const internal::Points_on_edges& points() const { return m_nodes.points(); }
+
+  void summarize_arcs()
+  {
+    m_arc_lengths = Arc_lengths();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double shortest = infinity, sum = 0, longest = 0;
+    std::size_t number_of_arcs = 0;
+    points().for_each_first_halfedge([&](const Index h, const Index e) {
+      const double cost = m_triangulation.weight_of_edge(h) * m_triangulation.length(h);
+      if(!(cost < infinity)) // nor a forbidden edge of length zero
+        return;
+      const std::size_t number = points().number_of_points(e) + std::size_t(1);
+      shortest = (std::min)(shortest, cost / double(number));
+      sum += cost;
+      longest = (std::max)(longest, cost);
+      number_of_arcs += number;
+    });
+    if(number_of_arcs > 0)
+      m_arc_lengths = {shortest, sum / double(number_of_arcs), longest};
+  }
+
+  void find_maximum_degree()
+  {
+    std::size_t largest = 0;
+    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
+    {
+      std::size_t degree = 1; // to the vertex, from one of its sectors
+      for(Index h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
+        degree += 2 + number_of_opposite_points(h); // a barrier is two edges
+      largest = (std::max)(largest, degree);
+    }
+    points().for_each_first_halfedge([&](const Index h, Index /* edge */) {
+      const Index opposite = m_triangulation.opposite(h);
+      std::size_t degree = 4; // along the edge, and to the third vertices of both faces
+      for(const Index side : {h, opposite})
+        if(!m_triangulation.is_border(side))
+          degree += number_of_opposite_points(side) +
+                    number_of_opposite_points(m_triangulation.next(side));
+      largest = (std::max)(largest, degree);
+    });
+    m_maximum_degree = largest;
+  }
+
+  // On the edge opposite to the source of `h`, in the face to the left of `h`.
+  std::size_t number_of_opposite_points(const Index h) const
+  {
+    return m_triangulation.is_border(h)
+               ? 0
+               : points().number_of_points(points().edge(m_triangulation.next(h)));
+  }
+
+  Intrinsic_triangulation m_triangulation;
+  Placement m_placement;
+  internal::Steiner_nodes m_nodes;
+  Arc_lengths m_arc_lengths;
+  std::size_t m_maximum_degree = 0;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_STEINER_GRAPH_H

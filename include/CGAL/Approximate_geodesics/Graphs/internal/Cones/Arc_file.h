@@ -1,0 +1,164 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_ARC_FILE_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_ARC_FILE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/binary_io.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The file of a discrete geodesic graph: what it is, the mesh that it belongs to, epsilon, and the
+ * arcs of each node.
+ */
+class Arc_file
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4747444741; // AGDGG, and what text modes spoil
+  static constexpr std::uint32_t VERSION = 1;
+
+public:
+  static void save(std::ostream& out,
+                   const Intrinsic_triangulation& triangulation,
+                   const double epsilon,
+                   const Compressed_arcs& rows)
+  {
+    Binary_writer writer(out);
+    writer.write(SIGNATURE);
+    writer.write(VERSION);
+    writer.write(triangulation.number_of_vertices());
+    writer.write(triangulation.number_of_edges());
+    writer.write(triangulation.number_of_faces());
+    writer.write(fingerprint(triangulation));
+    writer.write(epsilon);
+    writer.write(double(Cone_expansion<Unfolding>::SHARE_OF_ENDS));
+    writer.write(double(Cone_expansion<Unfolding>::SHARE_OF_DETOURS));
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    {
+      writer.write(static_cast<std::uint32_t>(rows.degree(v)));
+      rows.for_each_stored_arc(v, [&](const Index target, const float length) {
+        writer.write(target);
+        writer.write(length);
+      });
+    }
+    writer.finish();
+  }
+
+  // Reads what was written for the same triangulation.
+  static void load(std::istream& in,
+                   const Intrinsic_triangulation& triangulation,
+                   double& epsilon,
+                   Compressed_arcs& rows)
+  {
+    Binary_reader reader(in);
+    check_header(reader, triangulation);
+    epsilon = reader.read<double>();
+    check_shares(reader);
+    rows = Compressed_arcs(unit_of_arcs(triangulation));
+    rows.reserve(triangulation.number_of_vertices());
+    std::vector<Stored_arc> arcs;
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    {
+      read_arcs(reader, triangulation.number_of_vertices(), v, arcs);
+      rows.append_row(arcs);
+    }
+    reader.finish();
+    if(!(epsilon > 0) || std::isinf(epsilon))
+      reject("the file of the graph has an epsilon of " + text_of(epsilon));
+  }
+
+private:
+  // Tells meshes of the same size apart.
+  static std::uint32_t fingerprint(const Intrinsic_triangulation& triangulation)
+  {
+    Checksum result;
+    for(const Index target : triangulation.targets())
+      result.add(target);
+    for(const double length : triangulation.lengths())
+      result.add(length);
+    result.add(triangulation.unit());
+    return result.value();
+  }
+
+  static void check_header(Binary_reader& reader, const Intrinsic_triangulation& triangulation)
+  {
+    if(reader.read<std::uint64_t>() != SIGNATURE)
+      reject("the file is not that of a discrete geodesic graph");
+    const auto version = reader.read<std::uint32_t>();
+    if(version != VERSION)
+      reject("the file of the graph has version " + std::to_string(version) +
+             "; this program reads version " + std::to_string(VERSION));
+    check_size(reader, triangulation.number_of_vertices(), "vertices");
+    check_size(reader, triangulation.number_of_edges(), "edges");
+    check_size(reader, triangulation.number_of_faces(), "faces");
+    if(reader.read<std::uint32_t>() != fingerprint(triangulation))
+      reject("the file of the graph belongs to another mesh of the same size, or to the same one "
+             "with other lengths or indices");
+  }
+
+  // Paths are found by building arcs again, which has to be done in the same way.
+  static void check_shares(Binary_reader& reader)
+  {
+    const auto ends = reader.read<double>();
+    const auto detours = reader.read<double>();
+    if(ends != Cone_expansion<Unfolding>::SHARE_OF_ENDS ||
+       detours != Cone_expansion<Unfolding>::SHARE_OF_DETOURS)
+      reject("the graph of the file was built by other rules than those of this version");
+  }
+
+  static void check_size(Binary_reader& reader, const Index expected, const char* kind)
+  {
+    const auto size = reader.read<std::uint32_t>();
+    if(size != expected)
+      reject("the file of the graph belongs to another mesh: that has " + std::to_string(size) +
+             " " + kind + ", this one has " + std::to_string(expected));
+  }
+
+  static void read_arcs(Binary_reader& reader,
+                        const Index number_of_vertices,
+                        const Index node,
+                        std::vector<Stored_arc>& arcs)
+  {
+    const auto degree = reader.read<std::uint32_t>();
+    arcs.clear(); // and not reserved: a damaged number must not exhaust memory
+    for(std::uint32_t i = 0; i < degree; ++i)
+    {
+      const auto target = reader.read<std::uint32_t>();
+      const auto length = reader.read<float>();
+      const bool is_sorted = arcs.empty() || arcs.back().target < target;
+      if(target >= number_of_vertices || target == node || !is_sorted || !(length >= 0) ||
+         std::isinf(length))
+        reject("the file of the graph is damaged: arc " + std::to_string(i) + " of node " +
+               std::to_string(node) + " makes no sense");
+      arcs.push_back({target, length});
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_ARC_FILE_H

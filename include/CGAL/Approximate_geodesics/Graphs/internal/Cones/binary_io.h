@@ -1,0 +1,137 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_BINARY_IO_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_BINARY_IO_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+
+#include <boost/crc.hpp>
+#include <boost/endian/conversion.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <istream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+// Numbers in binary streams: little-endian on every machine, and with a checksum.
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+template <typename T>
+using Bits_of = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+
+template <typename T>
+std::array<char, sizeof(T)> to_bytes(const T value)
+{
+  Bits_of<T> bits;
+  std::memcpy(&bits, &value, sizeof(T));
+  boost::endian::native_to_little_inplace(bits);
+  std::array<char, sizeof(T)> result;
+  std::memcpy(result.data(), &bits, sizeof(T));
+  return result;
+}
+
+template <typename T>
+T from_bytes(const std::array<char, sizeof(T)>& bytes)
+{
+  Bits_of<T> bits;
+  std::memcpy(&bits, bytes.data(), sizeof(T));
+  boost::endian::little_to_native_inplace(bits);
+  T result;
+  std::memcpy(&result, &bits, sizeof(T));
+  return result;
+}
+
+class Checksum
+{
+public:
+  template <typename T>
+  void add(const T value)
+  {
+    add(to_bytes(value));
+  }
+
+  template <std::size_t size>
+  void add(const std::array<char, size>& bytes)
+  {
+    m_crc.process_bytes(bytes.data(), size);
+  }
+
+  std::uint32_t value() const { return m_crc.checksum(); }
+
+private:
+  boost::crc_32_type m_crc;
+};
+
+class Binary_writer
+{
+public:
+  explicit Binary_writer(std::ostream& out) : m_out(out) {}
+
+  template <typename T>
+  void write(const T value)
+  {
+    const auto bytes = to_bytes(value);
+    m_checksum.add(bytes);
+    m_out.write(bytes.data(), sizeof(T));
+  }
+
+  // Writes the checksum of everything before, and sees whether all went well.
+  void finish()
+  {
+    write(m_checksum.value());
+    m_out.flush();
+    if(!m_out)
+      throw std::runtime_error("Approximate_geodesics: the graph could not be written");
+  }
+
+private:
+  std::ostream& m_out;
+  Checksum m_checksum;
+};
+
+class Binary_reader
+{
+public:
+  explicit Binary_reader(std::istream& in) : m_in(in) {}
+
+  template <typename T>
+  T read()
+  {
+    std::array<char, sizeof(T)> bytes;
+    if(!m_in.read(bytes.data(), sizeof(T)))
+      reject("the file of the graph ends too early");
+    m_checksum.add(bytes);
+    return from_bytes<T>(bytes);
+  }
+
+  // Compares the checksum of everything before with the one that comes next.
+  void finish()
+  {
+    const std::uint32_t expected = m_checksum.value();
+    if(read<std::uint32_t>() != expected)
+      reject("the file of the graph is damaged: its checksum is not that of its contents");
+  }
+
+private:
+  std::istream& m_in;
+  Checksum m_checksum;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_BINARY_IO_H

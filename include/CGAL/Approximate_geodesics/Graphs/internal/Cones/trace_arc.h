@@ -1,0 +1,225 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_TRACE_ARC_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_TRACE_ARC_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// The windows that a vertex looks through, each with the one before it.
+class Window_tree
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  Window_tree() : m_windows(1, {Intrinsic_triangulation::null_index, 0}) {}
+
+  // adds the window in `halfedge` behind the window `way`; 0 stands for none
+  std::uint32_t add(const Index halfedge, const std::uint32_t way)
+  {
+    m_windows.push_back({halfedge, way});
+    return static_cast<std::uint32_t>(m_windows.size() - 1);
+  }
+
+  // the halfedges on the way to and through a window
+  std::vector<Index> halfedges(std::uint32_t way) const
+  {
+    std::vector<Index> result;
+    for(; way != 0; way = m_windows[way].way)
+      result.push_back(m_windows[way].halfedge);
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+private:
+  struct Entry
+  {
+    Index halfedge;
+    std::uint32_t way;
+  };
+
+  std::vector<Entry> m_windows;
+};
+
+// Does what another filter does, and remembers the windows.
+template <typename Filter>
+struct Remembering : Filter
+{
+  std::uint32_t way_through(const Window::Index halfedge, const std::uint32_t way) const
+  {
+    return tree.add(halfedge, way);
+  }
+
+  Window_tree& tree;
+};
+
+// Follows a line from the origin across edges that are laid out in the plane.
+class Line_walk
+{
+public:
+  // The end may be the origin, where vertices are at the same place.
+  explicit Line_walk(const Plane_vector end)
+    : m_direction(dot(end, end) > 0 ? 1 / length(end) * end : Plane_vector{1, 0}),
+      m_length(length(end))
+  {
+  }
+
+  // At which part of the way from `left` to `right` the line crosses this edge. If they lie in one
+  // line, as where faces have no area, it is where the walk has got to, or the next point after
+  // that.
+  double cross_edge(const Plane_vector left, const Plane_vector right)
+  {
+    constexpr double smallest_angle = 1e-9;
+    const double to_left = std::abs(cross(m_direction, left));
+    const double to_right = std::abs(cross(m_direction, right));
+    const double start = dot(m_direction, left), end = dot(m_direction, right);
+    double t = 0;
+    if(to_left + to_right > smallest_angle * length(right - left))
+      t = to_left / (to_left + to_right);
+    else if(start != end)
+      t = (std::clamp)((m_position - start) / (end - start), 0., 1.);
+    const double position = start + t * (end - start);
+    const bool is_beside_line = std::abs(end - start) > to_left + to_right; // badly conditioned
+    if(is_beside_line && (position < m_position || position > m_length))
+      t = (std::clamp)(((position < m_position ? m_position : m_length) - start) / (end - start),
+                       0., 1.);
+    m_position = (std::max)(m_position, start + t * (end - start));
+    return t;
+  }
+
+private:
+  Plane_vector m_direction;
+  double m_length;
+  double m_position = 0; // how far the walk has got
+};
+
+// Calls `f(h, t)` for the halfedges that the line from the origin to `end` crosses, at the part `t`
+// of the way from their source to their target. The first of them has its source at `left` and its
+// target at `right`.
+template <typename F>
+void for_each_crossing(const Intrinsic_triangulation& triangulation,
+                       const std::vector<Intrinsic_triangulation::Index>& halfedges,
+                       Plane_vector left,
+                       Plane_vector right,
+                       const Plane_vector end,
+                       F f)
+{
+  const Unfolding_on_demand unfolding(triangulation);
+  Line_walk walk(end);
+  for(std::size_t i = 0; i < halfedges.size(); ++i)
+  {
+    f(halfedges[i], walk.cross_edge(left, right));
+    if(i + 1 == halfedges.size())
+      return;
+    const Unfolded_face face = unfolding.face(halfedges[i]);
+    const Plane_vector apex = face.position_of_apex(left, right);
+    (halfedges[i + 1] == face.right ? left : right) = apex;
+  }
+}
+
+// The line whose length is closest to a given one, and the way there.
+struct Line_search
+{
+  void consider(const Straight_arc& line)
+  {
+    const double difference = std::abs(line.length - length);
+    if(difference < smallest_difference)
+    {
+      smallest_difference = difference;
+      found = line;
+    }
+  }
+
+  // There are no lines but those of about this length: what else was found leads round something.
+  bool is_found() const
+  {
+    constexpr double tolerance = 1e-6; // single precision, and flat faces
+    return smallest_difference <= tolerance * length ||
+           smallest_difference < std::numeric_limits<double>::min();
+  }
+
+  double length;
+  double smallest_difference = std::numeric_limits<double>::infinity();
+  Straight_arc found = {Intrinsic_triangulation::null_index, 0, {0, 0}, 0, 0};
+  Window_tree tree = {};
+};
+
+// Looks for the arc of the graph for `epsilon` from one vertex to another.
+template <typename Filter>
+void find_arc(const Intrinsic_triangulation& triangulation,
+              const double epsilon,
+              const Intrinsic_triangulation::Index source,
+              const Intrinsic_triangulation::Index target,
+              Line_search& search)
+{
+  const Unfolding_on_demand unfolding(triangulation);
+  const Cone_expansion<Unfolding_on_demand> expansion(triangulation, unfolding, epsilon);
+  const auto consider = [&](const Straight_arc& arc) {
+    if(arc.target == target)
+      search.consider(arc);
+  };
+  expansion.expand(source, consider, Remembering<Filter>{Filter(), search.tree});
+}
+
+// Looks for an arc that was not found, although it was when the graph was built: for vertices that
+// are out of sight by rounding only, and farther away than cones go.
+inline void search_in_doubt(const Intrinsic_triangulation& triangulation,
+                            const double epsilon,
+                            const Intrinsic_triangulation::Index source,
+                            const Intrinsic_triangulation::Index target,
+                            Line_search& search)
+{
+  for(const double part : {1. / 4, 1. / 64, 1. / 1024})
+    if(!search.is_found())
+      find_arc<Leave_out_nothing_in_doubt>(triangulation, part * epsilon, source, target, search);
+}
+
+// Calls `f(h, t)` for every edge that an arc in a discrete geodesic graph crosses, from its source
+// on: at the point that is at the part `t` of the way from the source to the target of the halfedge
+// `h`. The arcs of the graph were found with a filter of the given type, or are some of those.
+// Among those between the two vertices, the one of the given length is meant, or of about that
+// length. Returns its length.
+template <typename Filter, typename F>
+double trace_arc(const Intrinsic_triangulation& triangulation,
+                 const double epsilon,
+                 const Intrinsic_triangulation::Index source,
+                 const Intrinsic_triangulation::Index target,
+                 const double length,
+                 F f)
+{
+  Line_search search{length};
+  find_arc<Filter>(triangulation, epsilon, source, target, search);
+  search_in_doubt(triangulation, epsilon, source, target, search);
+  if(search.found.target != target)
+    reject("the graph has an arc that the mesh has not; was it read from a file that was changed?");
+  const Straight_arc& arc = search.found;
+  const Plane_vector right{triangulation.length(arc.start), 0};
+  const Plane_vector left =
+      Unfolding_on_demand(triangulation).face(arc.start).position_of_apex({0, 0}, right);
+  for_each_crossing(triangulation, search.tree.halfedges(arc.way), left, right, arc.position, f);
+  return arc.length;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_TRACE_ARC_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_FACE_SHAPE_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_FACE_SHAPE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+
+#include <algorithm>
+#include <limits>
+
+// What geometric progressions of points are made to measure for.
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The face to the left of a halfedge, as seen from the source of that.
+ */
+class Face_shape
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // \pre `h` is not a border halfedge.
+  Face_shape(const Intrinsic_triangulation& triangulation, const Index h)
+    : m_first(triangulation.length(h)),
+      m_opposite(triangulation.length(triangulation.next(h))),
+      m_second(triangulation.length(triangulation.next(triangulation.next(h)))),
+      m_area(area_of_triangle(m_first, m_opposite, m_second))
+  {
+  }
+
+  // How far the points of an edge that starts at the corner are from the face's other two edges, in
+  // proportion to their distance from the corner, as long as that end of the edge is the one that
+  // matters: the sine of the angle there, or 1 if it is obtuse.
+  double sine_of_corner() const { return sine(m_first, m_second, m_opposite); }
+
+  // ... at the other end of the halfedge
+  double sine_of_next_corner() const { return sine(m_first, m_opposite, m_second); }
+
+  // the distance from the corner to the opposite edge
+  double distance_to_opposite_edge() const
+  {
+    if(is_obtuse(m_opposite, m_first, m_second))
+      return m_first;
+    if(is_obtuse(m_opposite, m_second, m_first))
+      return m_second;
+    return m_opposite > 0 ? 2 * (m_area / m_opposite) : (std::min)(m_first, m_second);
+  }
+
+private:
+  // whether the angle between the sides `a` and `b` is
+  static bool is_obtuse(const double a, const double b, const double opposite)
+  {
+    return opposite * opposite >= a * a + b * b;
+  }
+
+  double sine(const double a, const double b, const double opposite) const
+  {
+    if(!(a > 0 && b > 0) || is_obtuse(a, b, opposite))
+      return 1;
+    return 2 * (m_area / a) / b;
+  }
+
+  double m_first, m_opposite, m_second; // lengths
+  double m_area;
+};
+
+/*
+ * The union of the faces around a vertex.
+ */
+class Star
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // stars are taken to have at least this radius, in lengths of the longest edge in them
+  static constexpr double SMALLEST_RADIUS = 1e-9;
+
+  Star(const Intrinsic_triangulation& triangulation, const Index v)
+  {
+    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+    {
+      m_longest_edge = (std::max)(m_longest_edge, triangulation.length(h));
+      if(!triangulation.is_border(h))
+        m_radius = (std::min)(m_radius, Face_shape(triangulation, h).distance_to_opposite_edge());
+    }
+  }
+
+  // the distance from the vertex to the border of the star; infinity if there is no face
+  double radius() const { return (std::max)(m_radius, SMALLEST_RADIUS * m_longest_edge); }
+
+  // whether the radius is smaller than it is taken for
+  bool is_degenerate() const { return m_radius < SMALLEST_RADIUS * m_longest_edge; }
+
+private:
+  double m_radius = std::numeric_limits<double>::infinity();
+  double m_longest_edge = 0;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_FACE_SHAPE_H

@@ -1,0 +1,458 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_STEINER_ARCS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_STEINER_ARCS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Point_row.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_plane.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/faces_of_place.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The arcs of a Steiner graph, which are computed from its nodes when they are asked for.
+ */
+class Steiner_arcs
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Node = Index;
+
+public:
+  Steiner_arcs(const Intrinsic_triangulation& triangulation, const Steiner_nodes& nodes)
+    : m_triangulation(triangulation),
+      m_nodes(nodes),
+      m_points(nodes.points()),
+      m_sectors(nodes.sectors())
+  {
+  }
+
+  // Calls `f(target, cost)` for the arcs that start from `node` and may be part of a cheapest path
+  // that arrives there as `labels` says.
+  template <typename Labels, typename F>
+  void for_each(const Node node, const Labels& labels, F& f) const
+  {
+    if(m_nodes.is_point(node))
+      expand_point(node, labels, f);
+    else if(m_nodes.is_sector(node))
+      expand_sector(node, f);
+    else if(is_divided(node))
+      expand_divided_vertex(node, labels, f);
+    else
+      expand_vertex(node, f);
+  }
+
+  // Calls `f(node, cost)` for the straight lines from a place to the nodes on the sides of its
+  // faces, or, if it is a vertex, for all nodes that stand for it.
+  template <typename F>
+  void for_each(const Intrinsic_point& place, F f) const
+  {
+    if(place.is_vertex())
+    {
+      f(place.vertex, 0.);
+      if(is_divided(place.vertex))
+        for(Index s = m_sectors.first_sector(place.vertex);
+            s < m_sectors.beyond_sector(place.vertex); ++s)
+          f(m_nodes.node_of_sector(s), 0.);
+      return;
+    }
+    for_each_face(m_triangulation, place, [&](const Index h) { expand_place(place, h, f); });
+    if(place.is_on_edge())
+      for(const Index h : {place.halfedge, m_triangulation.opposite(place.halfedge)})
+        expand_along_edge(h == place.halfedge ? place.t : 1 - place.t, h, f);
+  }
+
+private:
+  using Row = Point_row;
+
+  static constexpr Node null_node = Intrinsic_triangulation::null_index;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // From so many points on, it pays to search for those that are worth looking at.
+  static constexpr Index LONG_ROW = 16;
+
+  // ----- nodes and edges
+
+  bool is_divided(const Node v) const
+  {
+    return !m_sectors.is_empty() && m_sectors.first_sector(v) != m_sectors.beyond_sector(v);
+  }
+
+  // The node at the vertex `v` in the face to the left of `h`, which starts there.
+  Node corner_node(const Node v, const Index h) const
+  {
+    if(m_sectors.is_empty())
+      return v;
+    const Index sector = m_sectors.sector(v, h);
+    return sector == Sectors::null_index ? v : m_nodes.node_of_sector(sector);
+  }
+
+  // The nodes at the ends of the edge of `h`, or of its left side.
+  Node node_at_source(const Index h) const
+  {
+    const Index opposite = m_triangulation.opposite(h);
+    const Node v = m_triangulation.target(opposite);
+    if(m_sectors.is_empty() ||
+       (m_triangulation.is_border(h) && m_triangulation.is_border(opposite)))
+      return v;
+    return corner_node(v, m_triangulation.is_border(h) ? m_triangulation.next(opposite) : h);
+  }
+  Node node_at_target(const Index h) const
+  {
+    const Node v = m_triangulation.target(h);
+    if(m_sectors.is_empty())
+      return v;
+    return m_triangulation.is_border(h) ? node_at_source(m_triangulation.opposite(h))
+                                        : corner_node(v, m_triangulation.next(h));
+  }
+
+  // The points of the edge of `h`, as seen from its source or its target.
+  Row row(const Index h, const bool is_from_source) const
+  {
+    const Index e = m_points.edge(h), first = m_points.first_point(e);
+    return Row(m_nodes.node_of_point(first), m_points.number_of_points(e),
+               m_points.positions(first), m_triangulation.length(h),
+               m_points.is_first(h) == is_from_source);
+  }
+
+  // Whether paths may enter the face to the left of `h`.
+  bool is_open(const Index h) const { return m_triangulation.weight(h) < infinity; }
+
+  // ----- arcs from vertices
+
+  // A search can start at a divided vertex, and get there, but not go through it.
+  template <typename Labels, typename F>
+  void expand_divided_vertex(const Node v, const Labels& labels, F& f) const
+  {
+    if(labels.predecessor(v) == null_node)
+      for(Index s = m_sectors.first_sector(v); s < m_sectors.beyond_sector(v); ++s)
+        f(m_nodes.node_of_sector(s), 0.);
+  }
+
+  template <typename F>
+  void expand_sector(const Node node, F& f) const
+  {
+    const Index sector = m_nodes.sector(node);
+    const Node v = m_sectors.vertex(sector);
+    f(v, 0.);
+    Index h = m_sectors.first_halfedge(sector);
+    do
+    {
+      expand_corner(v, h, f);
+      h = m_triangulation.counterclockwise(v, h);
+    } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
+    // of a barrier, the side that faces the sector
+    expand_edge(m_triangulation.opposite(h), false, f);
+  }
+
+  template <typename F>
+  void expand_vertex(const Node v, F& f) const
+  {
+    const Index beyond = m_triangulation.beyond_halfedge(v);
+    for(Index h = m_triangulation.first_halfedge(v); h < beyond; ++h)
+    {
+      expand_corner(v, h, f);
+      if(m_triangulation.is_barrier(h)) // both sides of which start here
+        expand_edge(m_triangulation.opposite(h), false, f);
+    }
+  }
+
+  // The arcs from the source `v` of `h` along it and across the face to its left.
+  template <typename F>
+  void expand_corner(const Node v, const Index h, F& f) const
+  {
+    expand_edge(h, true, f);
+    if(!is_open(h))
+      return;
+    const Row opposite = row(m_triangulation.next(h), true);
+    if(opposite.size() == 0)
+      return;
+    const double x = m_triangulation.length(h);
+    const double third = m_triangulation.length(m_triangulation.counterclockwise(v, h));
+    visit(opposite, {0, opposite.size()}, Corner(x, opposite.length(), third), x,
+          m_triangulation.weight(h), f);
+  }
+
+  // The arc along the edge of `h`, or along its left side, from its source or target.
+  template <typename F>
+  void expand_edge(const Index h, const bool starts_at_source, F& f) const
+  {
+    const double weight = m_triangulation.weight_of_edge(h);
+    if(weight == infinity)
+      return;
+    const Index e = m_points.edge(h);
+    const Index first = m_points.first_point(e), beyond = m_points.beyond_point(e);
+    const double length = m_triangulation.length(h);
+    if(first == beyond)
+      f(starts_at_source ? node_at_target(h) : node_at_source(h), weight * length);
+    else if(starts_at_source == m_points.is_first(h))
+      f(m_nodes.node_of_point(first), weight * (length * m_points.part_before(e, first)));
+    else
+      f(m_nodes.node_of_point(beyond - 1), weight * (length * m_points.part_behind(e, beyond - 1)));
+  }
+
+  // The arcs to points of a row, from the point at the distance `x` from its corner.
+  template <typename F>
+  void visit(const Row& row,
+             const std::pair<Index, Index> ranks,
+             const Corner& corner,
+             const double x,
+             const double weight,
+             F& f) const
+  {
+    row.for_each_block(ranks.first, ranks.second, corner, x, weight,
+                       [&f](const Node first, const double* const costs, const Index number) {
+                         if constexpr(std::is_invocable_v<F, Node, const double*, std::size_t>)
+                           f(first, costs, std::size_t(number));
+                         else
+                           for(Index i = 0; i < number; ++i)
+                             f(first + i, costs[i]);
+                       });
+  }
+
+  // ----- arcs from points on edges
+
+  // A point on an edge, seen from the face to the left of a halfedge.
+  struct Viewpoint
+  {
+    Viewpoint reversed(const Index opposite) const
+    {
+      return {opposite, node, from_target, from_source, toward_target, toward_source};
+    }
+
+    Index halfedge;
+    Node node;
+    double from_source, from_target;   // distances
+    Node toward_source, toward_target; // neighbours
+  };
+
+  // The halfedges of the face to the left of the first of them.
+  struct Face
+  {
+    Index first, second, third;
+  };
+
+  Face face(const Index h) const
+  {
+    const Index second = m_triangulation.next(h);
+    return {h, second, m_triangulation.next(second)};
+  }
+
+  // A path that comes along the edge goes on into both faces, any other one only into the face that
+  // it does not come from.
+  template <typename Labels, typename F>
+  void expand_point(const Node node, const Labels& labels, F& f) const
+  {
+    const Index p = m_nodes.point(node), h = m_points.halfedge(p);
+    const Index opposite = m_triangulation.opposite(h);
+    const bool has_right = m_points.edge(opposite) == m_points.edge(h) && is_open(opposite);
+    const Viewpoint left = place_on_edge(p, h);
+    expand_along_edge(left, p, f);
+
+    const Node origin = labels.predecessor(node);
+    if(origin == left.toward_source || origin == left.toward_target || origin == null_node)
+    {
+      if(is_open(h))
+        expand_face(left, face(h), labels, f);
+      if(has_right)
+        expand_face(left.reversed(opposite), face(opposite), labels, f);
+    }
+    else if(has_right)
+      expand_crossed_edge(left, origin, labels, f);
+  }
+
+  // The arcs from a viewpoint between two faces, one of which the path has crossed from `origin`
+  // on.
+  template <typename Labels, typename F>
+  void
+  expand_crossed_edge(const Viewpoint& left, const Node origin, const Labels& labels, F& f) const
+  {
+    const Face right_face = face(m_triangulation.opposite(left.halfedge));
+    const bool comes_from_right = is_opposite(origin, right_face);
+    if(comes_from_right && is_open(left.halfedge))
+    {
+      const Face left_face = face(left.halfedge);
+      expand_face(left, left_face, labels, f);
+      if(is_opposite(origin, left_face)) // two faces can have several edges in common
+        expand_face(left.reversed(right_face.first), right_face, labels, f);
+    }
+    else if(!comes_from_right)
+      expand_face(left.reversed(right_face.first), right_face, labels, f);
+  }
+
+  // The point `p`, whose edge has `h` as its first halfedge.
+  Viewpoint place_on_edge(const Index p, const Index h) const
+  {
+    const Index e = m_points.edge(h);
+    const double length = m_triangulation.length(h);
+    const Node node = m_nodes.node_of_point(p);
+    return {h,
+            node,
+            length * m_points.part_before(e, p),
+            length * m_points.part_behind(e, p),
+            p == m_points.first_point(e) ? node_at_source(h) : node - 1,
+            p + 1 == m_points.beyond_point(e) ? node_at_target(h) : node + 1};
+  }
+
+  // The arcs from a viewpoint, which is that of the point `p`, to its neighbours.
+  template <typename F>
+  void expand_along_edge(const Viewpoint& view, const Index p, F& f) const
+  {
+    const Index h = view.halfedge, e = m_points.edge(h);
+    const double weight = m_triangulation.weight_of_edge(h), length = m_triangulation.length(h);
+    if(weight == infinity)
+      return;
+    f(view.toward_source,
+      weight * (p == m_points.first_point(e) ? view.from_source
+                                             : length * m_points.part_between(e, p - 1)));
+    f(view.toward_target,
+      weight * (p + 1 == m_points.beyond_point(e) ? view.from_target
+                                                  : length * m_points.part_between(e, p)));
+  }
+
+  // Whether a node is on one of the two edges of a face that are not the first, or where these
+  // meet.
+  bool is_opposite(const Node node, const Face& face) const
+  {
+    if(!m_nodes.is_point(node))
+      return node == corner_node(m_triangulation.target(face.second), face.third);
+    const Index e = m_points.edge(m_points.halfedge(m_nodes.point(node)));
+    return e == m_points.edge(face.second) || e == m_points.edge(face.third);
+  }
+
+  // The arcs across a face, whose first halfedge is that of the viewpoint.
+  template <typename Labels, typename F>
+  void expand_face(const Viewpoint& view, const Face& face, const Labels& labels, F& f) const
+  {
+    const double weight = m_triangulation.weight(view.halfedge);
+    const double length = m_triangulation.length(view.halfedge);
+    const Row at_target = row(face.second, true), at_source = row(face.third, false);
+
+    const Corner corner(length, at_target.length(), at_source.length());
+    f(corner_node(m_triangulation.target(face.second), face.third),
+      weight * corner.distance(view.from_target, at_target.length()));
+    if(at_target.size() > 0)
+      visit(at_target, worthwhile(at_target, corner, weight, view, false, labels), corner,
+            view.from_target, weight, f);
+    if(at_source.size() > 0)
+    {
+      const Corner other_corner(length, at_source.length(), at_target.length());
+      visit(at_source, worthwhile(at_source, other_corner, weight, view, true, labels),
+            other_corner, view.from_source, weight, f);
+    }
+  }
+
+  // The ranks of the points of a row that a path over a viewpoint may be the cheapest one to, given
+  // its neighbours. The row starts from the corner at the source or target of its halfedge.
+  template <typename Labels>
+  std::pair<Index, Index> worthwhile(const Row& row,
+                                     const Corner& corner,
+                                     const double weight,
+                                     const Viewpoint& view,
+                                     const bool is_at_source,
+                                     const Labels& labels) const
+  {
+    if(row.size() < LONG_ROW)
+      return {0, row.size()};
+    const auto reached = [&](const Node node, const double distance_if_end) {
+      return Reached_point{labels.distance(node),
+                           m_nodes.is_point(node)
+                               ? distance_from_end(view.halfedge, node, is_at_source)
+                               : distance_if_end};
+    };
+    const double length = m_triangulation.length(view.halfedge);
+    return cell(row, corner, weight, reached(view.node, 0),
+                reached(is_at_source ? view.toward_source : view.toward_target, 0),
+                reached(is_at_source ? view.toward_target : view.toward_source, length));
+  }
+
+  // The distance of a point on the edge of `h` from the source or the target of `h`.
+  double distance_from_end(const Index h, const Node node, const bool is_from_source) const
+  {
+    const Index p = m_nodes.point(node), e = m_points.edge(h);
+    const bool is_from_first_end = m_points.is_first(h) == is_from_source;
+    return m_triangulation.length(h) *
+           (is_from_first_end ? m_points.part_before(e, p) : m_points.part_behind(e, p));
+  }
+
+  // ----- arcs from places that are not nodes
+
+  // To the corners of the face to the left of `h`, and to points on those of its sides that the
+  // place is not on.
+  template <typename F>
+  void expand_place(const Intrinsic_point& place, const Index h, F& f) const
+  {
+    if(!is_open(h))
+      return;
+    const double weight = m_triangulation.weight(h);
+    const Face_plane plane(m_triangulation, h);
+    plane.for_each_position(place, [&](const Plane_vector position) {
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const Index side = plane.halfedge(i);
+        const Plane_vector start = plane.corner(i), end = plane.corner((i + 1) % 3);
+        f(corner_node(plane.vertex(i), side), weight * length(start - position));
+        const bool is_on_side =
+            place.is_on_edge() &&
+            (side == place.halfedge || m_triangulation.opposite(side) == place.halfedge);
+        if(!is_on_side)
+          for_each_point(side, [&](const Node node, const double part) {
+            f(node, weight * length(start + part * (end - start) - position));
+          });
+      }
+    });
+  }
+
+  // From the point at the part `t` of the way along `h` to all nodes of the edge, or of its left
+  // side.
+  template <typename F>
+  void expand_along_edge(const double t, const Index h, F& f) const
+  {
+    const double weight = m_triangulation.weight_of_edge(h);
+    if(weight == infinity)
+      return;
+    const double cost = weight * m_triangulation.length(h);
+    f(node_at_source(h), cost * t);
+    f(node_at_target(h), cost * (1 - t));
+    for_each_point(h,
+                   [&](const Node node, const double part) { f(node, cost * std::abs(part - t)); });
+  }
+
+  // Calls `f(node, part)` for the points of the edge of `h`, or of its left side, with their parts
+  // of the way along `h`.
+  template <typename F>
+  void for_each_point(const Index h, F f) const
+  {
+    const Index e = m_points.edge(h);
+    for(Index p = m_points.first_point(e); p < m_points.beyond_point(e); ++p)
+      f(m_nodes.node_of_point(p),
+        m_points.is_first(h) ? m_points.part_before(e, p) : m_points.part_behind(e, p));
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Steiner_nodes& m_nodes;
+  const Points_on_edges& m_points;
+  const Sectors& m_sectors;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_STEINER_ARCS_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_SURFACE_POINT_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_SURFACE_POINT_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <utility>
+#include <variant>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * a point of the surface of a mesh, given by a face and barycentric coordinates in it: the weights
+ * of the source and the target of `halfedge(f, tmesh)`, and of the third vertex. This is what
+ * \cgal's functions for locating points work with.
+ */
+template <typename TriangleMesh>
+using Face_location =
+    std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3>>;
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * a point of the surface of a mesh: a vertex; or a halfedge, and the part of the way from its
+ * source to its target, from `0` to `1`; or a face, and barycentric coordinates in it.
+ */
+template <typename TriangleMesh>
+using Surface_point =
+    std::variant<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
+                 std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>,
+                 Face_location<TriangleMesh>>;
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_SURFACE_POINT_H

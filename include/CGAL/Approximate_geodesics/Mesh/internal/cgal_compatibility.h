@@ -1,0 +1,46 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CGAL_COMPATIBILITY_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CGAL_COMPATIBILITY_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/version.h>
+
+#include <variant>
+
+#if CGAL_VERSION_NR < 1060001000
+#include <boost/variant.hpp>
+#endif
+
+// What differs between the versions of CGAL that are supported, 5.5 to 6.1. (That newer ones have
+// some of our named parameters is the concern of named_parameters.h.)
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// The alternative of type `T` of a variant as CGAL's intersections return it, or a null pointer:
+// Boost's variants have become the standard library's.
+#if CGAL_VERSION_NR < 1060001000
+template <typename T, typename... Types>
+const T* alternative(const boost::variant<Types...>& variant)
+{
+  return boost::get<T>(&variant);
+}
+#endif
+
+template <typename T, typename... Types>
+const T* alternative(const std::variant<Types...>& variant)
+{
+  return std::get_if<T>(&variant);
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CGAL_COMPATIBILITY_H

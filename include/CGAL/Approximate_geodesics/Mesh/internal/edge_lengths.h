@@ -1,0 +1,227 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_EDGE_LENGTHS_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_EDGE_LENGTHS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+// Reads and checks the lengths of edges, which neither overflow nor underflow on the way: see the
+// remark on units at `Intrinsic_triangulation`, whose header is the one to include.
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+using Point = std::array<double, 3>;
+
+// A power of two, and its inverse, that brings `extent` near 2^200 without rounding: products of
+// four lengths still fit a double, and lengths may be smaller than the extent by more than 1e300.
+class Scale
+{
+public:
+  // in the unit, between points within the extent
+  static constexpr double LARGEST_DISTANCE = 0x1p203;
+
+  explicit Scale(const double extent)
+    : m_exponent(extent > 0 ? (std::max)(std::ilogb(extent) - 200, SMALLEST_EXPONENT) : 0),
+      m_half_way(std::ldexp(1., -(m_exponent / 2))),
+      m_rest(std::ldexp(1., -(m_exponent - m_exponent / 2)))
+  {
+  }
+
+  double unit() const { return std::ldexp(1., m_exponent); }
+
+  // in two steps, as one factor could overflow
+  double reduce(const double x) const { return x * m_half_way * m_rest; }
+
+private:
+  static constexpr int SMALLEST_EXPONENT = -1074; // of a double
+
+  int m_exponent;
+  double m_half_way;
+  double m_rest;
+};
+
+inline double distance(const Point& p, const Point& q)
+{
+  const double dx = p[0] - q[0], dy = p[1] - q[1], dz = p[2] - q[2];
+  const double squared = dx * dx + dy * dy + dz * dz;
+
+  constexpr double smallest_accurate = 1e-280; // below, a square may have lost bits to underflow
+  if(squared > smallest_accurate)
+    return std::sqrt(squared);
+
+  const double largest = (std::max)({std::abs(dx), std::abs(dy), std::abs(dz)});
+  if(largest == 0)
+    return 0;
+  const Scale scale(largest);
+  const double x = scale.reduce(dx), y = scale.reduce(dy), z = scale.reduce(dz);
+  return std::sqrt(x * x + y * y + z * z) * scale.unit();
+}
+
+// Per halfedge that of its edge, in a unit that is a power of two.
+struct Edge_lengths
+{
+  std::vector<double> of_halfedge;
+  double unit = 1;
+};
+
+inline std::string name_of_edge(const Intrinsic_triangulation::Index h,
+                                const Intrinsic_triangulation& triangulation)
+{
+  return "edge between vertex " + std::to_string(triangulation.index(triangulation.source(h))) +
+         " and vertex " + std::to_string(triangulation.index(triangulation.target(h)));
+}
+
+// Reads lengths from a map.
+template <typename TriangleMesh, typename Halfedges, typename EdgeLengthMap>
+Edge_lengths given_lengths(const TriangleMesh& tmesh,
+                           const Halfedges& halfedges,
+                           const EdgeLengthMap& edge_length_map,
+                           const Intrinsic_triangulation& triangulation)
+{
+  Edge_lengths result;
+  result.of_halfedge.reserve(halfedges.size());
+  double extent = 0;
+  for(Intrinsic_triangulation::Index h = 0; h < halfedges.size(); ++h)
+  {
+    const double length = CGAL::to_double(get(edge_length_map, edge(halfedges[h], tmesh)));
+    if(!(length >= 0) || std::isinf(length))
+      reject("the " + name_of_edge(h, triangulation) + " has length " + text_of(length) +
+             "; it must be a finite number that is not negative");
+    result.of_halfedge.push_back(length + 0.0); // turns a negative zero into a positive one
+    extent = (std::max)(extent, length);
+  }
+
+  const Scale scale(extent);
+  result.unit = scale.unit();
+  for(double& length : result.of_halfedge)
+    length = scale.reduce(length);
+  return result;
+}
+
+template <typename Point_3, typename Traits>
+Point double_point(const Point_3& p, const Traits& traits)
+{
+  return {CGAL::to_double(traits.compute_x_3_object()(p)),
+          CGAL::to_double(traits.compute_y_3_object()(p)),
+          CGAL::to_double(traits.compute_z_3_object()(p))};
+}
+
+// The points of the vertices of a mesh, in the order of their numbers in the triangulation.
+template <typename TriangleMesh, typename Vertices, typename NamedParameters>
+std::vector<Point> double_points(const TriangleMesh& tmesh,
+                                 const Vertices& vertices,
+                                 const NamedParameters& np,
+                                 const Intrinsic_triangulation& triangulation)
+{
+  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  const Traits traits =
+      parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
+  const auto point_map =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                   get_const_property_map(CGAL::vertex_point, tmesh));
+
+  std::vector<Point> result;
+  result.reserve(vertices.size());
+  for(Intrinsic_triangulation::Index v = 0; v < vertices.size(); ++v)
+  {
+    result.push_back(double_point(get(point_map, vertices[v]), traits));
+    for(const double coordinate : result.back())
+      if(!std::isfinite(coordinate))
+        reject("vertex " + std::to_string(triangulation.index(v)) +
+               " has a coordinate that is infinite or not a number");
+  }
+  return result;
+}
+
+// Isolated vertices do not count: they can be anywhere, and need not fit the unit.
+inline Scale scale_of(const std::vector<Point>& points,
+                      const Intrinsic_triangulation& triangulation)
+{
+  double extent = 0;
+  for(Intrinsic_triangulation::Index v = 0; v < points.size(); ++v)
+    if(triangulation.degree(v) > 0)
+      for(const double coordinate : points[v])
+        extent = (std::max)(extent, std::abs(coordinate));
+  return Scale(extent);
+}
+
+// Computes lengths from points.
+inline Edge_lengths straight_lengths(std::vector<Point> points,
+                                     const Intrinsic_triangulation& triangulation)
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  const Scale scale = scale_of(points, triangulation);
+  for(Point& p : points)
+    for(double& coordinate : p)
+      coordinate = scale.reduce(coordinate);
+
+  Edge_lengths result;
+  result.unit = scale.unit();
+  result.of_halfedge.resize(triangulation.number_of_halfedges());
+  for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+      result.of_halfedge[h] = distance(points[v], points[triangulation.target(h)]);
+  return result;
+}
+
+// No path is longer than all edges together, and two of them, unless it goes nowhere; so distances
+// fit a `double` where twice the sum does.
+inline void check_sum(const Edge_lengths& lengths, const Intrinsic_triangulation& triangulation)
+{
+  const auto& l = lengths.of_halfedge; // each of an edge is there twice
+  if(!std::isinf(Scale::LARGEST_DISTANCE * lengths.unit * static_cast<double>(l.size())))
+    return;
+  const auto longest = std::max_element(l.begin(), l.end());
+  const std::string name =
+      name_of_edge(static_cast<Intrinsic_triangulation::Index>(longest - l.begin()), triangulation);
+  if(std::isinf(*longest * lengths.unit))
+    reject("the length of the " + name + " does not fit a double");
+  if(std::isinf(std::accumulate(l.begin(), l.end(), 0.) * lengths.unit))
+    reject("the lengths of all edges add up to more than half of what a double holds; the longest "
+           "is that of the " +
+           name);
+}
+
+// Reads the lengths of the edges of a mesh, whose vertices and halfedges are given by their numbers
+// in the triangulation.
+template <typename TriangleMesh, typename Vertices, typename Halfedges, typename NamedParameters>
+Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
+                               const Vertices& vertices,
+                               const Halfedges& halfedges,
+                               const NamedParameters& np,
+                               const Intrinsic_triangulation& triangulation)
+{
+  Edge_lengths result;
+  if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
+    result = given_lengths(tmesh, halfedges,
+                           parameters::get_parameter(np, internal_np::edge_length), triangulation);
+  else
+    result = straight_lengths(double_points(tmesh, vertices, np, triangulation), triangulation);
+  check_sum(result, triangulation);
+  return result;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_EDGE_LENGTHS_H

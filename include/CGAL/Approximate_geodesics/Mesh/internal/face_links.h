@@ -1,0 +1,91 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_FACE_LINKS_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_FACE_LINKS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <string>
+
+// Whether the faces of a mesh and their halfedges know each other. Unlike `CGAL::is_triangle()`,
+// these functions trust no link.
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// `f` has a halfedge.
+template <typename TriangleMesh>
+bool is_linked_triangle(const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+                        const TriangleMesh& tmesh)
+{
+  const auto first = halfedge(f, tmesh);
+  auto h = first;
+  for(int i = 0; i < 3; ++i)
+  {
+    const auto previous = h;
+    h = next(h, tmesh);
+    if(h == boost::graph_traits<TriangleMesh>::null_halfedge() || face(h, tmesh) != f ||
+       prev(h, tmesh) != previous || (h == first) != (i == 2))
+      return false;
+  }
+  return true;
+}
+
+inline std::string name_of_face(const std::size_t i)
+{
+  return "face " + std::to_string(i) + " (in the order of faces())";
+}
+
+// Returns the number of faces, and refuses a mesh that has others than triangles. `place_of(v)`
+// tells where a vertex of such a face is.
+template <typename TriangleMesh, typename PlaceOf>
+std::size_t number_of_triangles(const TriangleMesh& tmesh, const PlaceOf place_of)
+{
+  std::size_t result = 0;
+  for(const auto f : faces(tmesh))
+  {
+    if(halfedge(f, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
+      reject(name_of_face(result) + " has no halfedge");
+    if(!is_linked_triangle(f, tmesh))
+      reject(name_of_face(result) + place_of(target(halfedge(f, tmesh), tmesh)) +
+             " is not a triangle, or not linked to its halfedges in both directions");
+    ++result;
+  }
+  return result;
+}
+
+template <typename TriangleMesh>
+void check_triangles(const TriangleMesh& tmesh)
+{
+  number_of_triangles(tmesh, [](const auto&) { return ""; });
+}
+
+// `h` has a face.
+template <typename TriangleMesh>
+bool is_on_cycle_of_face(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                         const TriangleMesh& tmesh)
+{
+  auto side = halfedge(face(h, tmesh), tmesh);
+  for(int i = 0; i < 3 && side != boost::graph_traits<TriangleMesh>::null_halfedge(); ++i)
+  {
+    if(side == h)
+      return true;
+    side = next(side, tmesh);
+  }
+  return false;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_FACE_LINKS_H

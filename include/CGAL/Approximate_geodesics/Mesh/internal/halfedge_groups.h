@@ -1,0 +1,42 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_HALFEDGE_GROUPS_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_HALFEDGE_GROUPS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+// The order in which the halfedges around a vertex of a mesh are numbered.
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// The first one that starts from `v`, or a null halfedge if there is none.
+template <typename TriangleMesh>
+auto first_halfedge_from(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+                         const TriangleMesh& tmesh)
+{
+  const auto h = halfedge(v, tmesh);
+  return h == boost::graph_traits<TriangleMesh>::null_halfedge() ? h : opposite(h, tmesh);
+}
+
+// The one after `h`, or a null halfedge if the mesh is broken there.
+template <typename TriangleMesh>
+auto counterclockwise(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                      const TriangleMesh& tmesh)
+{
+  const auto before = prev(h, tmesh);
+  return before == boost::graph_traits<TriangleMesh>::null_halfedge() ? before
+                                                                      : opposite(before, tmesh);
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_HALFEDGE_GROUPS_H

@@ -1,0 +1,286 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_STRAIGHTENING_PATH_SLEEVES_H
+#define CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_STRAIGHTENING_PATH_SLEEVES_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_steps.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Vertex_fan.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_segments.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The sleeves of a path. The path is led past each of its vertices, on the side where the angle is
+ * smaller. Where that is possible on neither side, because of borders and barriers, one sleeve ends
+ * and another one starts.
+ */
+class Path_sleeves
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // \pre Each point of the path shares a face or an edge with the next.
+  Path_sleeves(const Intrinsic_triangulation& triangulation, const Path_steps& path)
+    : m_triangulation(triangulation), m_path(path), m_stops(path.points.size())
+  {
+    m_stops.front().is_end = m_stops.back().is_end = true;
+    for(std::size_t i = 1; i + 1 < m_stops.size(); ++i)
+      open_sides(i);
+    for(std::size_t i = m_stops.size() - 1; i-- > 1;)
+      if(!is_crossable(i))
+        agree(m_stops[i], m_stops[i + 1]);
+    for(std::size_t i = 1; i + 1 < m_stops.size(); ++i)
+      choose_side(i);
+  }
+
+  // Calls `f(sleeve, place)` for each sleeve, with the place that it leads to.
+  template <typename F>
+  void for_each_sleeve(F f) const
+  {
+    Sleeve sleeve(m_triangulation);
+    for(std::size_t i = 0; i + 1 < m_stops.size(); ++i)
+    {
+      const Step& step = m_path.steps[i];
+      if(m_stops[i].is_end)
+        sleeve.start_at(seen_from(step.from, first_face(i)));
+      else
+        pass(i, sleeve);
+      if(step.is_along_edge() && first_face(i) != last_face(i))
+        sleeve.cross(last_face(i));
+      if(m_stops[i + 1].is_end)
+      {
+        sleeve.end_at(seen_from(step.to, last_face(i)));
+        f(sleeve, m_path.points[i + 1]);
+      }
+    }
+  }
+
+private:
+  enum Side
+  {
+    LEFT,
+    RIGHT
+  };
+
+  // What happens at a point of the path.
+  struct Stop
+  {
+    std::array<double, 2> angle{}; // if the point is passed on this side; infinity if it cannot be
+    Side side = LEFT;              // the one that is taken
+    bool is_end = false;           // of a sleeve
+
+    bool is_open(const Side s) const { return !std::isinf(angle[s]); }
+    bool is_closed() const { return !is_open(LEFT) && !is_open(RIGHT); }
+  };
+
+  // A direction at a vertex, along a halfedge or inside the face to its left.
+  struct Direction
+  {
+    Index halfedge;
+    double angle;
+    bool is_inside;
+  };
+
+  // ----- sides
+
+  void open_sides(const std::size_t i)
+  {
+    Stop& stop = m_stops[i];
+    const Step &before = m_path.steps[i - 1], &after = m_path.steps[i];
+    if(m_path.points[i].is_vertex())
+    {
+      const Direction back = direction_back(i), ahead = direction_ahead(i);
+      stop.angle = {angle(ahead, back), angle(back, ahead)};
+      stop.is_end = stop.is_closed();
+    }
+    else if(before.is_along_edge()) // on the side of the face that comes next
+      close(stop, after.from.halfedge == before.edge ? RIGHT : LEFT);
+    else if(after.is_along_edge())
+      close(stop, before.to.halfedge == after.edge ? RIGHT : LEFT);
+  }
+
+  static void close(Stop& stop, const Side side)
+  {
+    stop.angle[side] = std::numeric_limits<double>::infinity();
+  }
+
+  // whether the path may be on one side of the edge at first, and on the other side at last
+  bool is_crossable(const std::size_t step) const
+  {
+    return !m_path.steps[step].is_along_edge() ||
+           internal::is_crossable(m_triangulation, m_path.steps[step].edge);
+  }
+
+  // Between the two, the path runs along an edge that it cannot cross.
+  static void agree(Stop& stop, Stop& next)
+  {
+    if(stop.is_end || next.is_end)
+      return;
+    const Stop before = stop;
+    for(const Side side : {LEFT, RIGHT})
+      if(!next.is_open(side))
+        close(stop, side);
+    if(stop.is_closed())
+    {
+      stop = before;
+      next.is_end = true;
+    }
+  }
+
+  void choose_side(const std::size_t i)
+  {
+    const Stop& previous = m_stops[i - 1];
+    Stop& stop = m_stops[i];
+    stop.side = stop.angle[LEFT] <= stop.angle[RIGHT] ? LEFT : RIGHT;
+    if(!previous.is_end && !is_crossable(i - 1) && stop.is_open(previous.side))
+      stop.side = previous.side;
+  }
+
+  // The halfedge of the edge that the step leads along which has the face to the left that the path
+  // is in at first; if it leads through a face, any of that.
+  Index first_face(const std::size_t i) const
+  {
+    const Step& step = m_path.steps[i];
+    if(!step.is_along_edge())
+      return step.from.halfedge;
+    if(!m_stops[i].is_end)
+      return face(step, m_stops[i].side);
+    if(!m_stops[i + 1].is_end)
+      return face(step, m_stops[i + 1].side);
+    return face(step, m_triangulation.is_border(step.edge) ? RIGHT : LEFT);
+  }
+
+  // ... at last
+  Index last_face(const std::size_t i) const
+  {
+    const Step& step = m_path.steps[i];
+    if(!step.is_along_edge())
+      return step.to.halfedge;
+    return m_stops[i + 1].is_end ? first_face(i) : face(step, m_stops[i + 1].side);
+  }
+
+  Index face(const Step& step, const Side side) const
+  {
+    return side == LEFT ? step.edge : m_triangulation.opposite(step.edge);
+  }
+
+  // A point of a step, as seen in one of the faces above.
+  Face_point seen_from(const Face_point& p, const Index h) const
+  {
+    Face_point result = p;
+    if(p.halfedge != h)
+      result = {h, {p.weight[1], p.weight[0], 0}};
+    if(result.weight[1] == 1 && !m_triangulation.is_border(h))
+      return Face_point::at_source(m_triangulation.next(h));
+    return result;
+  }
+
+  // ----- going past a point
+
+  void pass(const std::size_t i, Sleeve& sleeve) const
+  {
+    if(m_path.points[i].is_vertex())
+    {
+      if(m_stops[i].side == RIGHT)
+        pass_on_the_right(direction_back(i), direction_ahead(i), sleeve);
+      else
+        pass_on_the_left(direction_back(i), direction_ahead(i), sleeve);
+    }
+    else if(first_face(i) != last_face(i - 1))
+      sleeve.cross(first_face(i));
+  }
+
+  void pass_on_the_right(const Direction& back, const Direction& ahead, Sleeve& sleeve) const
+  {
+    if(is_in_corner(back, ahead))
+      return;
+    const Index v = m_triangulation.source(back.halfedge);
+    Index h = back.halfedge;
+    do
+    {
+      h = m_triangulation.counterclockwise(v, h);
+      if(h != ahead.halfedge || ahead.is_inside)
+        sleeve.cross(h);
+    } while(h != ahead.halfedge);
+  }
+
+  void pass_on_the_left(const Direction& back, const Direction& ahead, Sleeve& sleeve) const
+  {
+    if(is_in_corner(ahead, back))
+      return;
+    if(back.is_inside)
+      sleeve.cross(m_triangulation.opposite(back.halfedge));
+    for(Index h = clockwise(m_triangulation, back.halfedge); h != ahead.halfedge;
+        h = clockwise(m_triangulation, h))
+      sleeve.cross(m_triangulation.opposite(h));
+  }
+
+  // Whether one gets from one direction to the other, counterclockwise, without leaving a face.
+  // Back along a barrier, it is on the other side, all the way round the vertex.
+  static bool is_in_corner(const Direction& from, const Direction& to)
+  {
+    return from.halfedge == to.halfedge && to.is_inside &&
+           (!from.is_inside || from.angle <= to.angle);
+  }
+
+  // ----- directions
+
+  Direction direction_back(const std::size_t i) const
+  {
+    const Step& step = m_path.steps[i - 1];
+    if(step.is_along_edge())
+      return {m_triangulation.opposite(step.edge), 0, false};
+    return direction(step.to.halfedge, step.from);
+  }
+
+  Direction direction_ahead(const std::size_t i) const
+  {
+    const Step& step = m_path.steps[i];
+    if(step.is_along_edge())
+      return {step.edge, 0, false};
+    return direction(step.from.halfedge, step.to);
+  }
+
+  Direction direction(const Index h, const Face_point& p) const
+  {
+    const Plane_vector d =
+        p.seen_from(m_triangulation, h).position(m_triangulation, {0, 0}, {1, 0});
+    return {h, std::atan2(d.y, d.x), true};
+  }
+
+  // counterclockwise
+  double angle(const Direction& from, const Direction& to) const
+  {
+    if(is_in_corner(from, to))
+      return to.angle - from.angle;
+    if(to.is_inside && !internal::is_crossable(m_triangulation, to.halfedge))
+      return std::numeric_limits<double>::infinity();
+    return angle_of_fan(m_triangulation, from.halfedge, to.halfedge) - from.angle + to.angle;
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Path_steps& m_path;
+  std::vector<Stop> m_stops;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_STRAIGHTENING_PATH_SLEEVES_H

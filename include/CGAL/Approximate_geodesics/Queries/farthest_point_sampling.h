@@ -1,0 +1,217 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_FARTHEST_POINT_SAMPLING_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_FARTHEST_POINT_SAMPLING_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_vertices.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/graph_for_one_run.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Approximate_geodesics {
+namespace internal {
+
+// Builds the graph that named parameters ask for. Given a bound, all arcs are computed beforehand,
+// unlike for a single run: that pays off from about ten points on.
+template <typename TriangleMesh, typename NamedParameters>
+auto graph_for_many_runs(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  using Graph = decltype(graph_for_one_run(tmesh, np));
+  if constexpr(std::is_same_v<Graph, Lazy_discrete_geodesic_graph>)
+    return Discrete_geodesic_graph(Intrinsic_triangulation(tmesh, np), np);
+  else
+    return graph_for_one_run(tmesh, np);
+}
+
+/*
+ * Which of several numbers `0`, `1`, ... is farthest away, while distances fall. An entry is not
+ * lowered before it has come to the top: until then, its distance is an upper bound. Of several
+ * that are equally far, the first one is meant.
+ */
+class Farthest_first
+{
+public:
+  struct Entry
+  {
+    double distance;
+    std::size_t number;
+
+    bool operator<(const Entry& other) const
+    {
+      return distance < other.distance || (distance == other.distance && number > other.number);
+    }
+  };
+
+  explicit Farthest_first(const std::size_t size)
+  {
+    std::vector<Entry> entries;
+    for(std::size_t i = 0; i < size; ++i)
+      entries.push_back({std::numeric_limits<double>::infinity(), i});
+    m_queue = std::priority_queue<Entry>(std::less<Entry>(), std::move(entries));
+  }
+
+  // The distance is `0` if there are no numbers.
+  template <typename Distance>
+  Entry find(const Distance& distance)
+  {
+    while(!m_queue.empty())
+    {
+      const Entry top = m_queue.top();
+      const double present = distance(top.number);
+      if(present == top.distance)
+        return top;
+      m_queue.pop();
+      m_queue.push({present, top.number});
+    }
+    return {0, 0};
+  }
+
+private:
+  std::priority_queue<Entry> m_queue;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * chooses vertices that are spread evenly over the surface: one after the other, each as far as
+ * possible from the sources and from those chosen before.
+ *
+ * Parts of the mesh that no path connects with these, isolated vertices among them, are infinitely
+ * far away: each part gets a point before any gets another one. Of vertices that are equally far,
+ * the first one in the order of `vertices(tmesh)` is chosen. So the choice does not depend on the
+ * queue.
+ *
+ * If paths run along edges, and there are no sources, no choice of as many vertices covers the mesh
+ * with less than half of the radius that this one does.
+ *
+ * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or a model of
+ *         `ConstRange` with that value type
+ * \tparam Integer an integer type
+ * \tparam OutputIterator a model of `OutputIterator` that takes
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param sources a vertex, or a range of vertices, that the points are to keep away from; they do
+ *        not count as points. If there are none, the first point is the first vertex.
+ * \param number_of_points how many points are chosen: fewer if before that, no vertex is away from
+ *        all of them
+ * \param points receives the points, in the order in which they are chosen
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among
+ *           `vertex_point_map`, `edge_length_map`, `epsilon`, `number_of_points_per_edge`,
+ *           `face_weight_map`, `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map`
+ *           and `geom_traits`, which are as for `approximate_geodesic_distances()`, and
+ *           `concurrency_tag`, which is as for
+ *           `CGAL::Approximate_geodesics::Discrete_geodesic_graph`, the graph that is built if
+ *           `epsilon` is given
+ *
+ * \return the covering radius: the greatest distance of a vertex from the nearest of the sources
+ *         and points. It is infinite if a part of the mesh has none, and `0` if there are no
+ *         vertices.
+ *
+ * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does;
+ *         nothing has been written then.
+ *
+ * The first points cost a search of the whole mesh each, and every further one costs the search of
+ * the part that is nearer to it than to those before, which gets smaller and smaller. Together,
+ * \f$k\f$ points cost about as much as \f$\log k\f$ searches.
+ *
+ * \sa `approximate_geodesic_distances()`
+ * \sa `geodesic_voronoi_partition()`
+ */
+template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
+          typename TriangleMesh,
+          typename Sources,
+          typename Integer,
+          typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+std::enable_if_t<std::is_integral_v<Integer>, double>
+farthest_point_sampling(const TriangleMesh& tmesh,
+                        const Sources& sources,
+                        const Integer number_of_points,
+                        OutputIterator points,
+                        const NamedParameters& np = parameters::default_values())
+{
+  namespace AG = Approximate_geodesics;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  const auto graph = AG::internal::graph_for_many_runs(tmesh, np);
+  const AG::internal::Mesh_vertices mesh_vertices(tmesh, AG::internal::vertex_index_map(tmesh, np),
+                                                  graph.triangulation());
+  using Search = AG::Propagation<std::decay_t<decltype(graph)>, PriorityQueue>;
+  Search search(graph);
+  std::vector<typename Search::Seed> seeds;
+  if constexpr(std::is_convertible_v<Sources, vertex_descriptor>)
+    seeds.push_back({mesh_vertices.node(sources)});
+  else
+    for(const vertex_descriptor v : sources)
+      seeds.push_back({mesh_vertices.node(v)});
+  search.run(seeds);
+
+  const std::vector<vertex_descriptor> candidates(vertices(tmesh).begin(), vertices(tmesh).end());
+  const auto distance = [&](const std::size_t i) {
+    return search.distance(mesh_vertices.node(candidates[i]));
+  };
+  AG::internal::Farthest_first farthest_first(candidates.size());
+  auto farthest = farthest_first.find(distance);
+  for(Integer i = 0; i < number_of_points && farthest.distance > 0; ++i)
+  {
+    search.run_further({{mesh_vertices.node(candidates[farthest.number])}});
+    *points++ = candidates[farthest.number];
+    farthest = farthest_first.find(distance);
+  }
+  return farthest.distance;
+}
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * chooses vertices likewise, without sources: the first point is the first vertex.
+ */
+template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
+          typename TriangleMesh,
+          typename Integer,
+          typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+std::enable_if_t<std::is_integral_v<Integer>, double>
+farthest_point_sampling(const TriangleMesh& tmesh,
+                        const Integer number_of_points,
+                        OutputIterator points,
+                        const NamedParameters& np = parameters::default_values())
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  return farthest_point_sampling<PriorityQueue>(tmesh, std::array<vertex_descriptor, 0>(),
+                                                number_of_points, points, np);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_FARTHEST_POINT_SAMPLING_H

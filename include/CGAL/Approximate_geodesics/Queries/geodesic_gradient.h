@@ -1,0 +1,165 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_GRADIENT_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_GRADIENT_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The gradient of the linear function that has the given values, all of them finite, at the corners
+ * of a triangle; the zero vector if there is none that fits a `double`.
+ *
+ * It is computed for a triangle of about unit size: products of four lengths would vanish or
+ * overflow if the mesh were tiny or huge.
+ */
+template <typename Traits>
+typename Traits::Vector_3 gradient(const std::array<typename Traits::Point_3, 3>& points,
+                                   const std::array<double, 3>& values,
+                                   const Traits& traits)
+{
+  using FT = typename Traits::FT;
+  using Vector_3 = typename Traits::Vector_3;
+  const auto vector = traits.construct_vector_3_object();
+  const auto scaled = traits.construct_scaled_vector_3_object();
+  const auto sum = traits.construct_sum_of_vectors_3_object();
+  const auto cross_product = traits.construct_cross_product_vector_3_object();
+
+  Vector_3 u = vector(points[0], points[1]), v = vector(points[0], points[2]);
+  FT size(0);
+  for(const Vector_3& w : {u, v})
+    for(int i = 0; i < 3; ++i)
+      size = (CGAL::max)(size, FT(CGAL::abs(w[i])));
+  if(CGAL::is_zero(size))
+    return vector(NULL_VECTOR);
+
+  u = scaled(u, FT(1) / size);
+  v = scaled(v, FT(1) / size);
+  const Vector_3 normal = cross_product(u, v);
+  const FT square = traits.compute_squared_length_3_object()(normal);
+  if(CGAL::is_zero(square))
+    return vector(NULL_VECTOR);
+  const auto slope = [&](const double value) { // the difference of values can overflow
+    return FT(value / 2 - values[0] / 2) / size * FT(2);
+  };
+  const Vector_3 result = scaled(sum(scaled(cross_product(v, normal), slope(values[1])), //
+                                     scaled(cross_product(normal, u), slope(values[2]))),
+                                 FT(1) / square);
+  for(int i = 0; i < 3; ++i)
+    if(!std::isfinite(CGAL::to_double(result[i])))
+      return vector(NULL_VECTOR);
+  return result;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * computes the gradient of a function that is given at the vertices, and linear on each face.
+ *
+ * If the function is a distance, its gradient points away from the sources, and paths to them run
+ * against it. Its length is about `1`, or about the weight of the face if there are weights; it
+ * differs from that on faces next to a source and where fronts meet, and everywhere a bit if
+ * distances are those along edges.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ * \tparam VertexDistanceMap a model of `ReadablePropertyMap` with
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type
+ *         convertible by `CGAL::to_double()` as value type
+ * \tparam FaceVectorMap a model of `WritablePropertyMap` with
+ *         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3` of the
+ *         traits class as value type
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param vertex_distance_map one value per vertex, for example from
+ *        `approximate_geodesic_distances()`
+ * \param face_vector_map receives one vector per face: the zero vector if a value at one of its
+ *        corners is infinite or not a number, as where no source was reached, if the face has no
+ *        area, or if the gradient does not fit a `double`
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+ *           listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+ *                    `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a class model of `Kernel`}
+ *     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \throws std::invalid_argument naming a face that is not a triangle; nothing has been written
+ * then.
+ *
+ * Run time is \cgalBigO{n} for `n` faces.
+ *
+ * \sa `approximate_geodesic_distances()`
+ * \sa `geodesic_isolines()`
+ */
+template <typename TriangleMesh,
+          typename VertexDistanceMap,
+          typename FaceVectorMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+void geodesic_gradient(const TriangleMesh& tmesh,
+                       const VertexDistanceMap& vertex_distance_map,
+                       FaceVectorMap face_vector_map,
+                       const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  namespace AG = Approximate_geodesics;
+  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+
+  AG::internal::check_triangles(tmesh);
+  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                          get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
+
+  for(const auto f : faces(tmesh))
+  {
+    std::array<typename Traits::Point_3, 3> points;
+    std::array<double, 3> values;
+    bool is_reached = true;
+    std::size_t i = 0;
+    for(const auto v : vertices_around_face(halfedge(f, tmesh), tmesh))
+    {
+      points[i] = get(point_map, v);
+      values[i] = CGAL::to_double(get(vertex_distance_map, v));
+      is_reached = is_reached && std::isfinite(values[i]);
+      ++i;
+    }
+    put(face_vector_map, f,
+        is_reached ? AG::internal::gradient(points, values, traits)
+                   : traits.construct_vector_3_object()(NULL_VECTOR));
+  }
+}
+
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_GRADIENT_H

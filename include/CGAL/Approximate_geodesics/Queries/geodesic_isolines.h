@@ -1,0 +1,261 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_ISOLINES_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_ISOLINES_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+namespace CGAL {
+
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The line between the vertices below a value and those that are not. A vertex that has exactly
+ * this value counts as above; so there are no special cases: the line crosses a face twice or not
+ * at all, once over a halfedge that goes up and once over one that goes down, whose opposite goes
+ * up in the next face.
+ */
+template <typename TriangleMesh, typename DistanceMap, typename PointMap, typename Traits>
+class Isoline
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+
+public:
+  using Polyline = std::vector<typename boost::property_traits<PointMap>::value_type>;
+
+  Isoline(const TriangleMesh& tmesh,
+          const DistanceMap& distance_map,
+          const PointMap& point_map,
+          const Traits& traits,
+          const double isovalue)
+    : m_mesh(tmesh),
+      m_distance_map(distance_map),
+      m_point_map(point_map),
+      m_traits(traits),
+      m_isovalue(isovalue)
+  {
+  }
+
+  template <typename OutputIterator>
+  OutputIterator write(OutputIterator polylines)
+  {
+    std::vector<halfedge_descriptor> entries;
+    for(const face_descriptor f : faces(m_mesh))
+      if(is_crossed(f))
+        entries.push_back(way_in(f));
+    m_not_passed.insert(entries.begin(), entries.end());
+
+    for(const bool from_end : {true, false}) // what is left after the first round is closed
+      for(const halfedge_descriptor h : entries)
+        if(m_not_passed.count(h) > 0 && !(from_end && continues_behind(h)))
+        {
+          Polyline polyline = follow(h);
+          if(polyline.size() > 1) // it is a single point around a vertex that alone is above
+            *polylines++ = std::move(polyline);
+        }
+    return polylines;
+  }
+
+private:
+  double value(const vertex_descriptor v) const { return CGAL::to_double(get(m_distance_map, v)); }
+
+  bool is_above(const vertex_descriptor v) const { return value(v) >= m_isovalue; }
+
+  bool goes_up(const halfedge_descriptor h) const
+  {
+    return !is_above(source(h, m_mesh)) && is_above(target(h, m_mesh));
+  }
+
+  bool is_crossed(const face_descriptor f) const
+  {
+    bool has_above = false, has_below = false;
+    for(const vertex_descriptor v : vertices_around_face(halfedge(f, m_mesh), m_mesh))
+    {
+      if(!std::isfinite(value(v)))
+        return false;
+      (is_above(v) ? has_above : has_below) = true;
+    }
+    return has_above && has_below;
+  }
+
+  // The halfedge of a crossed face that goes up.
+  halfedge_descriptor way_in(const face_descriptor f) const
+  {
+    halfedge_descriptor h = halfedge(f, m_mesh);
+    while(!goes_up(h))
+      h = next(h, m_mesh);
+    return h;
+  }
+
+  // The opposite of the halfedge that goes down in the face that `h` goes up in.
+  halfedge_descriptor way_on(const halfedge_descriptor h) const
+  {
+    const halfedge_descriptor g = next(h, m_mesh);
+    return opposite(is_above(target(g, m_mesh)) ? next(g, m_mesh) : g, m_mesh);
+  }
+
+  bool continues_behind(const halfedge_descriptor h) const
+  {
+    const halfedge_descriptor g = opposite(h, m_mesh);
+    return !is_border(g, m_mesh) && is_crossed(face(g, m_mesh));
+  }
+
+  // The polyline from the edge of `h` to an end or back again.
+  Polyline follow(halfedge_descriptor h)
+  {
+    Polyline result(1, point(h));
+    while(m_not_passed.erase(h) > 0)
+    {
+      h = way_on(h);
+      auto p = point(h);
+      if(p != result.back()) // at a vertex, which all edges from below are crossed at
+        result.push_back(std::move(p));
+    }
+    return result;
+  }
+
+  // Where the line crosses the edge of a halfedge that goes up.
+  typename Polyline::value_type point(const halfedge_descriptor h) const
+  {
+    const vertex_descriptor below = source(h, m_mesh), above = target(h, m_mesh);
+    const double low = value(below), high = value(above);
+    if(high == m_isovalue)
+      return get(m_point_map, above);
+    return m_traits.construct_barycenter_3_object()(
+        get(m_point_map, above), typename Traits::FT(part(low, m_isovalue, high)),
+        get(m_point_map, below));
+  }
+
+  // How far a value is on the way from a low to a high one, whose difference may overflow.
+  static double part(const double low, const double value, const double high)
+  {
+    if(std::isinf(high - low))
+      return (value / 2 - low / 2) / (high / 2 - low / 2);
+    return (value - low) / (high - low);
+  }
+
+  const TriangleMesh& m_mesh;
+  const DistanceMap& m_distance_map;
+  const PointMap& m_point_map;
+  const Traits& m_traits;
+  double m_isovalue;
+  std::set<halfedge_descriptor> m_not_passed; // the ways into faces that no polyline has taken yet
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * computes the lines on the surface where a function that is given at the vertices, and linear on
+ * each face, has one of the given values.
+ *
+ * An isoline separates the part of the surface where values are smaller, which is to its left, from
+ * the part where they are not: those of a distance go counterclockwise around its sources, seen
+ * from outside. They consist of polylines that cross one face after the other, and that are closed
+ * unless they end at a border of the mesh, or of the part that was reached. Where a vertex has
+ * exactly one of the values, polylines go through it, without repeating the point, and where all
+ * points of an edge or face have it, polylines go around that.
+ *
+ * To cut the mesh along isolines, there is
+ * `CGAL::Polygon_mesh_processing::refine_mesh_at_isolevel()` in \cgal 5.6 and later.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeGraph`
+ * \tparam VertexDistanceMap a model of `ReadablePropertyMap` with
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type
+ *         convertible by `CGAL::to_double()` as value type
+ * \tparam Isovalues a model of `ConstRange` with a number type convertible by `CGAL::to_double()`
+ *         as value type
+ * \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`, where
+ *         `Point_3` is the value type of the vertex point map
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param vertex_distance_map one value per vertex, for example from
+ *        `approximate_geodesic_distances()`; faces with a value that is infinite or not a number
+ *        have no isolines
+ * \param isovalues the values
+ * \param polylines receives the polylines, those of the first value first; the last point of a
+ *        closed one is the same as its first
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+ *           listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+ *                    `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a class model of `Kernel`}
+ *     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the output iterator, behind the last polyline.
+ *
+ * \throws std::invalid_argument naming a face that is not a triangle; nothing has been written
+ * then.
+ *
+ * Run time is \cgalBigO{n + k \log k} for every value, for `n` faces, `k` of which have a part of
+ * the isoline.
+ *
+ * \sa `approximate_geodesic_distances()`
+ * \sa `geodesic_gradient()`
+ */
+template <typename TriangleMesh,
+          typename VertexDistanceMap,
+          typename Isovalues,
+          typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+OutputIterator geodesic_isolines(const TriangleMesh& tmesh,
+                                 const VertexDistanceMap& vertex_distance_map,
+                                 const Isovalues& isovalues,
+                                 OutputIterator polylines,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  namespace AG = Approximate_geodesics;
+  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+
+  AG::internal::check_triangles(tmesh);
+  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                          get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
+
+  for(const auto& isovalue : isovalues)
+    polylines = AG::internal::Isoline(tmesh, vertex_distance_map, point_map, traits,
+                                      CGAL::to_double(isovalue))
+                    .write(polylines);
+  return polylines;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_ISOLINES_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_VORONOI_PARTITION_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_VORONOI_PARTITION_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+namespace Approximate_geodesics {
+namespace internal {
+
+// How far a corner of a face is from its nearest source, and which one that is.
+struct Corner_source
+{
+  double distance;
+  std::size_t source;
+};
+
+inline std::size_t source_of_face(const std::array<Corner_source, 3>& corners)
+{
+  const auto& [a, b, c] = corners;
+  if(a.source == b.source || a.source == c.source)
+    return a.source;
+  if(b.source == c.source)
+    return b.source;
+  return std::min_element(
+             corners.begin(), corners.end(),
+             [](const Corner_source& p, const Corner_source& q) { return p.distance < q.distance; })
+      ->source;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * divides the surface among several sources: finds the nearest one for every face.
+ *
+ * The nearest source of a face is that of most of its corners, or, if all three have different
+ * ones, that of the corner with the smallest distance. So the cells are unions of faces. The
+ * nearest sources of the vertices can be had in addition, by the named parameter
+ * `nearest_source_map`.
+ *
+ * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam Sources a model of `ConstRange` with value type
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+ * \tparam FaceSourceMap a model of `WritablePropertyMap` with
+ *         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as
+ *         value type
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param sources the sources, vertices of `tmesh`; of equal ones, all but the first get nothing
+ * \param face_source_map receives, for each face, the position of its nearest source in `sources`;
+ *        `-1`, converted to the value type, for faces that have two or three corners that no source
+ *        reaches
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": all those of
+ *           `approximate_geodesic_distances()`
+ *
+ * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does;
+ *         nothing has been written then.
+ *
+ * Run time and memory are those of `approximate_geodesic_distances()`: it is a single run,
+ * however many sources there are.
+ *
+ * \sa `approximate_geodesic_distances()`
+ * \sa `farthest_point_sampling()`
+ */
+template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
+          typename TriangleMesh,
+          typename Sources,
+          typename FaceSourceMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+void geodesic_voronoi_partition(const TriangleMesh& tmesh,
+                                const Sources& sources,
+                                FaceSourceMap face_source_map,
+                                const NamedParameters& np = parameters::default_values())
+{
+  namespace AG = Approximate_geodesics;
+
+  const auto index_map = AG::internal::vertex_index_map(tmesh, np);
+  std::vector<double> distance_of(num_vertices(tmesh));
+  std::vector<std::size_t> source_of(num_vertices(tmesh));
+  const auto distance_map = boost::make_iterator_property_map(distance_of.begin(), index_map);
+  const auto source_map = boost::make_iterator_property_map(source_of.begin(), index_map);
+  approximate_geodesic_distances<PriorityQueue>(
+      tmesh, distance_map, sources,
+      parameters::combine(np, parameters::nearest_source_map(source_map)));
+
+  if constexpr(AG::internal::is_given<NamedParameters, internal_np::nearest_source_t>)
+  {
+    const auto wanted_map = parameters::get_parameter(np, internal_np::nearest_source);
+    using Value = typename boost::property_traits<decltype(wanted_map)>::value_type;
+    for(const auto v : vertices(tmesh))
+      put(wanted_map, v, static_cast<Value>(get(source_map, v)));
+  }
+
+  using Value = typename boost::property_traits<FaceSourceMap>::value_type;
+  for(const auto f : faces(tmesh))
+  {
+    std::array<AG::internal::Corner_source, 3> corners;
+    std::size_t i = 0;
+    for(const auto v : vertices_around_face(halfedge(f, tmesh), tmesh))
+      corners[i++] = {get(distance_map, v), get(source_map, v)};
+    put(face_source_map, f, static_cast<Value>(AG::internal::source_of_face(corners)));
+  }
+}
+
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_VORONOI_PARTITION_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SELECTIVE_REFINEMENT_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SELECTIVE_REFINEMENT_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * A placement of equally spaced points on the edges near a path, and of none on others: on those of
+ * the faces that the path touches, and of so many rings of faces around these.
+ */
+class Points_near_path
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  static constexpr bool makes_equal_parts = true;
+
+  Points_near_path(const Intrinsic_triangulation& triangulation,
+                   const Path& path,
+                   const std::size_t number_of_rings,
+                   const std::size_t number_of_points_per_edge)
+    : m_number_of_points(number_of_points_per_edge),
+      m_is_near(triangulation.number_of_vertices(), false)
+  {
+    for(const Intrinsic_point& p : path.points)
+      mark_vertices_of_faces(triangulation, p);
+    for(std::size_t ring = 0; ring < number_of_rings; ++ring)
+      mark_neighbors(triangulation);
+  }
+
+  void prepare(const Intrinsic_triangulation& /* triangulation */) {}
+
+  std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    return m_is_near[triangulation.source(h)] && m_is_near[triangulation.target(h)]
+               ? m_number_of_points
+               : 0;
+  }
+
+  double epsilon(const Intrinsic_triangulation& /* triangulation */) const
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+
+  std::size_t memory() const { return m_is_near.capacity() / 8; }
+
+private:
+  // those of the faces that a point of the path lies in
+  void mark_vertices_of_faces(const Intrinsic_triangulation& triangulation,
+                              const Intrinsic_point& p)
+  {
+    if(p.is_vertex())
+    {
+      m_is_near[p.vertex] = true;
+      for(Index h = triangulation.first_halfedge(p.vertex);
+          h < triangulation.beyond_halfedge(p.vertex); ++h)
+        m_is_near[triangulation.target(h)] = true;
+    }
+    else
+      for(const Index h : {p.halfedge, triangulation.opposite(p.halfedge)})
+      {
+        m_is_near[triangulation.target(h)] = true;
+        if(!triangulation.is_border(h))
+          m_is_near[triangulation.target(triangulation.next(h))] = true;
+      }
+  }
+
+  void mark_neighbors(const Intrinsic_triangulation& triangulation)
+  {
+    const std::vector<bool> was_near = m_is_near;
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+      if(was_near[v])
+        for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+          m_is_near[triangulation.target(h)] = true;
+  }
+
+  std::size_t m_number_of_points;
+  std::vector<bool> m_is_near; // per vertex
+};
+
+/*
+ * A path from one vertex to another that is searched for again and again, each time in a graph with
+ * twice as many points on edges near the path that was found before, and nearer from time to time.
+ */
+template <typename PriorityQueue>
+class Selective_refinement
+{
+  using Index = Intrinsic_triangulation::Index;
+
+public:
+  Selective_refinement(const Intrinsic_triangulation& triangulation,
+                       const Index source,
+                       const Index target)
+    : m_triangulation(triangulation), m_source(source), m_target(target)
+  {
+  }
+
+  // Ends when the path has got shorter by less than a part of its length.
+  Path run(Fixed_number_of_points first_placement, const double relative_tolerance)
+  {
+    std::size_t number_of_points = first_placement.number_of_points(m_triangulation, 0);
+    std::size_t number_of_rings = LARGEST_NUMBER_OF_RINGS;
+    Path result = search(std::move(first_placement));
+    while(!result.points.empty() && number_of_points < LARGEST_NUMBER_OF_POINTS)
+    {
+      number_of_points = 2 * number_of_points + 1; // the points so far among them
+      Path refined =
+          search(Points_near_path(m_triangulation, result, number_of_rings, number_of_points));
+      number_of_rings -= (std::min)(number_of_rings, std::size_t(1));
+      const double gain = result.length - refined.length;
+      if(gain > 0)
+        result = std::move(refined);
+      if(gain <= relative_tolerance * result.length)
+        break;
+    }
+    return result;
+  }
+
+private:
+  static constexpr std::size_t LARGEST_NUMBER_OF_POINTS = 4096;
+  static constexpr std::size_t LARGEST_NUMBER_OF_RINGS = 3; // a coarse path can be this far off
+
+  // The path is empty if the target cannot be reached; its length is in the unit of the graph.
+  template <typename Placement>
+  Path search(Placement placement) const
+  {
+    const Steiner_graph<Placement> graph(m_triangulation, std::move(placement));
+    Propagation<Steiner_graph<Placement>, PriorityQueue> search(graph);
+    search.run({{m_source}}, {std::numeric_limits<double>::infinity(), {m_target}});
+    Path result = find_path(search, m_target);
+    result.length *= graph.unit();
+    return result;
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  Index m_source, m_target;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SELECTIVE_REFINEMENT_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SOURCE_LIST_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SOURCE_LIST_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Surface_search.h>
+
+#include <boost/iterator/iterator_adaptor.hpp>
+
+#include <cstddef>
+#include <list>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The sources of a search, in the order in which they were added. Iterators stay valid until their
+ * source is removed, and show it as a place on the surface, which is how the exact class does it.
+ */
+template <typename TriangleMesh>
+class Source_list
+{
+  using Face_location = Approximate_geodesics::Face_location<TriangleMesh>;
+
+  struct Listed_source
+  {
+    Source source;
+    Face_location location;
+  };
+  using List = std::list<Listed_source>;
+  using List_iterator = typename List::const_iterator;
+
+public:
+  class Iterator : public boost::iterator_adaptor<Iterator,
+                                                  List_iterator,
+                                                  Face_location,
+                                                  std::bidirectional_iterator_tag,
+                                                  const Face_location&>
+  {
+  public:
+    Iterator() = default;
+
+  private:
+    friend class Source_list;
+    friend class boost::iterator_core_access;
+
+    explicit Iterator(const List_iterator it) : Iterator::iterator_adaptor_(it) {}
+    const Face_location& dereference() const { return this->base()->location; }
+  };
+
+  static const Source& source(const Iterator it) { return it.base()->source; }
+
+  Iterator begin() const { return Iterator(m_sources.begin()); }
+  Iterator end() const { return Iterator(m_sources.end()); }
+  std::size_t size() const { return m_sources.size(); }
+
+  Iterator add(const Source& source, const Face_location& location)
+  {
+    return Iterator(m_sources.insert(m_sources.end(), Listed_source{source, location}));
+  }
+
+  void remove(const Iterator it) { m_sources.erase(it.base()); }
+  void clear() { m_sources.clear(); }
+
+private:
+  List m_sources;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SOURCE_LIST_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_GEODESIC_PATH_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_GEODESIC_PATH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/write_points.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * computes a short path on the mesh from `source` to `target` by selective refinement, and its
+ * length.
+ *
+ * A first path is found in a graph with a few points on every edge. Then the search is repeated in
+ * graphs with twice as many points, but only on edges near the path found last, until it gets
+ * shorter by less than a given part of its length. This is much faster than a graph that is fine
+ * everywhere, and finds about the same path, unless the first one took another way round an
+ * obstacle: the result is a path that is short among its neighbours, without a bound. Where weights
+ * differ by orders of magnitude, it can cost many times as much as the cheapest one.
+ *
+ * The method is that of Kanai and Suzuki \cgalCite{ks-asppa-01}.
+ *
+ * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param source the vertex that the path starts from
+ * \param target the vertex that the path ends at
+ * \param points receives the points of the path, as of `approximate_geodesic_path()`
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those listed
+ *           below and `vertex_point_map`, `edge_length_map`, `face_weight_map`,
+ *           `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map` and `geom_traits`,
+ *           which are as for `approximate_geodesic_path()`
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{number_of_points_per_edge}
+ *     \cgalParamDescription{the number of points on every edge for the first path}
+ *     \cgalParamType{an integer type}
+ *     \cgalParamDefault{`3`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{relative_tolerance}
+ *     \cgalParamDescription{The last refinement is the one that makes the path shorter by at most
+ *                           this part of its length. As a rule, further ones would gain less than a
+ *                           third of it.}
+ *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+ *     \cgalParamDefault{`1e-5`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the length of the path, or its cost if faces have weights, or infinity if `target` cannot
+ *         be reached.
+ *
+ * \throws std::invalid_argument as `approximate_geodesic_path()` does, if a face breaks the
+ *         triangle inequality, or if the tolerance is negative or not a number.
+ * \throws std::length_error as `approximate_geodesic_path()` does.
+ *
+ * Run time and memory are those of a search with the first number of points, in practice, and
+ * \cgalBigO{n} more for every refinement of a mesh of `n` vertices.
+ *
+ * \sa `approximate_geodesic_path()`
+ */
+template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
+          typename TriangleMesh,
+          typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+double
+refined_geodesic_path(const TriangleMesh& tmesh,
+                      const typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+                      const typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
+                      OutputIterator points,
+                      const NamedParameters& np = parameters::default_values())
+{
+  namespace AG = Approximate_geodesics;
+  static_assert(!AG::internal::is_given<NamedParameters, internal_np::epsilon_t>,
+                "epsilon: selective refinement gives no bound; use approximate_geodesic_path()");
+
+  const double tolerance = CGAL::to_double(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::relative_tolerance), 1e-5));
+  if(!(tolerance >= 0))
+    AG::internal::reject("the relative tolerance is " + AG::internal::text_of(tolerance) +
+                         "; it must be a number that is not negative");
+
+  const AG::Intrinsic_triangulation triangulation(tmesh, np);
+  const AG::internal::Mesh_translation places(tmesh, AG::internal::vertex_index_map(tmesh, np),
+                                              triangulation);
+  AG::internal::Selective_refinement<PriorityQueue> refinement(triangulation, places.node(source),
+                                                               places.node(target));
+  const AG::internal::Path path = refinement.run(AG::Fixed_number_of_points(np), tolerance);
+  AG::internal::write_points<true>(path, places, tmesh, points, np);
+  return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_GEODESIC_PATH_H

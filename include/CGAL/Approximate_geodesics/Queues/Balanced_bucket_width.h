@@ -1,0 +1,75 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_BALANCED_BUCKET_WIDTH_H
+#define CGAL_APPROXIMATE_GEODESICS_QUEUES_BALANCED_BUCKET_WIDTH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * The default policy for the width of the buckets of an adaptive bucket queue.
+ *
+ * Wide buckets lead to late entries: nodes that enter a bucket while it is being drained, and may
+ * have to be expanded again. Narrow buckets have to be visited, and many are empty; a visit costs
+ * as much as a few late entries. The width is changed by a factor of \f$\sqrt 2\f$ after every run
+ * until neither overhead is much larger than the other. The first width is half the mean arc
+ * length, which is close to balanced on scanned models.
+ *
+ * \cgalModels{BucketWidthPolicy}
+ */
+class Balanced_bucket_width
+{
+public:
+  /// chooses the width for the first run.
+  explicit Balanced_bucket_width(const Arc_lengths& arcs = Arc_lengths())
+    : m_narrowest((std::max)(arcs.longest * NARROWEST_PART, SMALLEST_INVERTIBLE)),
+      m_widest((std::max)(arcs.longest, m_narrowest)),
+      m_width(arcs.longest > 0 ? (std::clamp)(arcs.mean / 2, m_narrowest, m_widest) : 1)
+  {
+  }
+
+  /// returns the width of the buckets, in units of the graph.
+  double width() const { return m_width; }
+
+  /// chooses the width for the next run, given the figures of the last one.
+  void update(const Bucket_statistics& last_run)
+  {
+    if(last_run.entries < SMALLEST_SAMPLE)
+      return;
+    if(last_run.late_entries > COST_OF_VISIT * last_run.visited_buckets)
+      m_width = (std::max)(m_width / STEP, m_narrowest);
+    else if(SLACK * last_run.late_entries < last_run.visited_buckets)
+      m_width = (std::min)(m_width * STEP, m_widest);
+  }
+
+private:
+  static constexpr double STEP = 1.4142135623730951;
+  static constexpr std::size_t COST_OF_VISIT = 8; // in late entries, or less
+  static constexpr std::size_t SLACK = 2; // further apart: a step must not lead to its opposite
+  static constexpr double NARROWEST_PART = 1e-9; // of the longest arc: bucket indices stay small
+  static constexpr double SMALLEST_INVERTIBLE = 4 / (std::numeric_limits<double>::max)();
+  static constexpr std::size_t SMALLEST_SAMPLE = 1000; // smaller runs say little of the mesh
+
+  double m_narrowest;
+  double m_widest;
+  double m_width;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_BALANCED_BUCKET_WIDTH_H

@@ -1,0 +1,60 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_BUCKET_STATISTICS_H
+#define CGAL_APPROXIMATE_GEODESICS_QUEUES_BUCKET_STATISTICS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * What a run of a bucket queue met with. All of it is counted per bucket, not per entry, and costs
+ * next to nothing.
+ */
+struct Bucket_statistics
+{
+  /// the width of the buckets, in units of the graph.
+  double width = 0;
+  /// the number of buckets looked into, empty ones included.
+  std::size_t visited_buckets = 0;
+  /// the number of buckets that were not empty.
+  std::size_t used_buckets = 0;
+  /// the number of entries that were extracted.
+  std::size_t entries = 0;
+  /// the number of entries among them that came into a bucket while it was being drained.
+  std::size_t late_entries = 0;
+  /// the number of comparisons between entries, of one bucket or beyond the circle.
+  std::size_t comparisons = 0;
+  /// the sum of the squared numbers of entries of the buckets.
+  double sum_of_squared_occupancies = 0;
+
+  /// returns the mean number of entries of the buckets that were not empty.
+  double mean_occupancy() const
+  {
+    return used_buckets == 0 ? 0 : static_cast<double>(entries) / static_cast<double>(used_buckets);
+  }
+
+  /// returns the standard deviation of the number of entries of the buckets that were not empty.
+  double standard_deviation_of_occupancy() const
+  {
+    if(used_buckets == 0)
+      return 0;
+    const double mean_square = sum_of_squared_occupancies / static_cast<double>(used_buckets);
+    return std::sqrt((std::max)(0., mean_square - mean_occupancy() * mean_occupancy()));
+  }
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_BUCKET_STATISTICS_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_D_ARY_HEAP_QUEUE_H
+#define CGAL_APPROXIMATE_GEODESICS_QUEUES_D_ARY_HEAP_QUEUE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Queues/internal/Boost_heap_queue.h>
+
+#include <boost/heap/d_ary_heap.hpp>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * A priority queue on an implicit heap, whose nodes have `D` children each, from the library
+ * Boost.Heap. Keys are lowered in place.
+ *
+ * `push()` takes time \cgalBigO{\log_D m}, `extract_min()` takes \cgalBigO{D \log_D m} for `m`
+ * entries. Memory is \cgalBigO{n} for `n` nodes.
+ *
+ * Objects can be moved, but not copied.
+ *
+ * \tparam D the number of children, at least 2
+ *
+ * \cgalModels{GeodesicPriorityQueue}
+ */
+template <unsigned D = 4>
+class D_ary_heap_queue
+#ifndef DOXYGEN_RUNNING
+  : public internal::Boost_heap_queue<
+        boost::heap::d_ary_heap<Queue_entry,
+                                boost::heap::arity<D>,
+                                boost::heap::mutable_<true>,
+                                boost::heap::compare<internal::Has_larger_key>>>
+#endif
+{
+  using Base = internal::Boost_heap_queue<
+      boost::heap::d_ary_heap<Queue_entry,
+                              boost::heap::arity<D>,
+                              boost::heap::mutable_<true>,
+                              boost::heap::compare<internal::Has_larger_key>>>;
+
+public:
+  /// an empty queue for a graph with so many nodes.
+  explicit D_ary_heap_queue(const std::size_t number_of_nodes = 0,
+                            const Arc_lengths& arcs = Arc_lengths())
+    : Base(number_of_nodes, arcs)
+  {
+  }
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_D_ARY_HEAP_QUEUE_H

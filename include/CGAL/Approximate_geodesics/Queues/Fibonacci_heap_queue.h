@@ -1,0 +1,56 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_FIBONACCI_HEAP_QUEUE_H
+#define CGAL_APPROXIMATE_GEODESICS_QUEUES_FIBONACCI_HEAP_QUEUE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Queues/internal/Boost_heap_queue.h>
+
+#include <boost/heap/fibonacci_heap.hpp>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * A priority queue on a Fibonacci heap \cgalCite{ft-fhtui-87}, from the library Boost.Heap. It has
+ * the best bounds of all heaps that are used in practice, and large constants. Keys are lowered in
+ * place.
+ *
+ * `push()` takes amortized constant time, `extract_min()` amortized time \cgalBigO{\log m} for `m`
+ * entries. Memory is \cgalBigO{n} for `n` nodes.
+ *
+ * Objects can be moved, but not copied.
+ *
+ * \cgalModels{GeodesicPriorityQueue}
+ */
+class Fibonacci_heap_queue
+#ifndef DOXYGEN_RUNNING
+  : public internal::Boost_heap_queue<
+        boost::heap::fibonacci_heap<Queue_entry, boost::heap::compare<internal::Has_larger_key>>>
+#endif
+{
+  using Base = internal::Boost_heap_queue<
+      boost::heap::fibonacci_heap<Queue_entry, boost::heap::compare<internal::Has_larger_key>>>;
+
+public:
+  /// an empty queue for a graph with so many nodes.
+  explicit Fibonacci_heap_queue(const std::size_t number_of_nodes = 0,
+                                const Arc_lengths& arcs = Arc_lengths())
+    : Base(number_of_nodes, arcs)
+  {
+  }
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_FIBONACCI_HEAP_QUEUE_H

@@ -1,0 +1,146 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_RADIX_HEAP_QUEUE_H
+#define CGAL_APPROXIMATE_GEODESICS_QUEUES_RADIX_HEAP_QUEUE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Queues/internal/Ordered_queue_base.h>
+#include <CGAL/Approximate_geodesics/Queues/internal/bit_width.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * A monotone priority queue that puts an entry into one of 65 buckets, by the first bit in which
+ * its key differs from a key that none is below \cgalCite{amot-faspp-90}. Doubles that are not
+ * negative have the order of their bit patterns, so that no unit and no range of keys has to be
+ * known.
+ *
+ * When the first bucket is empty, the entries of the first one that is not are distributed to those
+ * before it. An entry moves at most 64 times, and a few times in practice. A node whose key is
+ * lowered is entered again; the search skips the stale entry when it comes out.
+ *
+ * `push()` takes constant time, and `extract_min()` amortized time \cgalBigO{B} for keys of `B`
+ * bits. Memory is that of the largest number of entries each bucket had.
+ *
+ * \cgalModels{GeodesicPriorityQueue}
+ */
+class Radix_heap_queue
+#ifndef DOXYGEN_RUNNING
+  : public internal::Ordered_queue_base
+#endif
+{
+public:
+  /// an empty queue.
+  explicit Radix_heap_queue(std::size_t /* number_of_nodes */ = 0,
+                            const Arc_lengths& = Arc_lengths())
+  {
+  }
+
+  /// returns whether no entry is left.
+  bool is_empty() const { return m_size == 0; }
+
+  /// enters `node` with `key`. \pre `key` is not below the key extracted last.
+  void push(const Node node, const Key key)
+  {
+    CGAL_precondition(!is_final(key));
+    bucket_of(key).push_back({key, node});
+    ++m_size;
+  }
+
+  /// removes an entry with the smallest key, which may be stale, and returns it.
+  /// \pre `!is_empty()`
+  Batch extract_min()
+  {
+    CGAL_precondition(!is_empty());
+    if(m_buckets[0].empty())
+      distribute(*std::find_if(m_buckets.begin(), m_buckets.end(),
+                               [](const Bucket& b) { return !b.empty(); }));
+    const Entry result = m_buckets[0].back();
+    m_buckets[0].pop_back();
+    --m_size;
+    return hand_out(result);
+  }
+
+  /// calls `f(node)` for the nodes of all entries.
+  template <typename F>
+  void for_each_node(F f) const
+  {
+    for(const Bucket& b : m_buckets)
+      for(const Entry& e : b)
+        f(e.node);
+  }
+
+  /// removes all entries.
+  void clear()
+  {
+    for(Bucket& b : m_buckets)
+      b.clear();
+    m_size = 0;
+    m_least = 0;
+    restart();
+  }
+
+  /// returns the number of bytes that the queue takes.
+  std::size_t memory() const
+  {
+    std::size_t entries = 0;
+    for(const Bucket& b : m_buckets)
+      entries += b.capacity();
+    return entries * sizeof(Entry);
+  }
+
+private:
+  using Bucket = std::vector<Entry>;
+  using Bits = std::uint64_t;
+
+  static Bits bits_of(const Key key)
+  {
+    const Key positive = key + 0.0; // turns a negative zero into a positive one
+    Bits result;
+    static_assert(sizeof(result) == sizeof(positive));
+    std::memcpy(&result, &positive, sizeof(result));
+    return result;
+  }
+
+  Bucket& bucket_of(const Key key)
+  {
+    return m_buckets[internal::bit_width(bits_of(key) ^ m_least)];
+  }
+
+  // The keys in a bucket have the bit that it stands for in common, and so differ from the smallest
+  // of them in a later one.
+  void distribute(Bucket& bucket)
+  {
+    const auto smallest = std::min_element(
+        bucket.begin(), bucket.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    m_least = bits_of(smallest->key);
+    for(const Entry& e : bucket)
+      bucket_of(e.key).push_back(e);
+    bucket.clear();
+  }
+
+  std::array<Bucket, 65> m_buckets;
+  std::size_t m_size = 0; // the number of entries
+  Bits m_least = 0;       // of the key that no key in the queue is below
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_RADIX_HEAP_QUEUE_H

@@ -1,0 +1,240 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_QUEUE_H
+#define CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_QUEUE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_width.h>
+#include <CGAL/Approximate_geodesics/Queues/internal/Ordered_queue_base.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * The adaptive bucket queue as it was published by Schwartz, de Rezende and Pedrini
+ * \cgalCite{srp-fasgp-15}, to be compared with the package's own: buckets follow each other from
+ * key 0 up to the largest key; the first one that is not empty is searched for its smallest key;
+ * and a node whose key is lowered moves from one bucket to the other.
+ *
+ * There are 5000 buckets at first, and more when a key lies beyond the last one. Unlike there,
+ * their number is limited, to 5000 and 16 times the number of nodes; the last one takes what lies
+ * beyond, so that a key of any size does no harm but to the time.
+ *
+ * `push()` takes constant time; `extract_min()` takes time in proportion to the number of entries
+ * of the bucket, and of empty buckets passed. Memory is that of the
+ * buckets, of the largest number of entries each of them had, and of a slot for each node.
+ *
+ * \tparam WidthPolicy a model of `BucketWidthPolicy`
+ *
+ * \cgalModels{GeodesicPriorityQueue}
+ */
+template <typename WidthPolicy = Published_bucket_width>
+class Basic_published_bucket_queue
+#ifndef DOXYGEN_RUNNING
+  : public internal::Ordered_queue_base
+#endif
+{
+public:
+  /// an empty queue for a graph with so many nodes, and with the given arcs.
+  explicit Basic_published_bucket_queue(const std::size_t number_of_nodes = 0,
+                                        const Arc_lengths& arcs = Arc_lengths())
+    : m_largest_number((std::min)(16 * number_of_nodes + FIRST_NUMBER, LARGEST_NUMBER)),
+      m_policy(arcs),
+      m_buckets(FIRST_NUMBER),
+      m_slot(number_of_nodes)
+  {
+    start();
+  }
+
+  /// returns whether no entry is left.
+  bool is_empty() const { return m_size == 0; }
+
+  /// enters `node` with `key`, or lowers its key.
+  /// \pre the node exists, and `key` is not below the key extracted last.
+  void push(const Node node, const Key key)
+  {
+    CGAL_precondition(node < m_slot.size() && !is_final(key));
+    const Slot old = m_slot[node];
+    if(old.bucket == nowhere)
+      enter(node, key);
+    else if(key < m_buckets[old.bucket][old.position].key)
+    {
+      enter(node, key); // first, as it may throw
+      remove(old);
+      --m_size;
+    }
+  }
+
+  /// removes the entry with the smallest key, and returns it. \pre `!is_empty()`
+  Batch extract_min()
+  {
+    CGAL_precondition(!is_empty());
+    while(m_buckets[m_current].empty())
+      go_to_next_bucket();
+    const Bucket& bucket = m_buckets[m_current];
+    const auto smallest = std::min_element(
+        bucket.begin(), bucket.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    m_statistics.comparisons += bucket.size() - 1;
+    const Entry result = *smallest;
+    const Slot slot = m_slot[result.node];
+    m_slot[result.node] = Slot();
+    remove(slot);
+    --m_size;
+    ++m_extracted_here;
+    return hand_out(result);
+  }
+
+  /// calls `f(node)` for the nodes of all entries.
+  template <typename F>
+  void for_each_node(F f) const
+  {
+    for(std::size_t i = m_current; i < m_beyond_used; ++i)
+      for(const Entry& e : m_buckets[i])
+        f(e.node);
+  }
+
+  /// removes all entries, and prepares for the next run with what was learnt from the last one.
+  void clear()
+  {
+    for(std::size_t i = m_current; i < m_beyond_used; ++i)
+    {
+      for(const Entry& e : m_buckets[i])
+        m_slot[e.node] = Slot();
+      m_buckets[i].clear();
+    }
+    m_policy.update(statistics());
+    start();
+  }
+
+  /// returns the figures of the run since the last call of `clear()`. The occupancy of a bucket is
+  /// the number of entries extracted from it.
+  Bucket_statistics statistics() const
+  {
+    Bucket_statistics result = m_statistics;
+    add_current_bucket(result);
+    return result;
+  }
+
+  /// returns the number of bytes that the queue takes.
+  std::size_t memory() const
+  {
+    std::size_t entries = 0;
+    for(const Bucket& b : m_buckets)
+      entries += b.capacity();
+    return m_buckets.capacity() * sizeof(Bucket) + entries * sizeof(Entry) +
+           m_slot.capacity() * sizeof(Slot);
+  }
+
+private:
+  using Bucket = std::vector<Entry>;
+
+  static constexpr std::size_t FIRST_NUMBER = 5000;                   // of buckets
+  static constexpr std::size_t LARGEST_NUMBER = std::size_t(1) << 31; // numbers fit 32 bits
+  static constexpr std::uint32_t nowhere = (std::numeric_limits<std::uint32_t>::max)();
+
+  struct Slot
+  {
+    std::uint32_t bucket = nowhere;
+    std::uint32_t position = 0;
+  };
+
+  void start()
+  {
+    m_statistics = Bucket_statistics();
+    m_statistics.width = m_policy.width();
+    m_buckets_per_unit = m_statistics.width > 0 ? 1 / m_statistics.width : 0;
+    m_current = 0;
+    m_beyond_used = 0;
+    m_size = 0;
+    m_extracted_here = 0;
+    restart();
+  }
+
+  std::size_t index(const Key key) const
+  {
+    const double result = key * m_buckets_per_unit;
+    return result < double(m_largest_number) ? static_cast<std::size_t>(result)
+                                             : m_largest_number - 1;
+  }
+
+  void enter(const Node node, const Key key)
+  {
+    const std::size_t i = index(key);
+    if(i >= m_buckets.size())
+      m_buckets.resize((std::min)(2 * i, m_largest_number));
+    m_beyond_used = (std::max)(m_beyond_used, i + 1);
+    m_buckets[i].push_back({key, node});
+    m_slot[node] = {static_cast<std::uint32_t>(i),
+                    static_cast<std::uint32_t>(m_buckets[i].size() - 1)};
+    ++m_size;
+  }
+
+  // The last entry of the bucket takes the slot.
+  void remove(const Slot slot)
+  {
+    Bucket& bucket = m_buckets[slot.bucket];
+    if(slot.position + 1 < bucket.size())
+    {
+      bucket[slot.position] = bucket.back();
+      m_slot[bucket.back().node].position = slot.position;
+    }
+    bucket.pop_back();
+  }
+
+  void go_to_next_bucket()
+  {
+    add_current_bucket(m_statistics);
+    m_statistics.visited_buckets += m_extracted_here == 0 ? 1 : 0;
+    m_extracted_here = 0;
+    ++m_current;
+  }
+
+  void add_current_bucket(Bucket_statistics& statistics) const
+  {
+    if(m_extracted_here == 0)
+      return;
+    const double occupancy = static_cast<double>(m_extracted_here);
+    statistics.visited_buckets += 1;
+    statistics.used_buckets += 1;
+    statistics.entries += m_extracted_here;
+    statistics.sum_of_squared_occupancies += occupancy * occupancy;
+  }
+
+  std::size_t m_largest_number; // of buckets
+  WidthPolicy m_policy;
+  std::vector<Bucket> m_buckets;
+  std::vector<Slot> m_slot; // of each node
+  double m_buckets_per_unit = 1;
+  std::size_t m_current = 0;        // the bucket that is searched
+  std::size_t m_beyond_used = 0;    // all buckets from here on are empty
+  std::size_t m_size = 0;           // the number of entries
+  std::size_t m_extracted_here = 0; // the number of entries that came out of the current bucket
+  Bucket_statistics m_statistics;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * The adaptive bucket queue as published, with the published widths.
+ */
+using Published_bucket_queue = Basic_published_bucket_queue<Published_bucket_width>;
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_QUEUE_H

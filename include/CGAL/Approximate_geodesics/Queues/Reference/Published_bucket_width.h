@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_WIDTH_H
+#define CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_WIDTH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * The policy of Schwartz, de Rezende and Pedrini for the width of buckets
+ * \cgalCite{srp-fasgp-15}: the longest arc divided by a number, which is 100 at first, and grows by
+ * 100 after every run whose buckets held more than 64 entries on average, empty ones not counted.
+ *
+ * The width has a lower bound that depends on the mesh, which the publication leaves open. Here it
+ * is a hundredth of the shortest arc, and at least a millionth of the longest one: on scanned
+ * models it is never reached.
+ *
+ * \cgalModels{BucketWidthPolicy}
+ */
+class Published_bucket_width
+{
+public:
+  /// chooses the width for the first run.
+  explicit Published_bucket_width(const Arc_lengths& arcs = Arc_lengths())
+    : m_longest_arc(arcs.longest > 0 ? arcs.longest : 1),
+      m_narrowest(
+          (std::max)({arcs.shortest / 100, m_longest_arc * NARROWEST_PART, SMALLEST_INVERTIBLE}))
+  {
+  }
+
+  /// returns the width of the buckets, in units of the graph.
+  double width() const { return (std::max)(m_longest_arc / m_divisor, m_narrowest); }
+
+  /// chooses the width for the next run, given the figures of the last one.
+  void update(const Bucket_statistics& last_run)
+  {
+    if(last_run.mean_occupancy() > LARGEST_OCCUPANCY && width() > m_narrowest)
+      m_divisor += STEP;
+  }
+
+private:
+  static constexpr double STEP = 100;
+  static constexpr double LARGEST_OCCUPANCY = 64;
+  static constexpr double NARROWEST_PART = 1e-6;
+  static constexpr double SMALLEST_INVERTIBLE = 4 / (std::numeric_limits<double>::max)();
+
+  double m_longest_arc;
+  double m_narrowest;
+  double m_divisor = STEP;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_WIDTH_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_LABELS_H
+#define CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_LABELS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The labels of a search: per node the smallest distance found so far and the node it was found
+ * from, and the order in which nodes were expanded. What a run did not reach is never touched:
+ * the order tells which labels to take back before the next one.
+ */
+class Labels
+{
+public:
+  using Node = std::uint32_t;
+
+  static constexpr Node null_node = (std::numeric_limits<Node>::max)();
+
+  explicit Labels(const std::size_t number_of_nodes)
+    : m_distance(number_of_nodes, infinity), m_predecessor(number_of_nodes)
+  {
+    m_order.reserve(number_of_nodes + number_of_nodes / 16); // for those expanded twice
+  }
+
+  std::size_t number_of_nodes() const { return m_distance.size(); }
+
+  // in units of the graph
+  const double* distances() const { return m_distance.data(); }
+  double distance(const Node node) const { return m_distance[node]; }
+  bool is_reached(const Node node) const { return m_distance[node] != infinity; }
+
+  // of a node that was reached
+  Node predecessor(const Node node) const { return m_predecessor[node]; }
+
+  void set(const Node node, const double distance, const Node predecessor)
+  {
+    m_distance[node] = distance;
+    m_predecessor[node] = predecessor;
+  }
+
+  // whether a node was expanded before in this run; only for graphs that make the search say so
+  bool was_expanded(const Node node) const { return !m_is_expanded.empty() && m_is_expanded[node]; }
+
+  void set_expanded(const Node node)
+  {
+    if(m_is_expanded.empty())
+      m_is_expanded.resize(m_distance.size());
+    m_is_expanded[node] = true;
+  }
+
+  const std::vector<Node>& order() const { return m_order; }
+  std::vector<Node>& order() { return m_order; }
+
+  void discard(const Node node)
+  {
+    m_distance[node] = infinity;
+    if(!m_is_expanded.empty())
+      m_is_expanded[node] = false;
+  }
+
+  void discard_last_of_order(std::size_t number)
+  {
+    for(; number > 0; --number)
+    {
+      discard(m_order.back());
+      m_order.pop_back();
+    }
+  }
+
+  // Takes back the labels of a run that ended normally.
+  void forget()
+  {
+    if(m_order.size() > m_distance.size() / 4) // streaming beats jumping about
+      return forget_all();
+    for(const Node node : m_order)
+      discard(node);
+    m_order.clear();
+  }
+
+  void forget_all()
+  {
+    std::fill(m_distance.begin(), m_distance.end(), infinity);
+    m_is_expanded.clear();
+    m_order.clear();
+  }
+
+  std::size_t memory() const
+  {
+    return m_distance.capacity() * sizeof(double) + m_is_expanded.capacity() / 8 +
+           (m_predecessor.capacity() + m_order.capacity()) * sizeof(Node);
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  std::vector<double> m_distance;
+  std::vector<Node> m_predecessor; // meaningful where the distance is finite
+  std::vector<Node> m_order;
+  std::vector<bool> m_is_expanded; // empty unless asked for
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_LABELS_H

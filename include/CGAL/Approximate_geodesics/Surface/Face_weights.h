@@ -1,0 +1,35 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_FACE_WEIGHTS_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_FACE_WEIGHTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * What a path costs per unit of length in each face of an `Intrinsic_triangulation`.
+ * `read_face_weights()` makes it from a property map.
+ */
+struct Face_weights
+{
+  /// for each halfedge, the weight of the face to its left, in units of `unit`: not negative;
+  /// infinity if paths must not enter the face, or if there is none.
+  std::vector<double> of_halfedge;
+
+  /// the unit, a power of two.
+  double unit = 1;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_FACE_WEIGHTS_H

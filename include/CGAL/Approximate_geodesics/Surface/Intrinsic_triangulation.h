@@ -1,0 +1,440 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTRINSIC_TRIANGULATION_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
+#include <CGAL/Approximate_geodesics/Surface/Face_weights.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Opposite_ranks.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+namespace internal {
+template <typename TriangleMesh, typename NamedParameters>
+class Triangulation_builder;
+}
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * A triangle mesh without coordinates: connectivity and edge lengths, checked, compact and in an
+ * order that suits searches. Everything else in this package is built on it.
+ *
+ * <b>Vertices</b> are numbered breadth first from `0`, one connected component after the other, and
+ * large ones in patches, so that neighbours are close in memory; `vertex()` and `index()` translate
+ * from and to the indices that the mesh's vertex index map gives.
+ *
+ * <b>Halfedges</b> are grouped by the vertex they start from, and within a group follow each other
+ * counterclockwise. So the groups are the adjacency arrays of the mesh's edges, and two halfedges
+ * that follow each other in a group bound a face, unless the first of them is a border halfedge.
+ *
+ * <b>Lengths</b> are in units of `unit()`, a power of two that depends on the mesh's extent: they
+ * neither overflow nor vanish when squared, whatever the unit of the coordinates, and the
+ * conversion to and from that unit is exact.
+ *
+ * <b>Weights</b> say what a path costs per unit of length, face by face, and <b>barriers</b> are
+ * edges that paths do not cross. A triangulation has them if they were given when it was made; of
+ * the graphs, `Steiner_graph` heeds them, and the others refuse such a triangulation.
+ *
+ * An object of this class never changes after its construction, but for its weights if they are
+ * exchanged, and may be used by several threads. It takes about 91 bytes per vertex on a closed
+ * mesh, and 48 more if there are weights.
+ */
+class Intrinsic_triangulation
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// the number of a vertex or of a halfedge.
+  using Index = std::uint32_t;
+
+  /// @}
+
+  /// the number that no vertex and no halfedge has.
+  static constexpr Index null_index = (std::numeric_limits<Index>::max)();
+
+  /// \name Creation
+  /// @{
+
+  /// an empty triangulation.
+  Intrinsic_triangulation() : m_first_halfedge(1, 0) {}
+
+  /*!
+   * copies the connectivity and the edge lengths of `tmesh`.
+   *
+   * Boundaries, several connected components, isolated vertices, edges of length zero and faces of
+   * area zero are normal input.
+   *
+   * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * \param tmesh the triangle mesh; it is neither changed nor referred to later
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+   *           listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{vertex_point_map}
+   *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+   *                    `%Point_3` as value type}
+   *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+   *     \cgalParamExtra{Not needed if `edge_length_map` is given.}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{edge_length_map}
+   *     \cgalParamDescription{a property map associating lengths to the edges of `tmesh`, to be
+   *                           used in place of the distances of their end points}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a
+   *                    number type convertible by `CGAL::to_double()` as value type}
+   *     \cgalParamDefault{unused}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{face_weight_map}
+   *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: what a
+   *                           path in the face costs per unit of length. `0` makes it free, and
+   *                           infinity forbidden.}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a
+   *                    number type convertible by `CGAL::to_double()` as value type}
+   *     \cgalParamDefault{unused: all faces have weight `1`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{edge_is_constrained_map}
+   *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which
+   *                           paths may run along, and not cross}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
+   *                    `bool` as value type}
+   *     \cgalParamDefault{unused: no edge is a barrier}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{vertex_index_map}
+   *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
+   *                           between `0` and `num_vertices(tmesh) - 1`}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and an
+   *                    integer type as value type}
+   *     \cgalParamDefault{an automatically indexed internal map}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{halfedge_index_map}
+   *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index
+   *                           between `0` and `num_halfedges(tmesh) - 1`}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
+   *                    integer type as value type}
+   *     \cgalParamDefault{an automatically indexed internal map}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{geom_traits}
+   *     \cgalParamDescription{an instance of a geometric traits class}
+   *     \cgalParamType{a class model of `Kernel`}
+   *     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if a face is not a triangle, if a coordinate or a length is
+   *         infinite or not a number, if a length is negative or does not fit a `double`, if a
+   *         weight is negative or not a number, or costs do not fit a `double`, if an index is out
+   *         of range or given twice, or if the halfedges around a vertex do not form one cycle. The
+   *         message names the element.
+   * \throws std::length_error if `tmesh` has more halfedges than 32-bit numbers can tell apart.
+   *
+   * Run time and memory are \cgalBigO{n} for `n` vertices. The header
+   * `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h` has to be included.
+   */
+  template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
+  explicit Intrinsic_triangulation(const TriangleMesh& tmesh,
+                                   const NamedParameters& np = parameters::default_values())
+    : Intrinsic_triangulation()
+  {
+    internal::Triangulation_builder<TriangleMesh, NamedParameters>(*this, tmesh, np).build();
+  }
+
+  /// @}
+
+  /// \name Size
+  /// @{
+
+  /// returns the number of vertices, isolated ones included.
+  Index number_of_vertices() const { return static_cast<Index>(m_first_halfedge.size() - 1); }
+
+  /// returns the number of halfedges, border halfedges included.
+  Index number_of_halfedges() const { return static_cast<Index>(m_target.size()); }
+
+  /// returns the number of edges.
+  Index number_of_edges() const { return number_of_halfedges() / 2; }
+
+  /// returns the number of faces.
+  Index number_of_faces() const { return m_number_of_faces; }
+
+  /// returns the number of bytes that the arrays of the triangulation take.
+  std::size_t memory() const
+  {
+    return sizeof(Index) * (m_first_halfedge.capacity() + m_target.capacity() +
+                            m_vertex_of_index.capacity() + m_index_of_vertex.capacity()) +
+           sizeof(double) * (m_length.capacity() + m_weight.capacity()) +
+           (m_is_border.capacity() + m_is_barrier.capacity()) / 8 + m_opposite_rank.memory();
+  }
+
+  /// @}
+
+  /// \name Numbering
+  /// @{
+
+  /// returns the number of the vertex that has index `i` in the mesh, or `null_index` if there is
+  /// none.
+  Index vertex(const std::size_t i) const
+  {
+    return i < m_vertex_of_index.size() ? m_vertex_of_index[i] : null_index;
+  }
+
+  /// returns the index in the mesh of the vertex with number `v`.
+  Index index(const Index v) const
+  {
+    CGAL_precondition(v < number_of_vertices());
+    return m_index_of_vertex[v];
+  }
+
+  /// @}
+
+  /// \name Connectivity
+  /// @{
+
+  /// returns the first halfedge that starts from `v`.
+  Index first_halfedge(const Index v) const { return m_first_halfedge[v]; }
+
+  /// returns the halfedge after the last one that starts from `v`.
+  Index beyond_halfedge(const Index v) const { return m_first_halfedge[v + 1]; }
+
+  /// returns the number of halfedges that start from `v`.
+  Index degree(const Index v) const { return beyond_halfedge(v) - first_halfedge(v); }
+
+  /// returns the vertex that `h` ends at.
+  Index target(const Index h) const { return m_target[h]; }
+
+  /// returns the vertex that `h` starts from.
+  Index source(const Index h) const { return m_target[opposite(h)]; }
+
+  /// returns the halfedge on the other side of the edge of `h`.
+  Index opposite(const Index h) const
+  {
+    return m_first_halfedge[m_target[h]] + m_opposite_rank.rank_of_opposite(h);
+  }
+
+  /// returns the halfedge that follows `h` around its face. \pre `h` is not a border halfedge.
+  Index next(const Index h) const
+  {
+    CGAL_precondition(!is_border(h));
+    const Index v = m_target[h], first = first_halfedge(v);
+    const Index rank = m_opposite_rank.rank_of_opposite(h);
+    const Index number_if_first = rank == 0 ? degree(v) : 0; // to go round to the last one
+    return first + rank + number_if_first - 1;
+  }
+
+  /// returns the halfedge that follows `h` counterclockwise among those that start from `v`.
+  /// \pre `h` starts from `v`.
+  Index counterclockwise(const Index v, const Index h) const
+  {
+    return h + 1 == beyond_halfedge(v) ? first_halfedge(v) : h + 1;
+  }
+
+  /// returns whether there is no face to the left of `h`.
+  bool is_border(const Index h) const { return m_is_border[h]; }
+
+  /// @}
+
+  /// \name Lengths
+  /// @{
+
+  /// returns the length of `h`, in units of `unit()`.
+  double length(const Index h) const { return m_length[h]; }
+
+  /// returns the unit of length, a power of two, in the unit of the mesh.
+  double unit() const { return m_unit; }
+
+  /// @}
+
+  /// \name Weights and Barriers
+  /// @{
+
+  /// returns whether faces have weights.
+  bool has_weights() const { return !m_weight.empty(); }
+
+  /// returns the weight of the face to the left of `h`, in units of `weight_unit()`; infinity if
+  /// there is no face. If there are no weights, it is `1` for every face.
+  double weight(const Index h) const
+  {
+    if(has_weights())
+      return m_weight[h];
+    return is_border(h) ? std::numeric_limits<double>::infinity() : 1;
+  }
+
+  /// returns the weight of the edge of `h`: the smaller one of its two faces'. A barrier is an edge
+  /// on either side: that to the left of `h` is meant.
+  double weight_of_edge(const Index h) const
+  {
+    if(!has_weights())
+      return 1;
+    return is_barrier(h) ? m_weight[h] : (std::min)(m_weight[h], m_weight[opposite(h)]);
+  }
+
+  /// returns the unit of weights, a power of two.
+  double weight_unit() const { return m_weight_unit; }
+
+  /// exchanges the weights.
+  /// \pre There is one per halfedge.
+  void set_weights(Face_weights weights)
+  {
+    CGAL_precondition(weights.of_halfedge.size() == m_target.size());
+    m_weight = std::move(weights.of_halfedge);
+    m_weight_unit = weights.unit;
+  }
+
+  /// returns whether any edge is a barrier.
+  bool has_barriers() const { return !m_is_barrier.empty(); }
+
+  /// returns whether the edge of `h` is a barrier. Edges at a border are not: they are one anyway.
+  bool is_barrier(const Index h) const { return has_barriers() && m_is_barrier[h]; }
+
+  /// @}
+
+  /// \name For Graphs
+  /// @{
+
+  /// returns the targets of all halfedges, one after the other.
+  const std::vector<Index>& targets() const { return m_target; }
+
+  /// returns the lengths of all halfedges, one after the other.
+  const std::vector<double>& lengths() const { return m_length; }
+
+  /// asks for the arrays' entries at `h`, and the next few, which will be needed soon.
+  void prefetch(const Index h) const
+  {
+    constexpr Index doubles_per_cache_line = 8;
+    internal::prefetch(m_target.data(), h);
+    internal::prefetch(m_length.data(), h);
+    internal::prefetch(m_length.data(), h + doubles_per_cache_line);
+  }
+
+  /// @}
+
+  /// \name Checks
+  /// @{
+
+  /*!
+   * returns whether all arrays fit together: every halfedge has a opposite of the same length, the
+   * number of faces fits that of the halfedges, and every face is a triangle.
+   *
+   * Run time is \cgalBigO{n}.
+   */
+  bool is_valid() const;
+
+  /*!
+   * checks that every face could be laid out in the plane: none of its edges is longer than the
+   * other two together, up to rounding, and they are not smaller than the mesh by a factor of more
+   * than \f$10^{132}\f$, which leaves nothing of areas. Graphs whose arcs cross faces need this.
+   *
+   * \throws std::invalid_argument naming the vertices of a face that is not like that.
+   */
+  void check_triangle_inequality() const;
+
+  /// @}
+
+private:
+  template <typename TriangleMesh, typename NamedParameters>
+  friend class internal::Triangulation_builder;
+
+  bool is_valid_halfedge(Index h) const;
+
+  std::vector<Index> m_first_halfedge; // per vertex, and one beyond
+  std::vector<Index> m_target;         // per halfedge, as the next three
+  std::vector<double> m_length;
+  std::vector<bool> m_is_border;
+  internal::Opposite_ranks m_opposite_rank;
+  std::vector<double> m_weight;   // per halfedge, or empty
+  std::vector<bool> m_is_barrier; // likewise
+  std::vector<Index> m_vertex_of_index;
+  std::vector<Index> m_index_of_vertex;
+  Index m_number_of_faces = 0;
+  double m_unit = 1;
+  double m_weight_unit = 1;
+};
+
+inline bool Intrinsic_triangulation::is_valid_halfedge(const Index h) const
+{
+  if(target(h) >= number_of_vertices() || opposite(h) >= number_of_halfedges())
+    return false;
+  const Index g = opposite(h);
+  if(g == h || opposite(g) != h || length(g) != length(h) || !(length(h) >= 0))
+    return false;
+  if(is_border(h))
+    return true;
+  const Index second = next(h), third = is_border(second) ? null_index : next(second);
+  return third != null_index && !is_border(third) && next(third) == h;
+}
+
+inline bool Intrinsic_triangulation::is_valid() const
+{
+  std::size_t number_of_corners = 0;
+  for(Index v = 0; v < number_of_vertices(); ++v)
+  {
+    if(vertex(index(v)) != v)
+      return false;
+    for(Index h = first_halfedge(v); h < beyond_halfedge(v); ++h)
+    {
+      if(!is_valid_halfedge(h) || source(h) != v)
+        return false;
+      number_of_corners += is_border(h) ? 0 : 1;
+    }
+  }
+  return number_of_corners == 3 * std::size_t(m_number_of_faces) &&
+         m_first_halfedge.back() == number_of_halfedges();
+}
+
+inline void Intrinsic_triangulation::check_triangle_inequality() const
+{
+  // lengths are rounded once when computed from coordinates, or given with errors of that order
+  constexpr double tolerance = 16 * std::numeric_limits<double>::epsilon();
+  constexpr double smallest_perimeter = 0x1p-240; // its fourth power still fits a `double`
+
+  for(Index h = 0; h < number_of_halfedges(); ++h)
+  {
+    if(is_border(h))
+      continue;
+    const Index g = next(h), k = next(g);
+    const double rest = length(g) + length(k);
+    const auto reject = [&](const char* what) {
+      internal::reject(
+          what + std::string(" in the face with vertices ") + std::to_string(index(target(k))) +
+          ", " + std::to_string(index(target(h))) + ", " + std::to_string(index(target(g))) +
+          ": its edges have lengths " + internal::text_of(length(h) * unit()) + ", " +
+          internal::text_of(length(g) * unit()) + ", " + internal::text_of(length(k) * unit()));
+    };
+    if(length(h) > rest + tolerance * (length(h) + rest))
+      reject("the triangle inequality does not hold");
+    if(0 < rest && length(h) + rest < smallest_perimeter)
+      reject("paths are too short, compared with the mesh, to be told apart");
+  }
+}
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTRINSIC_TRIANGULATION_H

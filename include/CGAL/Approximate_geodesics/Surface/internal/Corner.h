@@ -1,0 +1,60 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_CORNER_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_CORNER_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * A corner of a face, and what it takes to measure distances between points of its two sides. With
+ * x and y the distances of two points from the corner, and the angle there,
+ *   d^2 = x^2 + y^2 - 2 x y cos(angle) = (x - y)^2 + x y (2 sin(angle / 2))^2,
+ * and the latter form, whose terms are not negative, is accurate for needles as well.
+ */
+class Corner
+{
+public:
+  // The lengths of the two sides and of the third edge.
+  Corner(const double a, const double b, const double c)
+  {
+    const double shorter = (std::min)(a, b), longer = (std::max)(a, b);
+    const double difference = longer - shorter;
+    if(shorter > 0) // rounded lengths can be too long or too short for a triangle
+      m_opening = (std::clamp)((c + difference) / longer * (c - difference) / shorter, 0., largest);
+  }
+
+  // The squared distance of points at the distances `x` and `y` from the corner.
+  double squared_distance(const double x, const double y) const
+  {
+    return (x - y) * (x - y) + (x * m_opening) * y;
+  }
+
+  double distance(const double x, const double y) const
+  {
+    return std::sqrt(squared_distance(x, y));
+  }
+
+  // the squared length of the base of a triangle with two sides of length 1 at this corner
+  double opening() const { return m_opening; }
+
+private:
+  static constexpr double largest = 4; // at a straight angle
+
+  double m_opening = 0;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_CORNER_H

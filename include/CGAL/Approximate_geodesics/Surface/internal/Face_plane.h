@@ -1,0 +1,81 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_PLANE_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_PLANE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/faces_of_place.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The face to the left of a halfedge, laid out in the plane: its corners are the source and the
+ * target of the halfedge, and the third vertex, in counterclockwise order.
+ */
+class Face_plane
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  Face_plane(const Intrinsic_triangulation& triangulation, const Index h)
+    : m_triangulation(triangulation), m_halfedges(halfedges_of_face(triangulation, h))
+  {
+    const std::array<double, 3> lengths{triangulation.length(m_halfedges[0]),
+                                        triangulation.length(m_halfedges[1]),
+                                        triangulation.length(m_halfedges[2])};
+    std::size_t base = 0; // the longest side, as others may have no length
+    for(const std::size_t i : {std::size_t(1), std::size_t(2)})
+      if(lengths[i] > lengths[base])
+        base = i;
+    const double c = lengths[base], a = lengths[(base + 1) % 3], b = lengths[(base + 2) % 3];
+    m_corners[base] = {0, 0};
+    m_corners[(base + 1) % 3] = {c, 0};
+    m_corners[(base + 2) % 3] =
+        c > 0 ? Plane_vector{0.5 * (c + (b - a) * ((b + a) / c)), 2 * area_of_triangle(a, b, c) / c}
+              : Plane_vector{0, 0};
+  }
+
+  // The halfedge from corner `i` to the next one.
+  Index halfedge(const std::size_t i) const { return m_halfedges[i]; }
+
+  Index vertex(const std::size_t i) const
+  {
+    return m_triangulation.target(m_halfedges[(i + 2) % 3]);
+  }
+
+  Plane_vector corner(const std::size_t i) const { return m_corners[i]; }
+
+  // Calls `f(position)` for where a place is in the face.
+  template <typename F>
+  void for_each_position(const Intrinsic_point& place, F f) const
+  {
+    for_each_face_point(m_triangulation, place, m_halfedges[0], [&](const Face_point& point) {
+      const Face_point p = point.seen_from(m_triangulation, m_halfedges[0]);
+      f(p.weight[0] * m_corners[0] + p.weight[1] * m_corners[1] + p.weight[2] * m_corners[2]);
+    });
+  }
+
+private:
+  const Intrinsic_triangulation& m_triangulation;
+  std::array<Index, 3> m_halfedges;
+  std::array<Plane_vector, 3> m_corners;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_PLANE_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_POINT_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_POINT_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/corner_angle.h>
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * A point of the face to the left of a halfedge. A vertex is seen from a halfedge that starts from
+ * it, and a point of an edge from that edge.
+ */
+struct Face_point
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  Index halfedge;
+  std::array<double, 3> weight; // of its source, its target, and the third vertex
+
+  static Face_point at_source(const Index h) { return {h, {1, 0, 0}}; }
+  static Face_point on_edge(const Index h, const double t) { return {h, {1 - t, t, 0}}; }
+  static Face_point in_face(const Intrinsic_point& p)
+  {
+    return {p.halfedge, {1 - p.t - p.s, p.t, p.s}};
+  }
+
+  bool is_vertex() const { return weight[1] == 0 && weight[2] == 0; }
+  bool is_on_edge() const { return weight[2] == 0; }
+
+  // the same point as seen from another halfedge of the face
+  Face_point seen_from(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    Face_point result = *this;
+    for(int i = 0; i < 2 && result.halfedge != h; ++i)
+      result = {triangulation.next(result.halfedge),
+                {result.weight[1], result.weight[2], result.weight[0]}};
+    CGAL_assertion(result.halfedge == h);
+    return result;
+  }
+
+  // where it is, if the source of the halfedge is laid out, and the halfedge's direction is given
+  Plane_vector position(const Intrinsic_triangulation& triangulation,
+                        const Plane_vector source,
+                        const Plane_vector direction) const
+  {
+    Plane_vector result = source + weight[1] * triangulation.length(halfedge) * direction;
+    if(weight[2] > 0)
+    {
+      const auto third = triangulation.next(triangulation.next(halfedge));
+      result = result + weight[2] * triangulation.length(third) *
+                            turned_left(direction, corner_angle(triangulation, halfedge));
+    }
+    return result;
+  }
+};
+
+// The distance of two points of a face. That of two points of an edge is accurate, as it is for any
+// two points of a needle.
+inline double
+distance(const Intrinsic_triangulation& triangulation, const Face_point& p, const Face_point& q)
+{
+  const Face_point r = q.seen_from(triangulation, p.halfedge);
+  std::array<double, 3> step{};
+  for(std::size_t i = 0; i < 3; ++i)
+    step[i] = r.weight[i] - p.weight[i];
+  // Their sum is zero: two of them point away from the third vertex and towards it.
+  std::size_t i = 0;
+  while(i < 2 && step[(i + 1) % 3] * step[(i + 2) % 3] > 0)
+    ++i;
+  std::array<double, 3> length{}; // of the edges that start from the vertices 0, 1, 2
+  length[0] = triangulation.length(p.halfedge);
+  length[1] = length[2] = length[0];
+  if(p.weight[2] != 0 || r.weight[2] != 0) // there may be no face to the left
+  {
+    const auto next = triangulation.next(p.halfedge);
+    length[1] = triangulation.length(next);
+    length[2] = triangulation.length(triangulation.next(next));
+  }
+  const double a = length[i], opposite = length[(i + 1) % 3], b = length[(i + 2) % 3];
+  return Corner(a, b, opposite)
+      .distance(std::abs(step[(i + 1) % 3]) * a, std::abs(step[(i + 2) % 3]) * b);
+}
+
+// Calls `f(p)` for where a place is in the face to the left of `h`. That is nowhere if the place
+// lies in other faces only, and can be twice if two sides of the face are one edge.
+template <typename F>
+void for_each_face_point(const Intrinsic_triangulation& triangulation,
+                         const Intrinsic_point& place,
+                         const Intrinsic_point::Index h,
+                         F f)
+{
+  Intrinsic_point::Index side = h;
+  for(int i = 0; i < 3; ++i, side = triangulation.next(side))
+    if(place.is_vertex())
+    {
+      if(triangulation.source(side) == place.vertex)
+        f(Face_point::at_source(side));
+    }
+    else if(side == place.halfedge)
+      f(Face_point::in_face(place));
+    else if(place.is_on_edge() && side == triangulation.opposite(place.halfedge))
+      f(Face_point::on_edge(side, 1 - place.t));
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_POINT_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_OPPOSITE_RANKS_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_OPPOSITE_RANKS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * For every halfedge, where its opposite stands among the halfedges that start from its target.
+ *
+ * Almost all ranks are small, so a byte holds them: 6 bytes a vertex, where the number of the
+ * opposite would take 24. The few large ones, at vertices of high degree, are looked up.
+ */
+class Opposite_ranks
+{
+public:
+  using Index = std::uint32_t;
+
+  void resize(const std::size_t number_of_halfedges) { m_rank.resize(number_of_halfedges); }
+
+  Index rank_of_opposite(const Index h) const
+  {
+    return m_rank[h] == LARGE ? m_large_rank.find(h)->second : m_rank[h];
+  }
+
+  void set(const Index h, const Index rank)
+  {
+    if(rank < LARGE)
+      m_rank[h] = static_cast<std::uint8_t>(rank);
+    else
+    {
+      m_rank[h] = LARGE;
+      m_large_rank[h] = rank;
+    }
+  }
+
+  std::size_t memory() const
+  {
+    constexpr std::size_t bytes_per_node = sizeof(void*) + 2 * sizeof(Index) + 2 * sizeof(void*);
+    return m_rank.capacity() + m_large_rank.size() * bytes_per_node;
+  }
+
+private:
+  static constexpr std::uint8_t LARGE = 255;
+
+  std::vector<std::uint8_t> m_rank;
+  std::unordered_map<Index, Index> m_large_rank;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_OPPOSITE_RANKS_H

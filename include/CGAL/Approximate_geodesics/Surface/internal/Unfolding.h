@@ -1,0 +1,159 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_UNFOLDING_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_UNFOLDING_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+struct Plane_vector
+{
+  double x, y;
+
+  friend Plane_vector operator+(const Plane_vector a, const Plane_vector b)
+  {
+    return {a.x + b.x, a.y + b.y};
+  }
+  friend Plane_vector operator-(const Plane_vector a, const Plane_vector b)
+  {
+    return {a.x - b.x, a.y - b.y};
+  }
+  friend Plane_vector operator*(const double factor, const Plane_vector a)
+  {
+    return {factor * a.x, factor * a.y};
+  }
+};
+
+inline double dot(const Plane_vector a, const Plane_vector b) { return a.x * b.x + a.y * b.y; }
+
+// positive if `b` is to the left of `a`
+inline double cross(const Plane_vector a, const Plane_vector b) { return a.x * b.y - a.y * b.x; }
+
+inline double length(const Plane_vector a) { return std::sqrt(dot(a, a)); }
+
+// The area of the triangle with these sides, by Kahan's arrangement of Heron's formula, which is
+// accurate for needles too (W. Kahan, Miscalculating area and angles of a needle-like triangle).
+inline double area_of_triangle(const double a, const double b, const double c)
+{
+  const double smaller = (std::min)(a, b), larger = (std::max)(a, b);
+  const double x = (std::max)(larger, c), z = (std::min)(smaller, c);
+  const double y = (std::max)(smaller, (std::min)(larger, c));
+  const double product = (x + (y + z)) * (z - (x - y)) * (z + (x - y)) * (x + (y - z));
+  return product > 0 ? std::sqrt(product) / 4 : 0; // rounded lengths can be too long for a triangle
+}
+
+/*
+ * What it takes to lay out the face to the left of a halfedge, if the halfedge is laid out.
+ */
+struct Unfolded_face
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  Index apex;  // the third vertex, or null_index if the halfedge is a border halfedge
+  Index left;  // the halfedge from the source to the apex, or null_index if there is no face beyond
+  Index right; // likewise, the one from the apex to the target
+  double along, across; // the apex is so far along the halfedge and to its left, in its lengths
+
+  Plane_vector position_of_apex(const Plane_vector source, const Plane_vector target) const
+  {
+    const Plane_vector edge = target - source;
+    return {source.x + along * edge.x - across * edge.y,
+            source.y + along * edge.y + across * edge.x};
+  }
+};
+
+inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
+                                   const Intrinsic_triangulation::Index source,
+                                   const Intrinsic_triangulation::Index h)
+{
+  constexpr auto null_index = Intrinsic_triangulation::null_index;
+  if(triangulation.is_border(h))
+    return {null_index, null_index, null_index, 0, 0};
+
+  const auto left = triangulation.counterclockwise(source, h);
+  const auto apex = triangulation.target(left);
+  const auto right = triangulation.counterclockwise(apex, triangulation.opposite(left));
+  const double base = triangulation.length(h);
+  const double a = triangulation.length(left), b = triangulation.length(right);
+  Unfolded_face result{apex, triangulation.is_border(left) ? null_index : left,
+                       triangulation.is_border(right) ? null_index : right, 0, 0};
+  if(base > 0)
+  {
+    result.along = 0.5 + 0.5 * ((a - b) / base) * ((a + b) / base);
+    result.across = 2 * (area_of_triangle(base, a, b) / base) / base;
+  }
+  return result;
+}
+
+/*
+ * The faces of all halfedges, computed in advance: unfolding one then takes a few multiplications,
+ * and neither a root nor a division.
+ */
+class Unfolding
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // Throws if a face breaks the triangle inequality.
+  explicit Unfolding(const Intrinsic_triangulation& triangulation)
+    : m_faces(triangulation.number_of_halfedges())
+  {
+    bool is_suspicious = false;
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+      for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+      {
+        m_faces[h] = unfolded_face(triangulation, v, h);
+        is_suspicious = is_suspicious || !(m_faces[h].across > 0);
+      }
+    if(is_suspicious) // an impossible face has got no area
+      triangulation.check_triangle_inequality();
+  }
+
+  const Unfolded_face& face(const Index h) const { return m_faces[h]; }
+
+  std::size_t memory() const { return m_faces.capacity() * sizeof(Unfolded_face); }
+
+private:
+  std::vector<Unfolded_face> m_faces;
+};
+
+/*
+ * The same for those who need few of them: each is computed when asked for.
+ */
+class Unfolding_on_demand
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  explicit Unfolding_on_demand(const Intrinsic_triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  Unfolded_face face(const Index h) const
+  {
+    return unfolded_face(m_triangulation, m_triangulation.source(h), h);
+  }
+
+private:
+  const Intrinsic_triangulation& m_triangulation;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_UNFOLDING_H
