@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Fuzzed_data.h"
+#include "meshes/test_meshes.h"
 #include "require.h"
-#include "test_meshes.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>

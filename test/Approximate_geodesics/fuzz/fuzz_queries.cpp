@@ -4,9 +4,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Fuzzed_data.h"
+#include "meshes/test_meshes.h"
+#include "oracles/straight_lines.h"
 #include "require.h"
-#include "straight_lines.h"
-#include "test_meshes.h"
 
 #include <CGAL/Approximate_geodesics.h>
 

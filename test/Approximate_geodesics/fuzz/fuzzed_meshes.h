@@ -7,7 +7,7 @@
 #define APPROXIMATE_GEODESICS_TEST_FUZZED_MESHES_H
 
 #include "Fuzzed_data.h"
-#include "test_meshes.h"
+#include "meshes/test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 

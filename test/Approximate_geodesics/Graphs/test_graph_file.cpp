@@ -1,0 +1,162 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "checks/expect_message.h"
+#include "oracles/test_oracles.h"
+
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <ios>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Graphs that are written and read, or built by several threads.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+using namespace geodesics_test;
+using AG::Discrete_geodesic_graph;
+using CGAL::parameters::epsilon;
+using Graph_search = Basic_mesh_search<Discrete_geodesic_graph>;
+
+std::string saved(const Discrete_geodesic_graph& graph)
+{
+  std::ostringstream out(std::ios::binary);
+  graph.save(out);
+  return out.str();
+}
+
+Discrete_geodesic_graph loaded(const std::string& file, const Mesh& mesh)
+{
+  std::istringstream in(file, std::ios::binary);
+  return Discrete_geodesic_graph::load(in, Triangulation(mesh));
+}
+
+void expect_refused(const std::string& file, const Mesh& mesh, const std::string& reason)
+{
+  expect_message<std::invalid_argument>([&] { loaded(file, mesh); }, reason);
+}
+
+class Graph_file : public testing::Test
+{
+protected:
+  Graph_file()
+    : m_random(test_seed()),
+      m_mesh(to_mesh(terrain(20, 15, m_random))),
+      m_graph(Triangulation(m_mesh), epsilon(0.1)),
+      m_file(saved(m_graph))
+  {
+  }
+
+  Random m_random;
+  Mesh m_mesh;
+  Discrete_geodesic_graph m_graph;
+  std::string m_file;
+};
+
+TEST_F(Graph_file, gives_the_same_graph)
+{
+  for(const Named_mesh& named : generated_meshes(test_seed()))
+  {
+    SCOPED_TRACE(named.name);
+    const Discrete_geodesic_graph built(Triangulation(named.mesh), epsilon(0.05));
+    const std::string file = saved(built);
+    Discrete_geodesic_graph read = loaded(file, named.mesh);
+    EXPECT_TRUE(read.is_valid());
+    EXPECT_EQ(read.epsilon(), 0.05);
+    EXPECT_EQ(read.number_of_arcs(), built.number_of_arcs());
+    EXPECT_EQ(read.maximum_degree(), built.maximum_degree());
+    EXPECT_EQ(saved(read), file);
+    const Vertex source = *named.mesh.vertices().begin();
+    const std::vector<double> expected = Graph_search(named.mesh, built).distances({source});
+    const std::vector<double> found = Graph_search(named.mesh, std::move(read)).distances({source});
+    EXPECT_TRUE(have_same_bits(found, expected));
+  }
+}
+
+TEST_F(Graph_file, has_the_size_that_is_documented)
+{
+  constexpr std::size_t header_and_checksum = 56;
+  EXPECT_EQ(m_file.size(),
+            8 * m_graph.number_of_arcs() + 4 * m_graph.number_of_nodes() + header_and_checksum);
+}
+
+TEST_F(Graph_file, serves_the_class)
+{
+  using Shortest_paths = AG::Surface_mesh_shortest_path<Mesh, Discrete_geodesic_graph>;
+  Shortest_paths built(m_mesh, epsilon(0.1)), read(m_mesh, loaded(m_file, m_mesh));
+  built.add_source_point(Vertex(7));
+  read.add_source_point(Vertex(7));
+  for(const Vertex v : m_mesh.vertices())
+    EXPECT_EQ(read.shortest_distance_to_source_points(v).first,
+              built.shortest_distance_to_source_points(v).first);
+
+  const Mesh other = to_mesh(flat_grid(3, 3));
+  expect_message<std::invalid_argument>([&] { Shortest_paths(other, loaded(m_file, m_mesh)); },
+                                        "another mesh", "300 vertices", "9");
+}
+
+TEST_F(Graph_file, is_refused_if_anything_is_missing)
+{
+  for(std::size_t size = 0; size < m_file.size(); size += 1 + size / 50)
+    expect_refused(m_file.substr(0, size), m_mesh, "ends too early");
+}
+
+TEST_F(Graph_file, is_refused_if_anything_is_changed)
+{
+  for(std::size_t i = 0; i < m_file.size(); i += 1 + i / 20)
+  {
+    std::string file = m_file;
+    file[i] = static_cast<char>(file[i] ^ (1 << (i % 8)));
+    EXPECT_THROW(loaded(file, m_mesh), std::invalid_argument) << "at byte " << i;
+  }
+}
+
+TEST_F(Graph_file, is_refused_if_it_is_something_else)
+{
+  expect_refused("", m_mesh, "too early");
+  expect_refused("OFF\n8 12 0\n0 0 0\n", m_mesh, "not that of a discrete geodesic graph");
+  std::string newer = m_file;
+  newer[8] = 7;
+  expect_refused(newer, m_mesh, "version 7");
+}
+
+TEST_F(Graph_file, is_refused_for_another_mesh)
+{
+  expect_refused(m_file, to_mesh(terrain(20, 16, m_random)), "300 vertices, this one has 320");
+  Mesh moved = m_mesh;
+  moved.point(Vertex(5)) = Point(0, 0, 17);
+  expect_refused(m_file, moved, "another mesh of the same size");
+}
+
+TEST_F(Graph_file, says_when_it_cannot_be_written)
+{
+  std::ostringstream out;
+  out.setstate(std::ios::badbit);
+  expect_message<std::runtime_error>([&] { m_graph.save(out); }, "could not be written");
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(Parallel_build, gives_the_same_graph)
+{
+  for(const Named_mesh& named : generated_meshes(test_seed()))
+  {
+    const Triangulation t(named.mesh);
+    const Discrete_geodesic_graph sequential(t, epsilon(0.1));
+    const Discrete_geodesic_graph parallel(t, epsilon(0.1).concurrency_tag(CGAL::Parallel_tag()));
+    EXPECT_EQ(saved(parallel), saved(sequential)) << named.name;
+  }
+}
+#endif
+
+} // namespace

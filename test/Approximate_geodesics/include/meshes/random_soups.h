@@ -1,0 +1,107 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef APPROXIMATE_GEODESICS_TEST_RANDOM_SOUPS_H
+#define APPROXIMATE_GEODESICS_TEST_RANDOM_SOUPS_H
+
+#include "meshes/test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace geodesics_test {
+
+// Without some of its triangles, and with vertices doubled where that leaves them not manifold.
+inline Soup with_holes(Soup soup, const double share, Random& random)
+{
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for(const auto& t : soup.triangles)
+    if(random.between(0, 1) >= share)
+      triangles.push_back(t);
+  soup.triangles = triangles;
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.triangles);
+  return soup;
+}
+
+// Heights are integers, so that many paths are equally long.
+inline Soup integer_terrain(const std::size_t columns, const std::size_t rows, Random& random)
+{
+  return grid(columns, rows, [&](const double i, const double j) {
+    return Point(i, j, static_cast<double>(random.below(3)));
+  });
+}
+
+// Some edges have no length, and some faces no area.
+inline Soup terrain_with_steps(const std::size_t columns, const std::size_t rows, Random& random)
+{
+  Soup result = terrain(columns, rows, random);
+  for(Point& p : result.points)
+    p = Point(std::floor(p.x() / 2), std::floor(p.y()), std::floor(p.z()));
+  return result;
+}
+
+constexpr std::size_t number_of_kinds_of_soups = 10;
+
+// A small one, of the kind that the seed says.
+inline Soup random_small_soup(const std::uint64_t seed)
+{
+  Random random(seed);
+  switch(seed % number_of_kinds_of_soups)
+  {
+  case 0:
+    return terrain(7, 6, random);
+  case 1:
+    return random_soup(14, 40, random);
+  case 2:
+    return random_soup(40, 60, random);
+  case 3:
+    return sphere(8, 5);
+  case 4:
+    return growing_strip(20, 1e-3, 1e3);
+  case 5:
+    return with_holes(terrain(8, 7, random), 0.3, random);
+  case 6:
+    return integer_terrain(7, 6, random);
+  case 7:
+    return terrain_with_steps(7, 6, random);
+  case 8:
+    return scattered_parts(random);
+  default:
+    return with_caps(terrain(5, 4, random), [&] { return random.between(0.2, 0.8); });
+  }
+}
+
+// Three meshes of each kind.
+inline std::vector<std::uint64_t> seeds_of_small_soups()
+{
+  const std::uint64_t first = test_seed();
+  std::vector<std::uint64_t> result;
+  for(std::uint64_t i = 0; i < 3 * number_of_kinds_of_soups; ++i)
+    result.push_back(first + i);
+  return result;
+}
+
+// Whether the area of a face is rounding, or little more: its height is the root of that.
+inline bool has_flat_faces(const Mesh& mesh)
+{
+  const auto is_flat = [&](const Face f) {
+    const Halfedge h = mesh.halfedge(f);
+    const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+                &c = mesh.point(mesh.target(mesh.next(h)));
+    const double square = CGAL::squared_distance(a, b) + CGAL::squared_distance(b, c);
+    return CGAL::squared_area(a, b, c) <= 1e-24 * square * square;
+  };
+  return std::any_of(mesh.faces_begin(), mesh.faces_end(), is_flat);
+}
+
+} // namespace geodesics_test
+
+#endif // APPROXIMATE_GEODESICS_TEST_RANDOM_SOUPS_H
