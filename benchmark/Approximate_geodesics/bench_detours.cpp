@@ -27,6 +27,7 @@
 
 namespace AG = CGAL::Approximate_geodesics;
 using AG::Intrinsic_triangulation;
+using AG::internal::Cone_rules;
 using AG::internal::Unfolding;
 using Expansion = AG::internal::Cone_expansion<Unfolding>;
 
@@ -42,7 +43,7 @@ public:
     : m_triangulation(triangulation), m_rows(AG::internal::unit_of_arcs(triangulation))
   {
     const Unfolding unfolding(triangulation);
-    const Expansion expansion(triangulation, unfolding, EPSILON, share);
+    const Expansion expansion(triangulation, unfolding, Cone_rules(EPSILON, share));
     std::vector<AG::internal::Stored_arc> arcs;
     for(Node node = 0; node < number_of_nodes(); ++node)
     {
@@ -73,7 +74,7 @@ private:
 // Does what usual expansions do, and counts the windows that they look through.
 struct Window_counter : AG::internal::Leave_out_detours
 {
-  bool operator()(const AG::internal::Window&) const
+  bool prune(const AG::internal::Window&) const
   {
     ++windows;
     return false;
@@ -84,7 +85,7 @@ struct Window_counter : AG::internal::Leave_out_detours
 std::size_t number_of_windows(const Intrinsic_triangulation& triangulation, const double share)
 {
   const Unfolding unfolding(triangulation);
-  const Expansion expansion(triangulation, unfolding, EPSILON, share);
+  const Expansion expansion(triangulation, unfolding, Cone_rules(EPSILON, share));
   std::size_t result = 0;
   for(Graph::Node node = 0; node < triangulation.number_of_vertices(); ++node)
     expansion.expand(
@@ -102,7 +103,7 @@ void compare(const std::string& name, const std::size_t rounds, Table& table)
   const double n = double(mesh.number_of_vertices());
 
   for(const double share :
-      {0., 0.02, 0.05, Expansion::SHARE_OF_DETOURS, 0.2, 0.4, Expansion::SHARE_OF_ENDS})
+      {0., 0.02, 0.05, Cone_rules::SHARE_OF_DETOURS, 0.2, 0.4, Cone_rules::SHARE_OF_ENDS})
   {
     const Graph graph(triangulation, share);
     AG::Propagation<Graph> search(graph);

@@ -18,6 +18,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Euclidean_heuristic.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -84,8 +85,8 @@ public:
   }
 
 private:
-  static AG::internal::Vertex_positions positions(const Mesh& mesh,
-                                                  const AG::Intrinsic_triangulation& triangulation)
+  static AG::Vertex_positions positions(const Mesh& mesh,
+                                        const AG::Intrinsic_triangulation& triangulation)
   {
     const AG::internal::Mesh_translation translation(mesh, get(boost::vertex_index, mesh),
                                                      triangulation);
@@ -173,7 +174,7 @@ private:
   std::string m_mesh_name, m_graph_name;
   const Mesh& m_mesh;
   const Graph& m_graph;
-  AG::internal::Vertex_positions m_positions;
+  AG::Vertex_positions m_positions;
   Search m_complete, m_ending, m_led;
   std::vector<std::pair<Node, Node>> m_pairs;
 };

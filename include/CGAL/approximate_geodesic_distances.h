@@ -9,29 +9,26 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_query.h>
-#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 
 namespace CGAL {
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
  *
- * computes for every vertex the length of a short path on the mesh from the nearest of the sources.
+ * computes, for each vertex, the approximate geodesic distance to the nearest source.
  *
  * If an error bound `epsilon` is given, paths run across faces, and are at most
  * \f$1 + \varepsilon\f$ times as long as the shortest ones on the surface; on scanned models, the
  * mean error is below \f$\varepsilon/50\f$. If not, paths are the shortest ones along the edges of
  * the mesh, which are about 4 % too long on average on scanned models, and for which there is no
  * bound in general. A distance is never below that along the surface. Distances are in the unit of
- * the coordinates. Vertices that no source reaches, or that are not certain when the run ends
+ * the coordinates. Vertices that no source reaches, or that are not final when the run ends
  * early, get infinity, and so does every vertex if there is no source.
  *
  * Faces can have weights, and edges can be barriers. Distances are then costs; with `epsilon` they
  * are at most \f$1 + \varepsilon\f$ times those of the cheapest paths on the surface.
  *
- * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all; it makes no
- *         difference but to the time, and, given `epsilon`, within the bound
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexDistanceMap a model of `WritablePropertyMap` with
  *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type that
@@ -43,7 +40,7 @@ namespace CGAL {
  *
  * \param tmesh the triangle mesh; it is not changed
  * \param vertex_distance_map receives one distance per vertex
- * \param sources a point of the surface, or a range of such points; repetitions do no harm
+ * \param sources a point of the surface, or a range of such points; duplicates are allowed
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below
  *
@@ -110,10 +107,9 @@ namespace CGAL {
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{targets}
- *     \cgalParamDescription{vertices; the run ends as soon as the distances to all of them are
- *                           certain}
- *     \cgalParamType{a model of `ConstRange` with value type
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
+ *     \cgalParamDescription{points of the surface; the run ends as soon as the distances to all
+ *                           of them are final}
+ *     \cgalParamType{a model of `ConstRange` with one of the value types of `sources`}
  *     \cgalParamDefault{none: the run goes on to the end, as it does if the range is empty}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{nearest_source_map}
@@ -137,8 +133,8 @@ namespace CGAL {
  *                     `boost::graph_traits<TriangleMesh>::%null_vertex()`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{an object that is told of settled vertices and of progress, and that
- *                           may end the run}
+ *     \cgalParamDescription{an object that is notified of settled vertices and of progress, and
+ *                           that may stop the run}
  *     \cgalParamType{a class model of `GeodesicVisitor`, or a `std::reference_wrapper` of one}
  *     \cgalParamDefault{`CGAL::Approximate_geodesics::Geodesic_visitor_base`}
  *     \cgalParamExtra{The visitor is copied unless it is given as `std::ref(visitor)`.}
@@ -189,8 +185,7 @@ namespace CGAL {
  * \sa `approximate_geodesic_path()`
  * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
  */
-template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
-          typename TriangleMesh,
+template <typename TriangleMesh,
           typename VertexDistanceMap,
           typename Sources,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -200,10 +195,20 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
                                     const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
+  static_assert(
+      !AG::internal::ignores_any<
+          NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,
+          internal_np::edge_length_t, internal_np::face_weight_t,
+          internal_np::edge_is_constrained_t, internal_np::initial_distances_t,
+          internal_np::maximum_distance_t, internal_np::targets_t, internal_np::nearest_source_t,
+          internal_np::geodesic_predecessor_t, internal_np::visitor_t>,
+      "approximate_geodesic_distances() does not read one of these named parameters: its "
+      "documentation lists those that it does; straighten is for paths");
 
-  AG::internal::Mesh_query<PriorityQueue, TriangleMesh, NamedParameters> query(tmesh, np);
-  query.run(sources);
-  query.write_results(vertex_distance_map);
+  AG::internal::search_once(tmesh, np, [&](auto& search) {
+    search.run_from(sources, np);
+    search.write_results(vertex_distance_map, np);
+  });
 }
 
 } // namespace CGAL

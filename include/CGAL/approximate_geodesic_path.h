@@ -9,15 +9,17 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_query.h>
-#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+
+#include <limits>
 
 namespace CGAL {
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
  *
- * computes a short path on the mesh from `source` to `target`, and its length.
+ * computes an approximately shortest path from `source` to `target`, and returns its length.
  *
  * If an error bound `epsilon` is given, the path runs across faces, and is at most
  * \f$1 + \varepsilon\f$ times as long as the shortest one on the surface. If not, it is the
@@ -27,8 +29,6 @@ namespace CGAL {
  * straight line through space, unless there are weights, edge lengths, or a visitor. The length is
  * that of the polyline, up to rounding.
  *
- * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all; among paths
- *         of the same length, it may decide which one is found
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
  *         `Approximate_geodesics::Face_location` or `Approximate_geodesics::Surface_point`
@@ -153,8 +153,7 @@ namespace CGAL {
  * \sa `approximate_geodesic_distances()`
  * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
  */
-template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
-          typename TriangleMesh,
+template <typename TriangleMesh,
           typename Source,
           typename Target,
           typename OutputIterator,
@@ -165,10 +164,23 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
                                  OutputIterator points,
                                  const NamedParameters& np = parameters::default_values())
 {
-  Approximate_geodesics::internal::Mesh_query<PriorityQueue, TriangleMesh, NamedParameters> query(
-      tmesh, np);
-  query.run(source, target);
-  return query.write_path(source, target, points);
+  namespace AG = Approximate_geodesics;
+  static_assert(
+      !AG::internal::ignores_any<
+          NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,
+          internal_np::edge_length_t, internal_np::face_weight_t,
+          internal_np::edge_is_constrained_t, internal_np::maximum_distance_t,
+          internal_np::straighten_t, internal_np::visitor_t>,
+      "approximate_geodesic_path() does not read one of these named parameters: its documentation "
+      "lists those that it does; targets is for approximate_geodesic_distances()");
+
+  return AG::internal::search_once(tmesh, np, [&](auto& search) {
+    search.run_to(source, target, AG::internal::positions_for_one_run(search, np), np);
+    const AG::Path path = search.find_path(search.translation().place(target), np);
+    for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
+      *points++ = search.point(*p, np);
+    return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;
+  });
 }
 
 } // namespace CGAL

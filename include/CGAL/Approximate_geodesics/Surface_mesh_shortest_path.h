@@ -10,6 +10,7 @@
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
@@ -18,15 +19,14 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/Location_functions.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Source_list.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/run_parameters.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/straighten.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Ray_3.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for programs
 #include <CGAL/boost/graph/helpers.h>
@@ -69,14 +69,14 @@ namespace Approximate_geodesics {
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` with an internal vertex
  *         point map
- * \tparam GeodesicGraph a model of `GeodesicGraph`
+ * \tparam SurfaceGraph a model of `SurfaceGraph`
  * \tparam PriorityQueue a model of `GeodesicPriorityQueue`
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `approximate_geodesic_path()`
  */
 template <typename TriangleMesh,
-          typename GeodesicGraph = Edge_graph,
+          typename SurfaceGraph = Edge_graph,
           typename PriorityQueue = Adaptive_bucket_queue>
 class Surface_mesh_shortest_path
 #ifndef DOXYGEN_RUNNING
@@ -86,7 +86,6 @@ class Surface_mesh_shortest_path
   using Locations = internal::Location_functions<TriangleMesh>;
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Sources = internal::Source_list<TriangleMesh>;
-  using Surface_search = internal::Surface_search<GeodesicGraph, PriorityQueue>;
 
 public:
   /// \name Types
@@ -96,10 +95,10 @@ public:
   using Triangle_mesh = TriangleMesh;
 
   /// the type of the graph that is searched.
-  using Graph = GeodesicGraph;
+  using Graph = SurfaceGraph;
 
   /// the search, with its results.
-  using Search = Propagation<GeodesicGraph, PriorityQueue>;
+  using Search = Propagation<SurfaceGraph, PriorityQueue>;
 
   /// a vertex of the mesh.
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
@@ -187,12 +186,20 @@ public:
                              const NamedParameters& np = parameters::default_values())
     : m_mesh(tmesh),
       m_graph(std::move(graph)),
-      m_places(tmesh, internal::vertex_index_map(tmesh, np), m_graph.triangulation()),
+      m_translation(tmesh, internal::vertex_index_map(tmesh, np), m_graph.triangulation()),
       m_point_map(
           parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                        get_const_property_map(vertex_point, tmesh))),
-      m_search(m_graph)
+      m_search(m_graph, m_translation, m_point_map)
   {
+    static_assert(
+        !internal::is_any_given<NamedParameters, internal_np::maximum_distance_t,
+                                internal_np::targets_t, internal_np::visitor_t,
+                                internal_np::initial_distances_t, internal_np::nearest_source_t,
+                                internal_np::geodesic_predecessor_t, internal_np::straighten_t>,
+        "the constructor does not run: maximum_distance, targets and visitor are for "
+        "build_sequence_tree(), straighten is for a path, initial distances go with "
+        "sources");
     check_size();
   }
 
@@ -216,8 +223,8 @@ public:
    */
   Source_point_iterator add_source_point(const vertex_descriptor v, const FT initial_distance = 0)
   {
-    const Intrinsic_point place = m_places.place(v); // which refuses what is not a vertex, first
-    return add_source(place, initial_distance, face_location(v));
+    const Intrinsic_point p = m_translation.place(v); // which refuses what is not a vertex, first
+    return add_source(p, initial_distance, face_location(v));
   }
 
   /// adds the point of the face `f` that has the given barycentric coordinates as a source.
@@ -227,7 +234,7 @@ public:
                                          const Barycentric_coordinates& location,
                                          const FT initial_distance = 0)
   {
-    return add_source(m_places.place(f, location), initial_distance, {f, location});
+    return add_source(m_translation.place(f, location), initial_distance, {f, location});
   }
 
   /// does the same as `add_source_point(location.first, location.second, initial_distance)`.
@@ -240,8 +247,8 @@ public:
   /// adds a point of the surface as a source.
   Source_point_iterator add_source_point(const Surface_point& point, const FT initial_distance = 0)
   {
-    const Intrinsic_point place = m_places.place(point);
-    return add_source(place, initial_distance, face_location(point));
+    const Intrinsic_point p = m_translation.place(point);
+    return add_source(p, initial_distance, face_location(point));
   }
 
   /// adds the points of a range as sources, and returns an iterator to the first of them, or
@@ -327,16 +334,18 @@ public:
   template <typename NamedParameters>
   void build_sequence_tree(const NamedParameters& np)
   {
+    static_assert(!internal::ignores_any<NamedParameters, internal_np::maximum_distance_t,
+                                         internal_np::targets_t, internal_np::visitor_t>,
+                  "build_sequence_tree() reads maximum_distance, targets and visitor");
     m_has_changed = true; // should the run throw
     m_source_points.clear();
-    std::vector<internal::Source> sources;
+    std::vector<Source_point> sources;
     for(auto it = source_points_begin(); it != source_points_end(); ++it)
     {
       sources.push_back(Sources::source(it));
       m_source_points.push_back(it);
     }
-    const auto stop = internal::stop_rule<Surface_search>(m_graph, m_places, np);
-    internal::run(m_search, std::move(sources), stop, m_places, np);
+    m_search.run(std::move(sources), np);
     m_has_changed = false;
   }
 
@@ -365,10 +374,10 @@ public:
   void set_face_weights(const FaceWeightMap& face_weight_map)
   {
     m_graph.set_weights(read_face_weights(m_mesh, m_graph.triangulation(), face_weight_map,
-                                          parameters::vertex_index_map(m_places.index_map())));
+                                          parameters::vertex_index_map(m_translation.index_map())));
     m_has_changed = true;
     m_pair_search.reset();
-    m_search.restart();
+    m_search.search().restart();
   }
 
   /// @}
@@ -385,7 +394,7 @@ public:
    */
   Shortest_path_result shortest_distance_to_source_points(const vertex_descriptor v)
   {
-    return shortest_distance(m_places.place(v));
+    return shortest_distance(m_translation.place(v));
   }
 
   /// returns the distance from a point in the face `f` to the nearest source, and that source.
@@ -394,13 +403,13 @@ public:
   Shortest_path_result shortest_distance_to_source_points(const face_descriptor f,
                                                           const Barycentric_coordinates& location)
   {
-    return shortest_distance(m_places.place(f, location));
+    return shortest_distance(m_translation.place(f, location));
   }
 
   /// returns the distance from a point of the surface to the nearest source, and that source.
   Shortest_path_result shortest_distance_to_source_points(const Surface_point& point)
   {
-    return shortest_distance(m_places.place(point));
+    return shortest_distance(m_translation.place(point));
   }
 
   /// @}
@@ -441,7 +450,7 @@ public:
                                         OutputIterator points,
                                         const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_places.place(v), np,
+    return for_each_point(m_translation.place(v), np,
                           [&](const Intrinsic_point& p) { *points++ = point(p); });
   }
 
@@ -454,7 +463,7 @@ public:
                                         OutputIterator points,
                                         const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_places.place(f, location), np,
+    return for_each_point(m_translation.place(f, location), np,
                           [&](const Intrinsic_point& p) { *points++ = point(p); });
   }
 
@@ -470,7 +479,7 @@ public:
                                           Visitor& visitor,
                                           const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_places.place(v), np,
+    return for_each_point(m_translation.place(v), np,
                           [&](const Intrinsic_point& p) { visit(p, visitor); });
   }
 
@@ -482,7 +491,7 @@ public:
                                           Visitor& visitor,
                                           const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_places.place(f, location), np,
+    return for_each_point(m_translation.place(f, location), np,
                           [&](const Intrinsic_point& p) { visit(p, visitor); });
   }
 
@@ -499,8 +508,9 @@ public:
       OutputIterator points,
       const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_places.place(start), np,
-                          [&](const Intrinsic_point& p) { *points++ = m_places.surface_point(p); });
+    return for_each_point(m_translation.place(start), np, [&](const Intrinsic_point& p) {
+      *points++ = m_translation.surface_point(p);
+    });
   }
 
   /// @}
@@ -534,7 +544,7 @@ public:
     else
     {
       const double result =
-          search_pair(source, target, np).nearest(m_places.place(target)).distance;
+          search_pair(source, target, np).search().distance(m_translation.place(target));
       return std::isinf(result) ? -1 : result;
     }
   }
@@ -587,7 +597,7 @@ public:
   Point_3 point(const vertex_descriptor v) const { return get(m_point_map, v); }
 
   /// returns a point of the surface.
-  Point_3 point(const Surface_point& p) const { return point(m_places.place(p)); }
+  Point_3 point(const Surface_point& p) const { return point(m_translation.place(p)); }
 
   /// @}
 
@@ -700,120 +710,110 @@ public:
   const Graph& graph() const { return m_graph; }
 
   /// returns the search, with its results and figures.
-  const Search& search() const { return m_search.search(); }
+  const Search& search() const { return m_search.search().search(); }
 
   /// says whether the searches to come shall count what they do: see `search().statistics()`.
-  void collect_statistics(const bool counts) { m_search.search().collect_statistics(counts); }
+  void collect_statistics(const bool counts)
+  {
+    m_search.search().search().collect_statistics(counts);
+  }
 
   /// returns the node of the graph that stands for `v`.
   /// \throws std::invalid_argument if `v` is not a vertex of the mesh.
-  typename Search::Node node(const vertex_descriptor v) const { return m_places.node(v); }
+  typename Search::Node node(const vertex_descriptor v) const { return m_translation.node(v); }
 
   /// @}
 
 private:
   using Node = typename Search::Node;
   using Index_function = internal::Function_property_map<vertex_descriptor, std::size_t>;
+  using Point_function = internal::Function_property_map<vertex_descriptor, Point_3>;
+  using Translation = internal::Mesh_translation<Triangle_mesh, Index_function>;
+  using Mesh_search = internal::Mesh_search<Graph, PriorityQueue, Translation, Point_function>;
 
   Source_point_iterator
-  add_source(const Intrinsic_point& place, const FT initial_distance, const Face_location& location)
+  add_source(const Intrinsic_point& p, const FT initial_distance, const Face_location& location)
   {
-    const double distance = internal::checked_initial_distance(initial_distance);
+    internal::check_initial_distance(initial_distance, m_sources.size());
     m_has_changed = true;
-    return m_sources.add({place, distance}, location);
+    return m_sources.add({p, initial_distance}, location);
   }
 
-  Shortest_path_result shortest_distance(const Intrinsic_point& place)
+  Shortest_path_result shortest_distance(const Intrinsic_point& p)
   {
     build_sequence_tree();
-    const typename Surface_search::Answer answer = m_search.nearest(place);
+    const auto answer = m_search.search().nearest(p);
     if(!answer.is_reached())
       return {-1, source_points_end()};
     return {answer.distance, m_source_points[answer.source]};
   }
 
-  // Calls `f(place)` for the points of the path from a place to its nearest source.
+  // Calls `f(point)` for the points of the path from a point to its nearest source.
   template <typename NamedParameters, typename F>
-  Shortest_path_result for_each_point(const Intrinsic_point& place, const NamedParameters& np, F f)
+  Shortest_path_result for_each_point(const Intrinsic_point& p, const NamedParameters& np, F f)
   {
-    Shortest_path_result result = shortest_distance(place);
+    static_assert(!internal::ignores_any<NamedParameters, internal_np::straighten_t>,
+                  "paths to sources read straighten; maximum_distance, targets and visitor are for "
+                  "build_sequence_tree()");
+    Shortest_path_result result = shortest_distance(p);
     if(result.second == source_points_end())
       return result;
-    internal::Path path = m_search.find_path(place);
-    const bool is_straight = internal::straighten_if_wanted(m_graph.triangulation(), np, path);
-    for(const Intrinsic_point& p : path.points)
-      f(p);
-    if(internal::has_crossing_arcs<Graph> || is_straight)
-      result.first = path.length * m_graph.unit() + Sources::source(result.second).distance;
+    const Path path = m_search.find_path(p, np);
+    std::for_each(path.points.begin(), path.points.end(), f);
+    result.first = path.length + Sources::source(result.second).distance;
     return result;
   }
 
   // A search that is not that of the sources.
   struct Pair_search
   {
-    Surface_search search;
-    internal::Vertex_positions positions;
+    Mesh_search search;
+    Vertex_positions positions;
   };
 
   template <typename Source, typename Target, typename NamedParameters>
-  const Surface_search&
+  const Mesh_search&
   search_pair(const Source& source, const Target& target, const NamedParameters& np)
   {
+    static_assert(!internal::ignores_any<NamedParameters, internal_np::straighten_t,
+                                         internal_np::maximum_distance_t, internal_np::visitor_t>,
+                  "single pairs read straighten, maximum_distance and visitor");
     if(!m_pair_search)
-      m_pair_search =
-          std::make_unique<Pair_search>(Pair_search{Surface_search(m_graph), positions()});
-    const auto stop = internal::stop_rule<Surface_search>(m_graph, m_places, np);
-    m_pair_search->search.run_to(m_places.place(target), {{m_places.place(source)}}, stop,
-                                 m_pair_search->positions);
+      m_pair_search = std::make_unique<Pair_search>(
+          Pair_search{Mesh_search(m_graph, m_translation, m_point_map), m_search.positions()});
+    m_pair_search->search.run_to(source, target, m_pair_search->positions, np);
     return m_pair_search->search;
   }
 
-  // Calls `f(place)` for the points of the path between two points of the surface.
+  // Calls `f(point)` for the points of the path between two points of the surface.
   template <typename Source, typename Target, typename NamedParameters, typename F>
   FT for_each_point_between(const Source& source,
                             const Target& target,
                             const NamedParameters& np,
                             F f)
   {
-    internal::Path path = search_pair(source, target, np).find_path(m_places.place(target));
-    internal::straighten_if_wanted(m_graph.triangulation(), np, path);
+    const Path path = search_pair(source, target, np).find_path(m_translation.place(target), np);
     std::for_each(path.points.rbegin(), path.points.rend(), f);
-    return path.points.empty() ? -1 : path.length * m_graph.unit();
+    return path.points.empty() ? -1 : path.length;
   }
 
   template <typename Visitor>
   void visit(const Intrinsic_point& p, Visitor& visitor) const
   {
     if(p.is_vertex())
-      visitor(m_places.vertex(p.vertex));
+      visitor(m_translation.vertex(p.vertex));
     else if(p.is_on_edge())
-      visitor(m_places.mesh_halfedge(p.halfedge), p.t);
+      visitor(m_translation.mesh_halfedge(p.halfedge), p.t);
     else
     {
-      const Face_location location = m_places.face_location(p);
+      const Face_location location = m_translation.face_location(p);
       visitor(location.first, location.second);
     }
   }
 
-  // Along edges, paths between vertices do not need points that can be computed with.
   Point_3 point(const Intrinsic_point& p) const
   {
-    if constexpr(internal::is_point_of_kernel<Point_3>)
-      return m_places.point(p, m_point_map, typename Kernel_traits<Point_3>::Kernel());
-    else if(p.is_vertex())
-      return m_places.point_of_vertex(p, m_point_map);
-    else
-      internal::reject(
-          "there are no points between vertices: the mesh's are not those of a kernel");
-  }
-
-  internal::Vertex_positions positions() const
-  {
-    if constexpr(internal::is_point_of_kernel<Point_3>)
-      return internal::Vertex_positions(m_graph.triangulation(),
-                                        m_places.position_of_vertex(m_point_map));
-    else
-      return internal::Vertex_positions();
+    return m_search.point(p, parameters::default_values());
   }
 
   // Counts what is there: some meshes' numbers include what was removed.
@@ -833,9 +833,9 @@ private:
 
   const Triangle_mesh& m_mesh;
   Graph m_graph;
-  const internal::Mesh_translation<Triangle_mesh, Index_function> m_places;
-  const internal::Function_property_map<vertex_descriptor, Point_3> m_point_map;
-  Surface_search m_search;
+  const Translation m_translation;
+  const Point_function m_point_map;
+  Mesh_search m_search;
   std::unique_ptr<Pair_search> m_pair_search; // made when first needed
   Sources m_sources;
   std::vector<Source_point_iterator> m_source_points; // of the last search

@@ -40,10 +40,10 @@ void for_each_row(const Graph& graph, F f)
   Node n = graph.triangulation().number_of_vertices();
   while(n < graph.number_of_nodes())
   {
-    const Node h = graph.place(n).halfedge;
+    const Node h = graph.position(n).halfedge;
     std::vector<double> parts;
-    for(; n < graph.number_of_nodes() && graph.place(n).halfedge == h; ++n)
-      parts.push_back(graph.place(n).t);
+    for(; n < graph.number_of_nodes() && graph.position(n).halfedge == h; ++n)
+      parts.push_back(graph.position(n).t);
     f(h, parts);
   }
 }

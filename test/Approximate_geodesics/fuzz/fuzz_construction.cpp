@@ -8,8 +8,8 @@
 
 #include <CGAL/Approximate_geodesics.h>
 #include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
+#include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 
 #include <algorithm>
@@ -109,16 +109,17 @@ void check_paths(const Search& search)
   const double longest = length_of_longest_edge(t);
   for(Node v = 0; v < t.number_of_vertices(); ++v)
   {
-    const double distance = search.distance(v) / search.graph().unit();
+    const double distance = search.distance(v);
     require(distance >= 0, "a distance is negative or not a number", distance);
-    const AG::internal::Path path = AG::internal::find_path(search, v);
+    const AG::Path path = AG::internal::tree_path(search, v);
     require(path.points.empty() == !search.is_reached(v), "a path has no points, or too many");
     require(path.length <= distance * rounding, "a path is too long", path.length, distance);
     if constexpr(AG::internal::has_crossing_arcs<typename Search::Graph>)
       if(can_be_straightened)
       {
-        const double length = AG::internal::Path_straightener(t).shortened(path).length;
-        const double rounding_of_heights = 1e-8 * std::sqrt(longest) * std::sqrt(path.length);
+        const double length = AG::Path_straightener(t).shortened(path).length;
+        const double rounding_of_heights =
+            1e-8 * std::sqrt(longest * t.unit()) * std::sqrt(path.length);
         require(length <= path.length * rounding + rounding_of_heights, "a path gets longer",
                 length, path.length);
       }

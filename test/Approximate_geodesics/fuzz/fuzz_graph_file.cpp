@@ -9,7 +9,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <boost/crc.hpp>
@@ -108,7 +108,7 @@ void use(const Discrete_geodesic_graph& graph, const std::string& file)
   try
   {
     for(Triangulation::Index v = 0; v < graph.number_of_nodes(); v += 3)
-      AG::internal::find_path(search, v);
+      AG::internal::tree_path(search, v);
   }
   catch(const std::invalid_argument&) // as nothing on the mesh is as long as a forged arc
   {

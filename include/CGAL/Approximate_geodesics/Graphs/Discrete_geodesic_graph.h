@@ -13,14 +13,16 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_file.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Graph_with_cones.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/for_each_block.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/epsilon.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/refuse_weights.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/for_each.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -55,12 +57,9 @@ namespace Approximate_geodesics {
  * An object of this class never changes after its construction and may be used by several threads.
  * For one search, or few, `Lazy_discrete_geodesic_graph` is faster.
  *
- * \cgalModels{GeodesicGraph}
+ * \cgalModels{SurfaceGraph}
  */
 class Discrete_geodesic_graph
-#ifndef DOXYGEN_RUNNING
-  : public internal::Graph_with_cones<Discrete_geodesic_graph>
-#endif
 {
 public:
   /// the number of a node; that of the vertex it stands for.
@@ -108,7 +107,7 @@ public:
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Discrete_geodesic_graph(Intrinsic_triangulation triangulation,
                                    const NamedParameters& np = parameters::default_values())
-    : m_triangulation(std::move(triangulation)), m_epsilon(internal::checked_epsilon(np))
+    : m_triangulation(std::move(triangulation)), m_rules(internal::checked_epsilon(np))
   {
     using Concurrency_tag =
         typename internal_np::Lookup_named_param_def<internal_np::concurrency_tag_t,
@@ -126,7 +125,7 @@ public:
   const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
 
   /// returns the bound that the graph was built for.
-  double epsilon() const { return m_epsilon; }
+  double epsilon() const { return m_rules.epsilon; }
 
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
@@ -163,17 +162,18 @@ public:
   template <typename F>
   double for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
-    return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_epsilon, source,
+    return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_rules, source,
                                                             target, length, f);
   }
 
-#ifndef DOXYGEN_RUNNING
-  // for places that are not nodes
-  using internal::Graph_with_cones<Discrete_geodesic_graph>::for_each_arc;
-  using internal::Graph_with_cones<Discrete_geodesic_graph>::for_each_crossing;
-#endif
+  /// attaches a point of the surface by straight lines across the faces around it, as far as those
+  /// from a vertex are followed. So the bound holds for it, too.
+  internal::Cones_of_point attach(const Intrinsic_point& point) const
+  {
+    return {m_triangulation, m_rules, point};
+  }
 
-  /// asks for the arcs of `node`, which will be needed soon.
+  /// prefetches the arcs of `node`.
   void prefetch(const Node node) const { m_rows.prefetch(node); }
 
   /// returns the number of bytes that the graph takes, its triangulation included.
@@ -195,7 +195,7 @@ public:
    */
   void save(std::ostream& out) const
   {
-    internal::Arc_file::save(out, m_triangulation, m_epsilon, m_rows);
+    internal::Arc_file::save(out, m_triangulation, m_rules.epsilon, m_rows);
   }
 
   /*!
@@ -208,7 +208,9 @@ public:
   {
     Discrete_geodesic_graph result;
     result.m_triangulation = std::move(triangulation);
-    internal::Arc_file::load(in, result.m_triangulation, result.m_epsilon, result.m_rows);
+    double epsilon = 0;
+    internal::Arc_file::load(in, result.m_triangulation, epsilon, result.m_rows);
+    result.m_rules = internal::Cone_rules(epsilon);
     result.m_rows.shrink_to_fit();
     return result;
   }
@@ -228,10 +230,11 @@ private:
     std::vector<internal::Compressed_arcs> blocks((number_of_vertices + SIZE_OF_BLOCK - 1) /
                                                   SIZE_OF_BLOCK);
     const double unit = internal::unit_of_arcs(m_triangulation);
-    internal::for_each_block<ConcurrencyTag>(blocks.size(), [&](const std::size_t i) {
-      const Node first = static_cast<Node>(i) * SIZE_OF_BLOCK;
+    CGAL::for_each<ConcurrencyTag>(blocks, [&](internal::Compressed_arcs& block) {
+      const Node first = static_cast<Node>(&block - blocks.data()) * SIZE_OF_BLOCK;
       const Node size = (std::min)(SIZE_OF_BLOCK, number_of_vertices - first);
-      blocks[i] = rows_of(unfolding, unit, first, size);
+      block = rows_of(unfolding, unit, first, size);
+      return true;
     });
 
     m_rows = internal::Compressed_arcs(unit);
@@ -249,7 +252,7 @@ private:
                                     const Node size) const
   {
     const internal::Cone_expansion<internal::Unfolding> expansion(m_triangulation, unfolding,
-                                                                  m_epsilon);
+                                                                  m_rules);
     internal::Compressed_arcs result(unit);
     std::vector<internal::Stored_arc> arcs;
     for(Node node = first; node < first + size; ++node)
@@ -261,7 +264,7 @@ private:
   }
 
   Intrinsic_triangulation m_triangulation;
-  double m_epsilon = 0.1;
+  internal::Cone_rules m_rules{0.1};
   internal::Compressed_arcs m_rows;
 };
 

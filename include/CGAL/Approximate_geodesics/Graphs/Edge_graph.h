@@ -11,11 +11,10 @@
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Graph_within_faces.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/refuse_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/lines_in_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -36,12 +35,9 @@ namespace Approximate_geodesics {
  *
  * An object of this class never changes after its construction and may be used by several threads.
  *
- * \cgalModels{GeodesicGraph}
+ * \cgalModels{SurfaceGraph}
  */
 class Edge_graph
-#ifndef DOXYGEN_RUNNING
-  : public internal::Graph_within_faces<Edge_graph>
-#endif
 {
 public:
   /// the number of a node; that of the vertex it stands for.
@@ -101,15 +97,11 @@ public:
       f(target[h], length[h]);
   }
 
-  /// calls `f(node, length)` for the straight lines from a place to the corners of its face, or of
-  /// both if it is on an edge.
-  template <typename F>
-  void for_each_arc(const Intrinsic_point& place, F f) const
-  {
-    internal::for_each_line_to_corner(m_triangulation, place, f);
-  }
+  /// attaches a point of the surface by straight lines to the corners of its face, or of both faces
+  /// if it lies on an edge.
+  Lines_in_faces attach(const Intrinsic_point& point) const { return {m_triangulation, point}; }
 
-  /// asks for the arcs of `node`, which will be needed soon.
+  /// prefetches the arcs of `node`.
   void prefetch(const Node node) const
   {
     m_triangulation.prefetch(m_triangulation.first_halfedge(node));

@@ -133,7 +133,7 @@ public:
   /// returns the number of points on the edge of `h`.
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
-    return is_needed(triangulation, h) ? progressions(triangulation, h).number_of_points() : 0;
+    return triangulation.is_crossable(h) ? progressions(triangulation, h).number_of_points() : 0;
   }
 
   /// writes the positions of these points to `positions`.
@@ -142,7 +142,7 @@ public:
              float* positions,
              std::size_t /* number_of_points */) const
   {
-    if(is_needed(triangulation, h))
+    if(triangulation.is_crossable(h))
       progressions(triangulation, h).place(positions);
   }
 
@@ -196,13 +196,6 @@ private:
   bool will_be_uniform(const internal::Weight_spread& weights) const
   {
     return weights.are_uniform() && m_expected_ratio == 0;
-  }
-
-  // Paths that end or bend inside such an edge can be made cheaper.
-  static bool is_needed(const Intrinsic_triangulation& triangulation, const Index h)
-  {
-    return !triangulation.is_border(h) && !triangulation.is_border(triangulation.opposite(h)) &&
-           !triangulation.is_barrier(h);
   }
 
   // \pre The edge of `h` is not at the border, and longer than zero.

@@ -12,11 +12,13 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_cache.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Graph_with_cones.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/epsilon.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/refuse_weights.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
@@ -45,12 +47,9 @@ namespace Approximate_geodesics {
  *
  * An object of this class may be used by several threads at the same time.
  *
- * \cgalModels{GeodesicGraph}
+ * \cgalModels{SurfaceGraph}
  */
 class Lazy_discrete_geodesic_graph
-#ifndef DOXYGEN_RUNNING
-  : public internal::Graph_with_cones<Lazy_discrete_geodesic_graph>
-#endif
 {
 public:
   /// the number of a node; that of the vertex it stands for.
@@ -99,7 +98,7 @@ public:
                                         const Arcs arcs = Arcs::FORGOTTEN)
     : m_triangulation(std::move(triangulation)),
       m_unfolding(m_triangulation),
-      m_epsilon(internal::checked_epsilon(np)),
+      m_rules(internal::checked_epsilon(np)),
       m_edge_lengths(summarize_arc_lengths(m_triangulation.lengths())),
       m_unit(internal::unit_of_arcs(m_triangulation))
   {
@@ -117,7 +116,7 @@ public:
   const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
 
   /// returns the bound that holds in the graph.
-  double epsilon() const { return m_epsilon; }
+  double epsilon() const { return m_rules.epsilon; }
 
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
@@ -135,19 +134,17 @@ public:
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    const Expansion expansion(m_triangulation, m_unfolding, m_epsilon);
+    const Expansion expansion(m_triangulation, m_unfolding, m_rules);
     if(!m_arc_cache.is_enabled())
     {
       const auto report = [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); };
       if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
         expansion.expand(node, report, internal::Leave_out_nothing());
       else
-        expansion.expand(node, report,
-                         Label_filter<Labels>{{},
-                                              m_triangulation,
-                                              labels,
-                                              labels.distance(node),
-                                              1 + Expansion::SHARE_OF_ENDS * m_epsilon});
+        expansion.expand(
+            node, report,
+            Label_pruning<Labels>{
+                {}, m_triangulation, labels, labels.distance(node), m_rules.longest_detour});
       return;
     }
     const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
@@ -167,20 +164,21 @@ public:
   double for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
     if(m_arc_cache.is_enabled())
-      return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_epsilon, source,
+      return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_rules, source,
                                                               target, length, f);
     else
-      return internal::trace_arc<internal::Leave_out_nothing>(m_triangulation, m_epsilon, source,
+      return internal::trace_arc<internal::Leave_out_nothing>(m_triangulation, m_rules, source,
                                                               target, length, f);
   }
 
-#ifndef DOXYGEN_RUNNING
-  // for places that are not nodes
-  using internal::Graph_with_cones<Lazy_discrete_geodesic_graph>::for_each_arc;
-  using internal::Graph_with_cones<Lazy_discrete_geodesic_graph>::for_each_crossing;
-#endif
+  /// attaches a point of the surface by straight lines across the faces around it, as far as those
+  /// from a vertex are followed. So the bound holds for it, too.
+  internal::Cones_of_point attach(const Intrinsic_point& point) const
+  {
+    return {m_triangulation, m_rules, point};
+  }
 
-  /// asks for what it takes to find the first arcs of `node`, which will be needed soon.
+  /// prefetches what it takes to find the first arcs of `node`.
   void prefetch(const Node node) const
   {
     m_triangulation.prefetch(m_triangulation.first_halfedge(node));
@@ -206,12 +204,12 @@ private:
   //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.
   // The difference of the lengths is smallest at the other end of the edge.
   template <typename Labels>
-  struct Label_filter : internal::Look_at_everything
+  struct Label_pruning : internal::Cone_visitor_base
   {
     static constexpr bool wants_distances = true;
     static constexpr bool leaves_out_arcs = false;
 
-    bool operator()(const internal::Window& w) const
+    bool prune(const internal::Window& w) const
     {
       const double edge = triangulation.length(w.halfedge);
       return labels.distance(w.left_end) - label_of_tip < factor * (w.right_distance - edge) ||
@@ -226,7 +224,7 @@ private:
 
   Intrinsic_triangulation m_triangulation;
   internal::Unfolding m_unfolding;
-  double m_epsilon;
+  internal::Cone_rules m_rules;
   Arc_lengths m_edge_lengths;
   double m_unit;                           // of kept arcs
   mutable internal::Arc_cache m_arc_cache; // may be added to by several threads at the same time

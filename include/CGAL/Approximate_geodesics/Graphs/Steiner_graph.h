@@ -10,9 +10,9 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Graph_within_faces.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_attachment.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -56,13 +56,10 @@ namespace Approximate_geodesics {
  *
  * \tparam Placement a model of `SteinerPointPlacement`
  *
- * \cgalModels{GeodesicGraph}
+ * \cgalModels{SurfaceGraph}
  */
 template <typename Placement = Geometric_points>
 class Steiner_graph
-#ifndef DOXYGEN_RUNNING
-  : public internal::Graph_within_faces<Steiner_graph<Placement>>
-#endif
 {
 public:
   /// the number of a node; those of the vertices come first.
@@ -141,7 +138,7 @@ public:
   std::size_t maximum_degree() const { return m_maximum_degree; }
 
   /// returns where a node is, which may be one of the vertices.
-  Intrinsic_point place(const Node node) const { return m_nodes.place(node); }
+  Intrinsic_point position(const Node node) const { return m_nodes.position(node); }
 
   /// calls `f(target, cost)` for the arcs that start from `node` and may be part of a cheapest path
   /// that arrives there as `labels` says.
@@ -151,16 +148,22 @@ public:
     internal::Steiner_arcs(m_triangulation, m_nodes).for_each(node, labels, f);
   }
 
-  /// calls `f(node, cost)` for the straight lines from a place to the nodes on the sides of its
-  /// face, or of both if it is on an edge. If it is a vertex, `node` is what stands for it: more
-  /// than one node, if barriers divide its faces.
+  /// returns `length`, as no arc crosses an edge between its ends.
   template <typename F>
-  void for_each_arc(const Intrinsic_point& place, F f) const
+  double for_each_crossing(Node /* source */, Node /* target */, const double length, F) const
   {
-    internal::Steiner_arcs(m_triangulation, m_nodes).for_each(place, f);
+    return length;
   }
 
-  /// asks for what it takes to find the arcs of `node`, which will be needed soon.
+  /// attaches a point of the surface by straight lines to the nodes on the sides of its face, or of
+  /// both faces if it lies on an edge. A vertex is attached to what stands for it: to more than one
+  /// node, if barriers divide its faces.
+  internal::Steiner_attachment attach(const Intrinsic_point& point) const
+  {
+    return {m_triangulation, m_nodes, point};
+  }
+
+  /// prefetches what it takes to find the arcs of `node`.
   void prefetch(const Node node) const
   {
     if(m_nodes.is_vertex(node))

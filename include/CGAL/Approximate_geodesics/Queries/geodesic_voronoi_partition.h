@@ -103,7 +103,7 @@ void geodesic_voronoi_partition(const TriangleMesh& tmesh,
   std::vector<std::size_t> source_of(num_vertices(tmesh));
   const auto distance_map = boost::make_iterator_property_map(distance_of.begin(), index_map);
   const auto source_map = boost::make_iterator_property_map(source_of.begin(), index_map);
-  approximate_geodesic_distances<PriorityQueue>(
+  approximate_geodesic_distances(
       tmesh, distance_map, sources,
       parameters::combine(np, parameters::nearest_source_map(source_map)));
 

@@ -14,7 +14,6 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/write_points.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/number_utils.h>
@@ -106,8 +105,15 @@ refined_geodesic_path(const TriangleMesh& tmesh,
                                               triangulation);
   AG::internal::Selective_refinement<PriorityQueue> refinement(triangulation, places.node(source),
                                                                places.node(target));
-  const AG::internal::Path path = refinement.run(AG::Fixed_number_of_points(np), tolerance);
-  AG::internal::write_points<true>(path, places, tmesh, points, np);
+  const AG::Path path = refinement.run(AG::Fixed_number_of_points(np), tolerance);
+  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  const auto point_map =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                   get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto traits =
+      parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
+  for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
+    *points++ = places.point(*p, point_map, traits);
   return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;
 }
 

@@ -16,7 +16,7 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * A place on a triangulated surface: a vertex, a point inside an edge, or a point inside a face.
+ * A point of a triangulated surface: a vertex, a point inside an edge, or a point inside a face.
  *
  * It is given by the numbers that an `Intrinsic_triangulation` has for vertices and halfedges.
  * Where the halfedge has the source \f$a\f$ and the target \f$b\f$, and the third vertex of the
@@ -27,33 +27,94 @@ struct Intrinsic_point
   /// the number of a vertex, or of a halfedge.
   using Index = Intrinsic_triangulation::Index;
 
-  /// the place of a vertex.
+  /// \name Creation
+  /// @{
+
+  /// the point at a vertex.
   static Intrinsic_point at_vertex(const Index v)
   {
     return {v, Intrinsic_triangulation::null_index, 0, 0};
   }
 
-  /// the place on the edge of `h`, at the part `t` of the way from its source to its target.
+  /// the point on the edge of `h`, at the part `t` of the way from its source to its target.
   static Intrinsic_point on_edge(const Index h, const double t)
   {
     return {Intrinsic_triangulation::null_index, h, t, 0};
   }
 
-  /// the place inside the face to the left of `h`, where `t` and `s` are the weights of the target
+  /// the point inside the face to the left of `h`, where `t` and `s` are the weights of the target
   /// of `h` and of the third vertex.
   static Intrinsic_point in_face(const Index h, const double t, const double s)
   {
     return {Intrinsic_triangulation::null_index, h, t, s};
   }
 
-  /// returns whether the place is a vertex.
+  /// @}
+
+  /// \name Kind
+  /// @{
+
+  /// returns whether the point is a vertex.
   bool is_vertex() const { return vertex != Intrinsic_triangulation::null_index; }
 
-  /// returns whether the place is a point inside a face.
+  /// returns whether the point lies inside a face.
   bool is_in_face() const { return !is_vertex() && s > 0; }
 
-  /// returns whether the place is a point of an edge, and not a vertex.
+  /// returns whether the point lies on an edge, and is not a vertex.
   bool is_on_edge() const { return !is_vertex() && !is_in_face(); }
+
+  /// @}
+
+  /// \name Position
+  /// @{
+
+  /// returns whether the point lies on the edge of `h`, or is one of its ends.
+  bool is_on_edge_of(const Index h, const Intrinsic_triangulation& triangulation) const
+  {
+    if(is_vertex())
+      return vertex == triangulation.source(h) || vertex == triangulation.target(h);
+    return is_on_edge() && (halfedge == h || halfedge == triangulation.opposite(h));
+  }
+
+  /// returns whether this and `p` are the same vertex, or the same point of the same edge or face.
+  bool is_same(const Intrinsic_point& p, const Intrinsic_triangulation& triangulation) const
+  {
+    if(is_vertex() || p.is_vertex())
+      return vertex == p.vertex;
+    if(halfedge == p.halfedge)
+      return t == p.t && s == p.s;
+    return is_on_edge() && p.is_on_edge() && halfedge == triangulation.opposite(p.halfedge) &&
+           t == 1 - p.t;
+  }
+
+  /// returns the vertex that a point of an edge is at, but for rounding, and else the point.
+  Intrinsic_point reduced(const Intrinsic_triangulation& triangulation) const
+  {
+    constexpr double rounding = 1e-14;
+    if(!is_on_edge() || (t > rounding && t < 1 - rounding))
+      return *this;
+    return at_vertex(t > 0.5 ? triangulation.target(halfedge) : triangulation.source(halfedge));
+  }
+
+  /// calls `f(h)` for a halfedge of each face that the point lies in, or on the border of.
+  template <typename F>
+  void for_each_face(const Intrinsic_triangulation& triangulation, F f) const
+  {
+    const auto call = [&](const Index h) {
+      if(!triangulation.is_border(h))
+        f(h);
+    };
+    if(is_vertex())
+      for(Index h = triangulation.first_halfedge(vertex); h < triangulation.beyond_halfedge(vertex);
+          ++h)
+        call(h);
+    else
+      call(halfedge);
+    if(is_on_edge())
+      call(triangulation.opposite(halfedge));
+  }
+
+  /// @}
 
   Index vertex;   ///< the vertex, or `Intrinsic_triangulation::null_index`
   Index halfedge; ///< a halfedge of the edge or the face, or `Intrinsic_triangulation::null_index`

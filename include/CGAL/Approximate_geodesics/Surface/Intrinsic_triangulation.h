@@ -16,6 +16,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -255,6 +256,21 @@ public:
     return h + 1 == beyond_halfedge(v) ? first_halfedge(v) : h + 1;
   }
 
+  /// returns the halfedge that follows `h` clockwise among those that start from `v`.
+  /// \pre `h` starts from `v`.
+  Index clockwise(const Index v, const Index h) const
+  {
+    return (h == first_halfedge(v) ? beyond_halfedge(v) : h) - 1;
+  }
+
+  /// returns the halfedges of the face to the left of `h`, from that on.
+  /// \pre `h` is not a border halfedge.
+  std::array<Index, 3> halfedges_of_face(const Index h) const
+  {
+    const Index second = next(h);
+    return {h, second, next(second)};
+  }
+
   /// returns whether there is no face to the left of `h`.
   bool is_border(const Index h) const { return m_is_border[h]; }
 
@@ -312,6 +328,12 @@ public:
 
   /// returns whether the edge of `h` is a barrier. Edges at a border are not: they are one anyway.
   bool is_barrier(const Index h) const { return has_barriers() && m_is_barrier[h]; }
+
+  /// returns whether paths may cross the edge of `h`.
+  bool is_crossable(const Index h) const
+  {
+    return !is_border(h) && !is_border(opposite(h)) && !is_barrier(h);
+  }
 
   /// @}
 

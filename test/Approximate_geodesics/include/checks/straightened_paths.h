@@ -8,7 +8,9 @@
 
 #include "oracles/test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
@@ -26,8 +28,8 @@ namespace geodesics_test {
 
 namespace AG = CGAL::Approximate_geodesics;
 using AG::Intrinsic_point;
-using AG::internal::Path;
-using AG::internal::Path_straightener;
+using AG::Path;
+using AG::Path_straightener;
 using Index = Triangulation::Index;
 using Vector = Kernel::Vector_3;
 
@@ -42,7 +44,7 @@ inline double angle(const Point& p, const Point& q, const Point& r)
   return std::atan2(norm(CGAL::cross_product(a, b)), CGAL::scalar_product(a, b));
 }
 
-// A mesh and its triangulation, with paths whose lengths are those of the mesh.
+// A mesh and its triangulation.
 class Surface
 {
 public:
@@ -94,13 +96,9 @@ public:
     return result;
   }
 
-  // in the unit of the mesh
   Path shortened(const std::vector<Intrinsic_point>& points) const
   {
-    Path result = Path_straightener(m_triangulation)
-                      .shortened({points, length(points) / m_triangulation.unit()});
-    result.length *= m_triangulation.unit();
-    return result;
+    return Path_straightener(m_triangulation).shortened({points, length(points)});
   }
 
   Path shortened(const std::vector<std::size_t>& vertices) const
@@ -243,7 +241,7 @@ std::vector<Path> paths_from(const GeodesicGraph& graph, const Index source, con
   std::vector<Path> result;
   for(Index v = 0; v < graph.number_of_nodes(); v += step)
     if(v != source && search.is_reached(v))
-      result.push_back(AG::internal::find_path(search, v));
+      result.push_back(AG::internal::tree_path(search, v));
   return result;
 }
 
@@ -264,11 +262,11 @@ inline bool is_repeated(const Intrinsic_point& p, const Intrinsic_point& q)
   return p.is_vertex() ? p.vertex == q.vertex : p.halfedge == q.halfedge && p.t == q.t;
 }
 
-// What holds for all paths on all meshes; lengths are in the unit of the triangulation.
+// What holds for all paths on all meshes.
 inline void expect_sound(const Triangulation& t, const Path& path, const Path& shorter)
 {
-  const double length = AG::internal::length_of_segments(t, path.points);
-  const double sum = AG::internal::length_of_segments(t, shorter.points);
+  const double length = AG::internal::length_of_segments(t, path.points) * t.unit();
+  const double sum = AG::internal::length_of_segments(t, shorter.points) * t.unit();
   EXPECT_LE(shorter.length, length);
   EXPECT_NEAR(shorter.length, sum, sum * 1e-12);
   ASSERT_FALSE(shorter.points.empty());

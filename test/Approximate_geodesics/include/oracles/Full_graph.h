@@ -37,9 +37,10 @@ public:
     std::vector<std::vector<Node>> nodes_of_edge(t.number_of_halfedges());
     for(Node n = t.number_of_vertices(); n < graph.number_of_nodes(); ++n)
     {
-      const Node h = graph.place(n).halfedge;
+      const Node h = graph.position(n).halfedge;
       nodes_of_edge[(std::min)(h, t.opposite(h))].push_back(n);
-      m_places.push_back(between(m_places[t.source(h)], m_places[t.target(h)], graph.place(n).t));
+      m_places.push_back(
+          between(m_places[t.source(h)], m_places[t.target(h)], graph.position(n).t));
     }
     m_faces_of_node.resize(graph.number_of_nodes());
     for(Node h = 0; h < t.number_of_halfedges(); ++h)

@@ -14,7 +14,6 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/faces_of_place.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
@@ -65,6 +64,7 @@ class Mesh_translation : public Mesh_vertices<TriangleMesh, VertexIndexMap>
   using Index = Intrinsic_triangulation::Index;
 
 public:
+  using Triangle_mesh = TriangleMesh;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
@@ -106,7 +106,7 @@ public:
       if(weights[i] == 1)
         return place(source(sides[i], this->mesh()));
     const Index first = number(h);
-    const std::array<Index, 3> numbers = halfedges_of_face(this->triangulation(), first);
+    const std::array<Index, 3> numbers = this->triangulation().halfedges_of_face(first);
     for(std::size_t i = 0; i < 3; ++i)
       if(weights[(i + 2) % 3] == 0)
         return Intrinsic_point::on_edge(numbers[i], weights[(i + 1) % 3]);

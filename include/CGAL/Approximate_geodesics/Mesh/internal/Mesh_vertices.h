@@ -64,8 +64,9 @@ public:
   // whether a node is a vertex, and not a point that a graph has added
   bool is_vertex(const Node node) const { return node < m_triangulation->number_of_vertices(); }
 
-protected:
   const TriangleMesh& mesh() const { return *m_mesh; }
+
+protected:
   const Intrinsic_triangulation& triangulation() const { return *m_triangulation; }
 
 private:

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 
 #include <cstddef>
 #include <vector>
@@ -30,14 +30,14 @@ class Vertex_predecessors
 public:
   explicit Vertex_predecessors(const Search& search) : m_search(search)
   {
-    if constexpr(has_places<typename Search::Graph>)
+    if constexpr(has_positions<typename Search::Graph>)
       m_before.resize(m_search.graph().number_of_nodes(), Search::null_node);
   }
 
   // Allocates nothing.
   Node operator()(const Node node)
   {
-    if constexpr(!has_places<typename Search::Graph>)
+    if constexpr(!has_positions<typename Search::Graph>)
       return m_search.predecessor(node);
 
     const Node vertex = vertex_of(node);
@@ -58,7 +58,7 @@ public:
 
 private:
   // null_node if it is not a vertex, nor stands for one
-  Node vertex_of(const Node node) const { return place(m_search.graph(), node).vertex; }
+  Node vertex_of(const Node node) const { return position(m_search.graph(), node).vertex; }
 
   const Search& m_search;
   std::vector<Node> m_before; // null_node where it is not known

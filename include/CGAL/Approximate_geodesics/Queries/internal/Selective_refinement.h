@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -140,16 +140,14 @@ private:
   static constexpr std::size_t LARGEST_NUMBER_OF_POINTS = 4096;
   static constexpr std::size_t LARGEST_NUMBER_OF_RINGS = 3; // a coarse path can be this far off
 
-  // The path is empty if the target cannot be reached; its length is in the unit of the graph.
+  // The path is empty if the target cannot be reached; its length is in the unit of the mesh.
   template <typename Placement>
   Path search(Placement placement) const
   {
     const Steiner_graph<Placement> graph(m_triangulation, std::move(placement));
     Propagation<Steiner_graph<Placement>, PriorityQueue> search(graph);
     search.run({{m_source}}, {std::numeric_limits<double>::infinity(), {m_target}});
-    Path result = find_path(search, m_target);
-    result.length *= graph.unit();
-    return result;
+    return tree_path(search, m_target);
   }
 
   const Intrinsic_triangulation& m_triangulation;

@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 
 #include <boost/iterator/iterator_adaptor.hpp>
 
@@ -31,7 +31,7 @@ class Source_list
 
   struct Listed_source
   {
-    Source source;
+    Source_point source;
     Face_location location;
   };
   using List = std::list<Listed_source>;
@@ -55,13 +55,13 @@ public:
     const Face_location& dereference() const { return this->base()->location; }
   };
 
-  static const Source& source(const Iterator it) { return it.base()->source; }
+  static const Source_point& source(const Iterator it) { return it.base()->source; }
 
   Iterator begin() const { return Iterator(m_sources.begin()); }
   Iterator end() const { return Iterator(m_sources.end()); }
   std::size_t size() const { return m_sources.size(); }
 
-  Iterator add(const Source& source, const Face_location& location)
+  Iterator add(const Source_point& source, const Face_location& location)
   {
     return Iterator(m_sources.insert(m_sources.end(), Listed_source{source, location}));
   }

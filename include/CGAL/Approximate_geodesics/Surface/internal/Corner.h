@@ -8,6 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,6 +55,35 @@ private:
 
   double m_opening = 0;
 };
+
+// The area of the triangle with these sides, by Kahan's arrangement of Heron's formula, which is
+// accurate for needles too (W. Kahan, Miscalculating area and angles of a needle-like triangle).
+inline double area_of_triangle(const double a, const double b, const double c)
+{
+  const double smaller = (std::min)(a, b), larger = (std::max)(a, b);
+  const double x = (std::max)(larger, c), z = (std::min)(smaller, c);
+  const double y = (std::max)(smaller, (std::min)(larger, c));
+  const double product = (x + (y + z)) * (z - (x - y)) * (z + (x - y)) * (x + (y - z));
+  return product > 0 ? std::sqrt(product) / 4 : 0; // rounded lengths can be too long for a triangle
+}
+
+// The unit vector at the angle between two sides of a triangle. At an edge of length zero the angle
+// is taken to be right, so that a line through the edge goes straight on.
+inline Plane_vector angle_between(const double a, const double b, const double opposite)
+{
+  if(!(a > 0 && b > 0))
+    return {0, 1};
+  return {1 - Corner(a, b, opposite).opening() / 2, 2 * (area_of_triangle(a, b, opposite) / a) / b};
+}
+
+// The angle at the source of `h` in the face to its left.
+inline Plane_vector corner_angle(const Intrinsic_triangulation& triangulation,
+                                 const Intrinsic_triangulation::Index h)
+{
+  const auto g = triangulation.next(h);
+  return angle_between(triangulation.length(h), triangulation.length(triangulation.next(g)),
+                       triangulation.length(g));
+}
 
 } // namespace internal
 } // namespace Approximate_geodesics

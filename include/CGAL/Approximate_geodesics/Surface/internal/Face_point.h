@@ -11,8 +11,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/corner_angle.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/assertions.h>
 
 #include <array>
@@ -53,6 +52,12 @@ struct Face_point
                 {result.weight[1], result.weight[2], result.weight[0]}};
     CGAL_assertion(result.halfedge == h);
     return result;
+  }
+
+  // where it is, if the corners are laid out, from the source of the halfedge on
+  Plane_vector position(const std::array<Plane_vector, 3>& corner) const
+  {
+    return weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2];
   }
 
   // where it is, if the source of the halfedge is laid out, and the halfedge's direction is given
@@ -98,25 +103,25 @@ distance(const Intrinsic_triangulation& triangulation, const Face_point& p, cons
       .distance(std::abs(step[(i + 1) % 3]) * a, std::abs(step[(i + 2) % 3]) * b);
 }
 
-// Calls `f(p)` for where a place is in the face to the left of `h`. That is nowhere if the place
+// Calls `f(q)` for where a point is in the face to the left of `h`. That is nowhere if the point
 // lies in other faces only, and can be twice if two sides of the face are one edge.
 template <typename F>
 void for_each_face_point(const Intrinsic_triangulation& triangulation,
-                         const Intrinsic_point& place,
+                         const Intrinsic_point& p,
                          const Intrinsic_point::Index h,
                          F f)
 {
   Intrinsic_point::Index side = h;
   for(int i = 0; i < 3; ++i, side = triangulation.next(side))
-    if(place.is_vertex())
+    if(p.is_vertex())
     {
-      if(triangulation.source(side) == place.vertex)
+      if(triangulation.source(side) == p.vertex)
         f(Face_point::at_source(side));
     }
-    else if(side == place.halfedge)
-      f(Face_point::in_face(place));
-    else if(place.is_on_edge() && side == triangulation.opposite(place.halfedge))
-      f(Face_point::on_edge(side, 1 - place.t));
+    else if(side == p.halfedge)
+      f(Face_point::in_face(p));
+    else if(p.is_on_edge() && side == triangulation.opposite(p.halfedge))
+      f(Face_point::on_edge(side, 1 - p.t));
 }
 
 } // namespace internal

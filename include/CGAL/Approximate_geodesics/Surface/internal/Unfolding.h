@@ -9,51 +9,15 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-struct Plane_vector
-{
-  double x, y;
-
-  friend Plane_vector operator+(const Plane_vector a, const Plane_vector b)
-  {
-    return {a.x + b.x, a.y + b.y};
-  }
-  friend Plane_vector operator-(const Plane_vector a, const Plane_vector b)
-  {
-    return {a.x - b.x, a.y - b.y};
-  }
-  friend Plane_vector operator*(const double factor, const Plane_vector a)
-  {
-    return {factor * a.x, factor * a.y};
-  }
-};
-
-inline double dot(const Plane_vector a, const Plane_vector b) { return a.x * b.x + a.y * b.y; }
-
-// positive if `b` is to the left of `a`
-inline double cross(const Plane_vector a, const Plane_vector b) { return a.x * b.y - a.y * b.x; }
-
-inline double length(const Plane_vector a) { return std::sqrt(dot(a, a)); }
-
-// The area of the triangle with these sides, by Kahan's arrangement of Heron's formula, which is
-// accurate for needles too (W. Kahan, Miscalculating area and angles of a needle-like triangle).
-inline double area_of_triangle(const double a, const double b, const double c)
-{
-  const double smaller = (std::min)(a, b), larger = (std::max)(a, b);
-  const double x = (std::max)(larger, c), z = (std::min)(smaller, c);
-  const double y = (std::max)(smaller, (std::min)(larger, c));
-  const double product = (x + (y + z)) * (z - (x - y)) * (z + (x - y)) * (x + (y - z));
-  return product > 0 ? std::sqrt(product) / 4 : 0; // rounded lengths can be too long for a triangle
-}
 
 /*
  * What it takes to lay out the face to the left of a halfedge, if the halfedge is laid out.

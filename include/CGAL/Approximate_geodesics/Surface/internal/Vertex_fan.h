@@ -9,36 +9,20 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/corner_angle.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-// Going round a vertex.
+// Circulation around a vertex.
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
 constexpr double straight_angle = 3.14159265358979323846;
-
-// Whether a path may go from one side of the edge of `h` to the other.
-inline bool is_crossable(const Intrinsic_triangulation& triangulation,
-                         const Intrinsic_triangulation::Index h)
-{
-  return !triangulation.is_border(h) && !triangulation.is_border(triangulation.opposite(h)) &&
-         !triangulation.is_barrier(h);
-}
-
-// the halfedge that follows `h` clockwise among those that start from the same vertex
-inline Intrinsic_triangulation::Index clockwise(const Intrinsic_triangulation& triangulation,
-                                                const Intrinsic_triangulation::Index h)
-{
-  const auto v = triangulation.source(h);
-  return (h == triangulation.first_halfedge(v) ? triangulation.beyond_halfedge(v) : h) - 1;
-}
 
 // A sum of angles from 0 to pi, given by unit vectors.
 class Angle_sum
@@ -82,7 +66,7 @@ inline double angle_of_fan(const Intrinsic_triangulation& triangulation,
   auto h = first;
   do
   {
-    if(triangulation.is_border(h) || (h != first && !is_crossable(triangulation, h)))
+    if(triangulation.is_border(h) || (h != first && !triangulation.is_crossable(h)))
       return std::numeric_limits<double>::infinity();
     result.add(corner_angle(triangulation, h));
     h = triangulation.counterclockwise(v, h);

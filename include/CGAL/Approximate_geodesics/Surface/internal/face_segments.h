@@ -15,22 +15,11 @@
 
 #include <limits>
 
-// Straight lines between places in the same face.
+// Straight lines between points of the same face.
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-// the vertex, if a point of an edge is at one, but for rounding
-inline Intrinsic_point simplified(const Intrinsic_triangulation& triangulation,
-                                  const Intrinsic_point& p)
-{
-  constexpr double rounding = 1e-14;
-  if(!p.is_on_edge() || (p.t > rounding && p.t < 1 - rounding))
-    return p;
-  return Intrinsic_point::at_vertex(p.t > 0.5 ? triangulation.target(p.halfedge)
-                                              : triangulation.source(p.halfedge));
-}
 
 /*
  * A straight line through a face, or along an edge.
@@ -53,7 +42,7 @@ public:
   {
   }
 
-  // The shortest of the segments between two places; of infinite length if no face and no edge has
+  // The shortest of the segments between two points; of infinite length if no face and no edge has
   // both.
   Segment segment(const Intrinsic_point& p, const Intrinsic_point& q) const
   {
@@ -109,8 +98,8 @@ private:
 };
 
 // The sum of the straight lines from each point to the next; infinity if two of them share no face.
-template <typename Places>
-double length_of_segments(const Intrinsic_triangulation& triangulation, const Places& points)
+template <typename Points>
+double length_of_segments(const Intrinsic_triangulation& triangulation, const Points& points)
 {
   const Segment_finder finder(triangulation);
   double result = 0;

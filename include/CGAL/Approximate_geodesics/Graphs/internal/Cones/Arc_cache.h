@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
 
 #include <atomic>
 #include <cstddef>
@@ -59,15 +59,15 @@ public:
   template <typename F>
   const Arcs& arcs(const std::size_t node, F find)
   {
-    std::atomic<const Arcs*>& place = m_arcs[node];
-    if(const Arcs* const known = place.load(std::memory_order_acquire))
+    std::atomic<const Arcs*>& slot = m_arcs[node];
+    if(const Arcs* const known = slot.load(std::memory_order_acquire))
       return *known;
     auto mine = std::make_unique<Arcs>();
     find(*mine);
     mine->shrink_to_fit();
     const Arcs* expected = nullptr;
-    if(place.compare_exchange_strong(expected, mine.get(), std::memory_order_acq_rel,
-                                     std::memory_order_acquire))
+    if(slot.compare_exchange_strong(expected, mine.get(), std::memory_order_acq_rel,
+                                    std::memory_order_acquire))
       return *mine.release();
     return *expected;
   }

@@ -10,11 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/binary_io.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <cmath>
 #include <cstddef>
@@ -53,8 +52,8 @@ public:
     writer.write(triangulation.number_of_faces());
     writer.write(fingerprint(triangulation));
     writer.write(epsilon);
-    writer.write(double(Cone_expansion<Unfolding>::SHARE_OF_ENDS));
-    writer.write(double(Cone_expansion<Unfolding>::SHARE_OF_DETOURS));
+    writer.write(double(Cone_rules::SHARE_OF_ENDS));
+    writer.write(double(Cone_rules::SHARE_OF_DETOURS));
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     {
       writer.write(static_cast<std::uint32_t>(rows.degree(v)));
@@ -123,8 +122,7 @@ private:
   {
     const auto ends = reader.read<double>();
     const auto detours = reader.read<double>();
-    if(ends != Cone_expansion<Unfolding>::SHARE_OF_ENDS ||
-       detours != Cone_expansion<Unfolding>::SHARE_OF_DETOURS)
+    if(ends != Cone_rules::SHARE_OF_ENDS || detours != Cone_rules::SHARE_OF_DETOURS)
       reject("the graph of the file was built by other rules than those of this version");
   }
 

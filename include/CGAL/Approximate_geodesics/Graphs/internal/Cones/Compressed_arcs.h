@@ -10,11 +10,11 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -25,22 +25,6 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-// An arc as it is stored: lengths are in a unit of the rows, and rounded up.
-struct Stored_arc
-{
-  std::uint32_t target;
-  float length;
-};
-
-// The smallest `float` that is not below `x`.
-inline float round_up(const double x)
-{
-  const float result = static_cast<float>(x);
-  return static_cast<double>(result) >= x
-             ? result
-             : std::nextafter(result, std::numeric_limits<float>::infinity());
-}
 
 /*
  * The arcs of a graph, one node after the other, in 6 bytes each.
@@ -162,7 +146,7 @@ public:
     return m_words[m_first[node]] != WIDE ? narrow_degree(size) : wide_degree(size);
   }
 
-  // Asks for as much of a row as usual ones have, even if that is more than there is.
+  // Prefetches six cache lines, the size of a typical row, even if there are fewer.
   void prefetch(const Node node) const
   {
     constexpr std::size_t lines = 6, words_per_cache_line = 64 / sizeof(m_words[0]);

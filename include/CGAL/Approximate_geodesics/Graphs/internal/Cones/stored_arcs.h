@@ -8,18 +8,35 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <tuple>
 #include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
+
+// An arc as it is stored: lengths are in a unit of the rows, and rounded up.
+struct Stored_arc
+{
+  std::uint32_t target;
+  float length;
+};
+
+// The smallest `float` that is not below `x`.
+inline float round_up(const double x)
+{
+  const float result = static_cast<float>(x);
+  return static_cast<double>(result) >= x
+             ? result
+             : std::nextafter(result, std::numeric_limits<float>::infinity());
+}
 
 // A unit in which arcs fit a `float`: a power of two near the longest edge.
 inline double unit_of_arcs(const Intrinsic_triangulation& triangulation)

@@ -32,19 +32,19 @@ public:
 
   Window_tree() : m_windows(1, {Intrinsic_triangulation::null_index, 0}) {}
 
-  // adds the window in `halfedge` behind the window `way`; 0 stands for none
-  std::uint32_t add(const Index halfedge, const std::uint32_t way)
+  // adds the window in `halfedge` behind the window `trail`; 0 stands for none
+  std::uint32_t add(const Index halfedge, const std::uint32_t trail)
   {
-    m_windows.push_back({halfedge, way});
+    m_windows.push_back({halfedge, trail});
     return static_cast<std::uint32_t>(m_windows.size() - 1);
   }
 
   // the halfedges on the way to and through a window
-  std::vector<Index> halfedges(std::uint32_t way) const
+  std::vector<Index> halfedges(std::uint32_t trail) const
   {
     std::vector<Index> result;
-    for(; way != 0; way = m_windows[way].way)
-      result.push_back(m_windows[way].halfedge);
+    for(; trail != 0; trail = m_windows[trail].trail)
+      result.push_back(m_windows[trail].halfedge);
     std::reverse(result.begin(), result.end());
     return result;
   }
@@ -53,19 +53,19 @@ private:
   struct Entry
   {
     Index halfedge;
-    std::uint32_t way;
+    std::uint32_t trail;
   };
 
   std::vector<Entry> m_windows;
 };
 
-// Does what another filter does, and remembers the windows.
-template <typename Filter>
-struct Remembering : Filter
+// Does what another visitor does, and records the windows.
+template <typename Visitor>
+struct Remembering : Visitor
 {
-  std::uint32_t way_through(const Window::Index halfedge, const std::uint32_t way) const
+  std::uint32_t record_window(const Window::Index halfedge, const std::uint32_t trail) const
   {
-    return tree.add(halfedge, way);
+    return tree.add(halfedge, trail);
   }
 
   Window_tree& tree;
@@ -115,12 +115,12 @@ private:
 // of the way from their source to their target. The first of them has its source at `left` and its
 // target at `right`.
 template <typename F>
-void for_each_crossing(const Intrinsic_triangulation& triangulation,
-                       const std::vector<Intrinsic_triangulation::Index>& halfedges,
-                       Plane_vector left,
-                       Plane_vector right,
-                       const Plane_vector end,
-                       F f)
+void for_each_crossed_edge(const Intrinsic_triangulation& triangulation,
+                           const std::vector<Intrinsic_triangulation::Index>& halfedges,
+                           Plane_vector left,
+                           Plane_vector right,
+                           const Plane_vector end,
+                           F f)
 {
   const Unfolding_on_demand unfolding(triangulation);
   Line_walk walk(end);
@@ -135,7 +135,7 @@ void for_each_crossing(const Intrinsic_triangulation& triangulation,
   }
 }
 
-// The line whose length is closest to a given one, and the way there.
+// The line whose length is closest to a given one, and the windows that it goes through.
 struct Line_search
 {
   void consider(const Straight_arc& line)
@@ -162,59 +162,61 @@ struct Line_search
   Window_tree tree = {};
 };
 
-// Looks for the arc of the graph for `epsilon` from one vertex to another.
-template <typename Filter>
+// Looks for the arc of the graph with these rules from one vertex to another.
+template <typename Visitor>
 void find_arc(const Intrinsic_triangulation& triangulation,
-              const double epsilon,
+              const Cone_rules& rules,
               const Intrinsic_triangulation::Index source,
               const Intrinsic_triangulation::Index target,
               Line_search& search)
 {
   const Unfolding_on_demand unfolding(triangulation);
-  const Cone_expansion<Unfolding_on_demand> expansion(triangulation, unfolding, epsilon);
+  const Cone_expansion<Unfolding_on_demand> expansion(triangulation, unfolding, rules);
   const auto consider = [&](const Straight_arc& arc) {
     if(arc.target == target)
       search.consider(arc);
   };
-  expansion.expand(source, consider, Remembering<Filter>{Filter(), search.tree});
+  expansion.expand(source, consider, Remembering<Visitor>{Visitor(), search.tree});
 }
 
 // Looks for an arc that was not found, although it was when the graph was built: for vertices that
 // are out of sight by rounding only, and farther away than cones go.
 inline void search_in_doubt(const Intrinsic_triangulation& triangulation,
-                            const double epsilon,
+                            const Cone_rules& rules,
                             const Intrinsic_triangulation::Index source,
                             const Intrinsic_triangulation::Index target,
                             Line_search& search)
 {
   for(const double part : {1. / 4, 1. / 64, 1. / 1024})
     if(!search.is_found())
-      find_arc<Leave_out_nothing_in_doubt>(triangulation, part * epsilon, source, target, search);
+      find_arc<Leave_out_nothing_in_doubt>(triangulation, rules.farther(part), source, target,
+                                           search);
 }
 
 // Calls `f(h, t)` for every edge that an arc in a discrete geodesic graph crosses, from its source
 // on: at the point that is at the part `t` of the way from the source to the target of the halfedge
-// `h`. The arcs of the graph were found with a filter of the given type, or are some of those.
+// `h`. The arcs of the graph were found with a visitor of the given type, or are some of those.
 // Among those between the two vertices, the one of the given length is meant, or of about that
 // length. Returns its length.
-template <typename Filter, typename F>
+template <typename Visitor, typename F>
 double trace_arc(const Intrinsic_triangulation& triangulation,
-                 const double epsilon,
+                 const Cone_rules& rules,
                  const Intrinsic_triangulation::Index source,
                  const Intrinsic_triangulation::Index target,
                  const double length,
                  F f)
 {
   Line_search search{length};
-  find_arc<Filter>(triangulation, epsilon, source, target, search);
-  search_in_doubt(triangulation, epsilon, source, target, search);
+  find_arc<Visitor>(triangulation, rules, source, target, search);
+  search_in_doubt(triangulation, rules, source, target, search);
   if(search.found.target != target)
     reject("the graph has an arc that the mesh has not; was it read from a file that was changed?");
   const Straight_arc& arc = search.found;
   const Plane_vector right{triangulation.length(arc.start), 0};
   const Plane_vector left =
       Unfolding_on_demand(triangulation).face(arc.start).position_of_apex({0, 0}, right);
-  for_each_crossing(triangulation, search.tree.halfedges(arc.way), left, right, arc.position, f);
+  for_each_crossed_edge(triangulation, search.tree.halfedges(arc.trail), left, right, arc.position,
+                        f);
   return arc.length;
 }
 

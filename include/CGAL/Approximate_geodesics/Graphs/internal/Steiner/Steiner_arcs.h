@@ -8,15 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Corner_nodes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Point_row.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_plane.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/faces_of_place.h>
 
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -39,7 +37,8 @@ public:
     : m_triangulation(triangulation),
       m_nodes(nodes),
       m_points(nodes.points()),
-      m_sectors(nodes.sectors())
+      m_sectors(nodes.sectors()),
+      m_corners(triangulation, nodes)
   {
   }
 
@@ -52,30 +51,10 @@ public:
       expand_point(node, labels, f);
     else if(m_nodes.is_sector(node))
       expand_sector(node, f);
-    else if(is_divided(node))
+    else if(m_corners.is_divided(node))
       expand_divided_vertex(node, labels, f);
     else
       expand_vertex(node, f);
-  }
-
-  // Calls `f(node, cost)` for the straight lines from a place to the nodes on the sides of its
-  // faces, or, if it is a vertex, for all nodes that stand for it.
-  template <typename F>
-  void for_each(const Intrinsic_point& place, F f) const
-  {
-    if(place.is_vertex())
-    {
-      f(place.vertex, 0.);
-      if(is_divided(place.vertex))
-        for(Index s = m_sectors.first_sector(place.vertex);
-            s < m_sectors.beyond_sector(place.vertex); ++s)
-          f(m_nodes.node_of_sector(s), 0.);
-      return;
-    }
-    for_each_face(m_triangulation, place, [&](const Index h) { expand_place(place, h, f); });
-    if(place.is_on_edge())
-      for(const Index h : {place.halfedge, m_triangulation.opposite(place.halfedge)})
-        expand_along_edge(h == place.halfedge ? place.t : 1 - place.t, h, f);
   }
 
 private:
@@ -88,39 +67,6 @@ private:
   static constexpr Index LONG_ROW = 16;
 
   // ----- nodes and edges
-
-  bool is_divided(const Node v) const
-  {
-    return !m_sectors.is_empty() && m_sectors.first_sector(v) != m_sectors.beyond_sector(v);
-  }
-
-  // The node at the vertex `v` in the face to the left of `h`, which starts there.
-  Node corner_node(const Node v, const Index h) const
-  {
-    if(m_sectors.is_empty())
-      return v;
-    const Index sector = m_sectors.sector(v, h);
-    return sector == Sectors::null_index ? v : m_nodes.node_of_sector(sector);
-  }
-
-  // The nodes at the ends of the edge of `h`, or of its left side.
-  Node node_at_source(const Index h) const
-  {
-    const Index opposite = m_triangulation.opposite(h);
-    const Node v = m_triangulation.target(opposite);
-    if(m_sectors.is_empty() ||
-       (m_triangulation.is_border(h) && m_triangulation.is_border(opposite)))
-      return v;
-    return corner_node(v, m_triangulation.is_border(h) ? m_triangulation.next(opposite) : h);
-  }
-  Node node_at_target(const Index h) const
-  {
-    const Node v = m_triangulation.target(h);
-    if(m_sectors.is_empty())
-      return v;
-    return m_triangulation.is_border(h) ? node_at_source(m_triangulation.opposite(h))
-                                        : corner_node(v, m_triangulation.next(h));
-  }
 
   // The points of the edge of `h`, as seen from its source or its target.
   Row row(const Index h, const bool is_from_source) const
@@ -141,8 +87,7 @@ private:
   void expand_divided_vertex(const Node v, const Labels& labels, F& f) const
   {
     if(labels.predecessor(v) == null_node)
-      for(Index s = m_sectors.first_sector(v); s < m_sectors.beyond_sector(v); ++s)
-        f(m_nodes.node_of_sector(s), 0.);
+      m_corners.for_each_sector(v, [&](const Node sector) { f(sector, 0.); });
   }
 
   template <typename F>
@@ -200,7 +145,7 @@ private:
     const Index first = m_points.first_point(e), beyond = m_points.beyond_point(e);
     const double length = m_triangulation.length(h);
     if(first == beyond)
-      f(starts_at_source ? node_at_target(h) : node_at_source(h), weight * length);
+      f(starts_at_source ? m_corners.at_target(h) : m_corners.at_source(h), weight * length);
     else if(starts_at_source == m_points.is_first(h))
       f(m_nodes.node_of_point(first), weight * (length * m_points.part_before(e, first)));
     else
@@ -242,17 +187,7 @@ private:
     Node toward_source, toward_target; // neighbours
   };
 
-  // The halfedges of the face to the left of the first of them.
-  struct Face
-  {
-    Index first, second, third;
-  };
-
-  Face face(const Index h) const
-  {
-    const Index second = m_triangulation.next(h);
-    return {h, second, m_triangulation.next(second)};
-  }
+  using Face = std::array<Index, 3>; // its halfedges
 
   // A path that comes along the edge goes on into both faces, any other one only into the face that
   // it does not come from.
@@ -262,16 +197,17 @@ private:
     const Index p = m_nodes.point(node), h = m_points.halfedge(p);
     const Index opposite = m_triangulation.opposite(h);
     const bool has_right = m_points.edge(opposite) == m_points.edge(h) && is_open(opposite);
-    const Viewpoint left = place_on_edge(p, h);
+    const Viewpoint left = viewpoint(p, h);
     expand_along_edge(left, p, f);
 
     const Node origin = labels.predecessor(node);
     if(origin == left.toward_source || origin == left.toward_target || origin == null_node)
     {
       if(is_open(h))
-        expand_face(left, face(h), labels, f);
+        expand_face(left, m_triangulation.halfedges_of_face(h), labels, f);
       if(has_right)
-        expand_face(left.reversed(opposite), face(opposite), labels, f);
+        expand_face(left.reversed(opposite), m_triangulation.halfedges_of_face(opposite), labels,
+                    f);
     }
     else if(has_right)
       expand_crossed_edge(left, origin, labels, f);
@@ -283,21 +219,22 @@ private:
   void
   expand_crossed_edge(const Viewpoint& left, const Node origin, const Labels& labels, F& f) const
   {
-    const Face right_face = face(m_triangulation.opposite(left.halfedge));
+    const Face right_face =
+        m_triangulation.halfedges_of_face(m_triangulation.opposite(left.halfedge));
     const bool comes_from_right = is_opposite(origin, right_face);
     if(comes_from_right && is_open(left.halfedge))
     {
-      const Face left_face = face(left.halfedge);
+      const Face left_face = m_triangulation.halfedges_of_face(left.halfedge);
       expand_face(left, left_face, labels, f);
       if(is_opposite(origin, left_face)) // two faces can have several edges in common
-        expand_face(left.reversed(right_face.first), right_face, labels, f);
+        expand_face(left.reversed(right_face[0]), right_face, labels, f);
     }
     else if(!comes_from_right)
-      expand_face(left.reversed(right_face.first), right_face, labels, f);
+      expand_face(left.reversed(right_face[0]), right_face, labels, f);
   }
 
   // The point `p`, whose edge has `h` as its first halfedge.
-  Viewpoint place_on_edge(const Index p, const Index h) const
+  Viewpoint viewpoint(const Index p, const Index h) const
   {
     const Index e = m_points.edge(h);
     const double length = m_triangulation.length(h);
@@ -306,8 +243,8 @@ private:
             node,
             length * m_points.part_before(e, p),
             length * m_points.part_behind(e, p),
-            p == m_points.first_point(e) ? node_at_source(h) : node - 1,
-            p + 1 == m_points.beyond_point(e) ? node_at_target(h) : node + 1};
+            p == m_points.first_point(e) ? m_corners.at_source(h) : node - 1,
+            p + 1 == m_points.beyond_point(e) ? m_corners.at_target(h) : node + 1};
   }
 
   // The arcs from a viewpoint, which is that of the point `p`, to its neighbours.
@@ -331,9 +268,9 @@ private:
   bool is_opposite(const Node node, const Face& face) const
   {
     if(!m_nodes.is_point(node))
-      return node == corner_node(m_triangulation.target(face.second), face.third);
+      return node == m_corners.at_corner(m_triangulation.target(face[1]), face[2]);
     const Index e = m_points.edge(m_points.halfedge(m_nodes.point(node)));
-    return e == m_points.edge(face.second) || e == m_points.edge(face.third);
+    return e == m_points.edge(face[1]) || e == m_points.edge(face[2]);
   }
 
   // The arcs across a face, whose first halfedge is that of the viewpoint.
@@ -342,10 +279,10 @@ private:
   {
     const double weight = m_triangulation.weight(view.halfedge);
     const double length = m_triangulation.length(view.halfedge);
-    const Row at_target = row(face.second, true), at_source = row(face.third, false);
+    const Row at_target = row(face[1], true), at_source = row(face[2], false);
 
     const Corner corner(length, at_target.length(), at_source.length());
-    f(corner_node(m_triangulation.target(face.second), face.third),
+    f(m_corners.at_corner(m_triangulation.target(face[1]), face[2]),
       weight * corner.distance(view.from_target, at_target.length()));
     if(at_target.size() > 0)
       visit(at_target, worthwhile(at_target, corner, weight, view, false, labels), corner,
@@ -391,64 +328,11 @@ private:
            (is_from_first_end ? m_points.part_before(e, p) : m_points.part_behind(e, p));
   }
 
-  // ----- arcs from places that are not nodes
-
-  // To the corners of the face to the left of `h`, and to points on those of its sides that the
-  // place is not on.
-  template <typename F>
-  void expand_place(const Intrinsic_point& place, const Index h, F& f) const
-  {
-    if(!is_open(h))
-      return;
-    const double weight = m_triangulation.weight(h);
-    const Face_plane plane(m_triangulation, h);
-    plane.for_each_position(place, [&](const Plane_vector position) {
-      for(std::size_t i = 0; i < 3; ++i)
-      {
-        const Index side = plane.halfedge(i);
-        const Plane_vector start = plane.corner(i), end = plane.corner((i + 1) % 3);
-        f(corner_node(plane.vertex(i), side), weight * length(start - position));
-        const bool is_on_side =
-            place.is_on_edge() &&
-            (side == place.halfedge || m_triangulation.opposite(side) == place.halfedge);
-        if(!is_on_side)
-          for_each_point(side, [&](const Node node, const double part) {
-            f(node, weight * length(start + part * (end - start) - position));
-          });
-      }
-    });
-  }
-
-  // From the point at the part `t` of the way along `h` to all nodes of the edge, or of its left
-  // side.
-  template <typename F>
-  void expand_along_edge(const double t, const Index h, F& f) const
-  {
-    const double weight = m_triangulation.weight_of_edge(h);
-    if(weight == infinity)
-      return;
-    const double cost = weight * m_triangulation.length(h);
-    f(node_at_source(h), cost * t);
-    f(node_at_target(h), cost * (1 - t));
-    for_each_point(h,
-                   [&](const Node node, const double part) { f(node, cost * std::abs(part - t)); });
-  }
-
-  // Calls `f(node, part)` for the points of the edge of `h`, or of its left side, with their parts
-  // of the way along `h`.
-  template <typename F>
-  void for_each_point(const Index h, F f) const
-  {
-    const Index e = m_points.edge(h);
-    for(Index p = m_points.first_point(e); p < m_points.beyond_point(e); ++p)
-      f(m_nodes.node_of_point(p),
-        m_points.is_first(h) ? m_points.part_before(e, p) : m_points.part_behind(e, p));
-  }
-
   const Intrinsic_triangulation& m_triangulation;
   const Steiner_nodes& m_nodes;
   const Points_on_edges& m_points;
   const Sectors& m_sectors;
+  const Corner_nodes m_corners;
 };
 
 } // namespace internal

@@ -59,7 +59,7 @@ public:
   Node node_of_point(const Node p) const { return m_first_point + p; }
   Node node_of_sector(const Node s) const { return m_first_sector + s; }
 
-  Intrinsic_point place(const Node node) const
+  Intrinsic_point position(const Node node) const
   {
     if(is_sector(node))
       return Intrinsic_point::at_vertex(m_sectors.vertex(sector(node)));

@@ -11,8 +11,8 @@
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/corner_angle.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <algorithm>
 #include <cmath>

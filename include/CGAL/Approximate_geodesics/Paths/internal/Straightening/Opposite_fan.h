@@ -10,9 +10,9 @@
 
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Vertex_fan.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/corner_angle.h>
 
 #include <cstddef>
 
@@ -69,8 +69,8 @@ public:
         sleeve.cross(m_sleeve.gates()[i].halfedge);
     }
     else if(m_gates.is_left)
-      for(Index h = clockwise(m_triangulation, m_first); h != m_last;
-          h = clockwise(m_triangulation, h))
+      for(Index h = m_triangulation.clockwise(m_vertex, m_first); h != m_last;
+          h = m_triangulation.clockwise(m_vertex, h))
         sleeve.cross(m_triangulation.opposite(h));
     else
       for(Index h = m_triangulation.counterclockwise(m_vertex, m_first); h != m_last;
@@ -97,7 +97,7 @@ private:
     for(; next != beyond && sum.is_convex(); h = next)
     {
       next = m_triangulation.counterclockwise(m_vertex, h);
-      if(m_triangulation.is_border(h) || (h != first && !is_crossable(m_triangulation, h)))
+      if(m_triangulation.is_border(h) || (h != first && !m_triangulation.is_crossable(h)))
         return false;
       if(h == first && next == beyond) // one corner, and the path goes round all the others
         return true;

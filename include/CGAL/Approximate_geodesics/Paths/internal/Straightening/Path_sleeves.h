@@ -124,7 +124,7 @@ private:
   bool is_crossable(const std::size_t step) const
   {
     return !m_path.steps[step].is_along_edge() ||
-           internal::is_crossable(m_triangulation, m_path.steps[step].edge);
+           m_triangulation.is_crossable(m_path.steps[step].edge);
   }
 
   // Between the two, the path runs along an edge that it cannot cross.
@@ -226,8 +226,9 @@ private:
       return;
     if(back.is_inside)
       sleeve.cross(m_triangulation.opposite(back.halfedge));
-    for(Index h = clockwise(m_triangulation, back.halfedge); h != ahead.halfedge;
-        h = clockwise(m_triangulation, h))
+    const Index v = m_triangulation.source(back.halfedge);
+    for(Index h = m_triangulation.clockwise(v, back.halfedge); h != ahead.halfedge;
+        h = m_triangulation.clockwise(v, h))
       sleeve.cross(m_triangulation.opposite(h));
   }
 
@@ -269,7 +270,7 @@ private:
   {
     if(is_in_corner(from, to))
       return to.angle - from.angle;
-    if(to.is_inside && !internal::is_crossable(m_triangulation, to.halfedge))
+    if(to.is_inside && !m_triangulation.is_crossable(to.halfedge))
       return std::numeric_limits<double>::infinity();
     return angle_of_fan(m_triangulation, from.halfedge, to.halfedge) - from.angle + to.angle;
   }

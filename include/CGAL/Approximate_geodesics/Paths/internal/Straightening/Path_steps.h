@@ -46,7 +46,7 @@ public:
   {
     for(std::size_t i = 0; i < path.size(); ++i)
       if(i == 0 || i + 1 == path.size() || !path[i].is_in_face())
-        add(simplified(triangulation, path[i]));
+        add(path[i].reduced(triangulation));
   }
 
   // The sum of the steps; infinity if two of them do not meet.

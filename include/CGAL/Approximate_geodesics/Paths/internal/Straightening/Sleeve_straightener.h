@@ -12,7 +12,7 @@
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Opposite_fan.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <algorithm>
 #include <cstddef>

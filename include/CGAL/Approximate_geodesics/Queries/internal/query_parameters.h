@@ -3,16 +3,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_STRAIGHTEN_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_STRAIGHTEN_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_QUERY_PARAMETERS_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_QUERY_PARAMETERS_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/number_utils.h>
 
 #include <utility>
 
@@ -20,9 +21,22 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Shortens a path, if the named parameters ask for it. Returns whether they do.
+// Reads the named parameters that say how far a run goes.
+template <typename StopRule, typename Translation, typename NamedParameters>
+StopRule stop_rule(const Translation& translation, const NamedParameters& np)
+{
+  StopRule result;
+  result.maximum_distance = CGAL::to_double(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::maximum_distance), result.maximum_distance));
+  if constexpr(is_given<NamedParameters, internal_np::targets_t>)
+    for(const auto& target : parameters::get_parameter(np, internal_np::targets))
+      result.targets.push_back(translation.place(target));
+  return result;
+}
+
+// Shortens a path, if the named parameters ask for it.
 template <typename NamedParameters>
-bool straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triangulation,
+void straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triangulation,
                           [[maybe_unused]] const NamedParameters& np,
                           [[maybe_unused]] Path& path)
 {
@@ -34,13 +48,11 @@ bool straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triang
       Path straight = Path_straightener(triangulation).shortened(path);
       if(straight.length < path.length)
         path = std::move(straight);
-      return true;
     }
-  return false;
 }
 
 } // namespace internal
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_STRAIGHTEN_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_QUERY_PARAMETERS_H

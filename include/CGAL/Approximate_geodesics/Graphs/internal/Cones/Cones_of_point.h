@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONES_OF_PLACE_H
-#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONES_OF_PLACE_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONES_OF_POINT_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONES_OF_POINT_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -12,11 +12,11 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_plane.h>
+#include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_layout.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Points_by_face.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/lines_in_faces.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,36 +28,37 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The straight lines from a place that is not a vertex, across the faces around, as far as a
- * discrete geodesic graph follows those from a vertex: to vertices, and to other such places. For
+ * The straight lines from a point that is not a vertex, across the faces around, as far as a
+ * discrete geodesic graph follows those from a vertex: to vertices, and to other such points. For
  * the same reason as there, they are enough for paths that are at most 1 + epsilon times as long as
  * the shortest ones.
  */
-class Cones_of_place
+class Cones_of_point
 {
   using Index = Intrinsic_triangulation::Index;
 
 public:
-  Cones_of_place(const Intrinsic_triangulation& triangulation,
-                 const double epsilon,
-                 const Intrinsic_point& place)
+  Cones_of_point(const Intrinsic_triangulation& triangulation,
+                 const Cone_rules& rules,
+                 const Intrinsic_point& point)
     : m_triangulation(triangulation),
       m_unfolding(triangulation),
-      m_expansion(triangulation, m_unfolding, epsilon),
-      m_epsilon(epsilon),
-      m_place(place)
+      m_expansion(triangulation, m_unfolding, rules),
+      m_rules(rules),
+      m_point(point),
+      m_lines(triangulation, point)
   {
   }
 
-  Cones_of_place(const Cones_of_place&) = delete; // it refers to a member
-  Cones_of_place& operator=(const Cones_of_place&) = delete;
+  Cones_of_point(const Cones_of_point&) = delete; // it refers to a member
+  Cones_of_point& operator=(const Cones_of_point&) = delete;
 
   // Calls `f(v, length)` for the lines to vertices.
   template <typename F>
-  void for_each_arc(F f) const
+  void for_each_node(F f) const
   {
-    for_each_line_to_corner(m_triangulation, m_place, f);
-    if(!m_place.is_vertex())
+    m_lines.for_each_node(f);
+    if(!m_point.is_vertex())
       for_each_window([&](const Window& window, const Index start) {
         m_expansion.expand_through(
             window, start, [&](const Straight_arc& arc) { f(arc.target, arc.length); },
@@ -65,25 +66,25 @@ public:
       });
   }
 
-  // Calls `f(i, length)` for the lines to given places.
+  // Calls `f(i, length)` for the lines to given points.
   template <typename F>
-  void for_each_line(const Points_by_face& places, F f) const
+  void for_each_point(const Points_by_face& points, F f) const
   {
-    if(places.is_empty() || m_place.is_vertex())
+    if(points.is_empty() || m_point.is_vertex())
       return;
-    for_each_line_in_face(m_triangulation, m_place, places, f);
+    m_lines.for_each_point(points, f);
     Window_tree tree;
-    expand_to_places<Leave_out_nothing>(
-        places, tree, [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); });
+    expand_to_points<Leave_out_nothing>(
+        points, tree, [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); });
   }
 
   // Calls `f(h, t)` for the edges that the line of the given length to the vertex `v` crosses.
   // Returns its length.
   template <typename F>
-  double trace_arc(const Index v, const double length, F f) const
+  double for_each_crossing(const Index v, const double length, F f) const
   {
     Line_search search{length};
-    for_each_line_to_corner(m_triangulation, m_place, [&](const Index corner, const double l) {
+    m_lines.for_each_node([&](const Index corner, const double l) {
       if(corner == v)
         search.consider({corner, l, {0, 0}, 0, 0});
     });
@@ -95,84 +96,83 @@ public:
 
   // The same for the line to `end`, which is not a vertex.
   template <typename F>
-  double trace_line(const Intrinsic_point& end, const double length, F f) const
+  double for_each_crossing(const Intrinsic_point& end, const double length, F f) const
   {
-    const Points_by_face places(m_triangulation, {end});
+    const Points_by_face points(m_triangulation, {end});
     Line_search search{length};
     const auto consider = [&](std::size_t, const Straight_arc& line) { search.consider(line); };
-    for_each_line_in_face(m_triangulation, m_place, places, [&](std::size_t, const double l) {
+    m_lines.for_each_point(points, [&](std::size_t, const double l) {
       search.consider({0, l, {0, 0}, 0, 0});
     });
-    expand_to_places<Leave_out_nothing>(places, search.tree, consider);
+    expand_to_points<Leave_out_nothing>(points, search.tree, consider);
     if(!search.is_found())
-      farther().expand_to_places<Leave_out_nothing_in_doubt>(places, search.tree, consider);
+      farther().expand_to_points<Leave_out_nothing_in_doubt>(points, search.tree, consider);
     return trace(search, f);
   }
 
 private:
   // For lines that are not found again, as cones have ended before by rounding only.
-  Cones_of_place farther() const { return {m_triangulation, m_epsilon / 64, m_place}; }
+  Cones_of_point farther() const { return {m_triangulation, m_rules.farther(1. / 64), m_point}; }
 
-  template <typename Filter>
+  template <typename Visitor>
   void find_arc(const Index v, Line_search& search) const
   {
     const auto consider = [&](const Straight_arc& arc) {
       if(arc.target == v)
         search.consider(arc);
     };
-    if(!m_place.is_vertex())
+    if(!m_point.is_vertex())
       for_each_window([&](const Window& window, const Index start) {
         m_expansion.expand_through(window, start, consider,
-                                   Remembering<Filter>{Filter(), search.tree});
+                                   Remembering<Visitor>{Visitor(), search.tree});
       });
   }
 
-  // Looks for places in the faces that it is told of, and remembers windows.
-  template <typename Filter, typename Report>
-  struct Finding_places : Filter
+  // Looks for points in the faces that it is told of, and records windows.
+  template <typename Visitor, typename Report>
+  struct Finding_points : Visitor
   {
     static constexpr bool wants_faces = true;
 
     void on_face(const Cone& cone, const Plane_vector apex) const
     {
       const Window& w = cone.window;
-      places.for_each_in_face(triangulation, w.halfedge, [&](const std::size_t i) {
-        for_each_face_point(triangulation, places[i], w.halfedge, [&](const Face_point& point) {
-          const Face_point p = point.seen_from(triangulation, w.halfedge);
-          const Plane_vector position =
-              p.weight[0] * w.left_position + p.weight[1] * w.right_position + p.weight[2] * apex;
+      points.for_each_in_face(w.halfedge, [&](const std::size_t i) {
+        for_each_face_point(triangulation, points[i], w.halfedge, [&](const Face_point& point) {
+          const Plane_vector position = point.seen_from(triangulation, w.halfedge)
+                                            .position({w.left_position, w.right_position, apex});
           if(is_seen(position, cone))
-            report(i, Straight_arc{0, length(position), position, start, w.way});
+            report(i, Straight_arc{0, length(position), position, start, w.trail});
         });
       });
     }
 
     static bool is_seen(const Plane_vector position, const Cone& cone)
     {
-      const double rounding = (std::max)(1e-14, Filter::slack) * length(position);
+      const double rounding = (std::max)(1e-14, Visitor::slack) * length(position);
       return cross(cone.right.direction, position) >= -rounding &&
              cross(position, cone.left.direction) >= -rounding;
     }
 
-    std::uint32_t way_through(const Index halfedge, const std::uint32_t way) const
+    std::uint32_t record_window(const Index halfedge, const std::uint32_t trail) const
     {
-      return tree.add(halfedge, way);
+      return tree.add(halfedge, trail);
     }
 
     const Intrinsic_triangulation& triangulation;
-    const Points_by_face& places;
+    const Points_by_face& points;
     Window_tree& tree;
     const Report& report;
     Index start;
   };
 
-  template <typename Filter, typename Report>
-  void expand_to_places(const Points_by_face& places, Window_tree& tree, const Report& report) const
+  template <typename Visitor, typename Report>
+  void expand_to_points(const Points_by_face& points, Window_tree& tree, const Report& report) const
   {
     for_each_window([&](const Window& window, const Index start) {
       m_expansion.expand_through(
           window, start, [](const Straight_arc&) {},
-          Finding_places<Filter, Report>{{}, m_triangulation, places, tree, report, start});
+          Finding_points<Visitor, Report>{{}, m_triangulation, points, tree, report, start});
     });
   }
 
@@ -181,9 +181,10 @@ private:
   template <typename F>
   void for_each_window(F f) const
   {
-    for_each_face(m_triangulation, m_place, [&](const Index h) {
-      for(const Index side : halfedges_of_face(m_triangulation, h))
-        if(!m_triangulation.is_border(m_triangulation.opposite(side)) && !is_on(side))
+    m_point.for_each_face(m_triangulation, [&](const Index h) {
+      for(const Index side : m_triangulation.halfedges_of_face(h))
+        if(!m_triangulation.is_border(m_triangulation.opposite(side)) &&
+           !m_point.is_on_edge_of(side, m_triangulation))
         {
           const Window w = window(side);
           if(w.left_distance > 0 && w.right_distance > 0)
@@ -192,28 +193,22 @@ private:
     });
   }
 
-  bool is_on(const Index side) const
-  {
-    return m_place.is_on_edge() &&
-           (side == m_place.halfedge || m_triangulation.opposite(side) == m_place.halfedge);
-  }
-
-  // The view out of the face to the left of `side`, from the place at the origin.
+  // The view out of the face to the left of `side`, from the point at the origin.
   Window window(const Index side) const
   {
-    const Face_plane plane(m_triangulation, side);
+    const Face_layout layout(m_triangulation, side);
     Plane_vector position{0, 0};
-    plane.for_each_position(m_place, [&](const Plane_vector p) { position = p; });
-    Plane_vector left = plane.corner(1) - position, right = plane.corner(0) - position;
-    if(!(cross(right, left) > 0)) // the face has no area, and the place may be between its corners
+    layout.for_each_position(m_point, [&](const Plane_vector p) { position = p; });
+    Plane_vector left = layout.corner(1) - position, right = layout.corner(0) - position;
+    if(!(cross(right, left) > 0)) // the face has no area, and the point may be between its corners
     {
       const double sign = is_between(right, left) ? -1 : 1;
       left = {sign * length(left), 0};
       right = {length(right), 0};
     }
     return {m_triangulation.opposite(side),
-            plane.vertex(1),
-            plane.vertex(0),
+            layout.vertex(1),
+            layout.vertex(0),
             left,
             right,
             length(left),
@@ -232,12 +227,12 @@ private:
   template <typename F>
   double trace(const Line_search& search, F f) const
   {
-    const std::vector<Index> halfedges = search.tree.halfedges(search.found.way);
+    const std::vector<Index> halfedges = search.tree.halfedges(search.found.trail);
     if(!halfedges.empty())
     {
       const Window first = window(search.found.start);
-      for_each_crossing(m_triangulation, halfedges, first.left_position, first.right_position,
-                        search.found.position, f);
+      for_each_crossed_edge(m_triangulation, halfedges, first.left_position, first.right_position,
+                            search.found.position, f);
     }
     return search.found.length;
   }
@@ -245,12 +240,13 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   const Unfolding_on_demand m_unfolding;
   const Cone_expansion<Unfolding_on_demand> m_expansion;
-  const double m_epsilon;
-  const Intrinsic_point m_place;
+  const Cone_rules m_rules;
+  const Intrinsic_point m_point;
+  const Lines_in_faces m_lines;
 };
 
 } // namespace internal
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONES_OF_PLACE_H
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONES_OF_POINT_H

@@ -3,16 +3,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_PLANE_H
-#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_PLANE_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_LAYOUT_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_LAYOUT_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/faces_of_place.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <array>
 #include <cstddef>
@@ -25,13 +25,13 @@ namespace internal {
  * The face to the left of a halfedge, laid out in the plane: its corners are the source and the
  * target of the halfedge, and the third vertex, in counterclockwise order.
  */
-class Face_plane
+class Face_layout
 {
 public:
   using Index = Intrinsic_triangulation::Index;
 
-  Face_plane(const Intrinsic_triangulation& triangulation, const Index h)
-    : m_triangulation(triangulation), m_halfedges(halfedges_of_face(triangulation, h))
+  Face_layout(const Intrinsic_triangulation& triangulation, const Index h)
+    : m_triangulation(triangulation), m_halfedges(triangulation.halfedges_of_face(h))
   {
     const std::array<double, 3> lengths{triangulation.length(m_halfedges[0]),
                                         triangulation.length(m_halfedges[1]),
@@ -58,13 +58,12 @@ public:
 
   Plane_vector corner(const std::size_t i) const { return m_corners[i]; }
 
-  // Calls `f(position)` for where a place is in the face.
+  // Calls `f(position)` for where a point is in the face.
   template <typename F>
-  void for_each_position(const Intrinsic_point& place, F f) const
+  void for_each_position(const Intrinsic_point& p, F f) const
   {
-    for_each_face_point(m_triangulation, place, m_halfedges[0], [&](const Face_point& point) {
-      const Face_point p = point.seen_from(m_triangulation, m_halfedges[0]);
-      f(p.weight[0] * m_corners[0] + p.weight[1] * m_corners[1] + p.weight[2] * m_corners[2]);
+    for_each_face_point(m_triangulation, p, m_halfedges[0], [&](const Face_point& point) {
+      f(point.seen_from(m_triangulation, m_halfedges[0]).position(m_corners));
     });
   }
 
@@ -78,4 +77,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_PLANE_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_LAYOUT_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDCGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_H-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// A straight line from one vertex to another, across the faces that it meets.
+struct Straight_arc
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  Index target;
+  double length;
+  Plane_vector position; // of the target, where the source is the origin and `start` lies along x
+  Index start;           // the halfedge that starts from the source, to the right of the line; if
+                         // the source is not a vertex, what `expand_through()` was given
+  std::uint32_t trail;   // that of the last window on the line
+};
+
+/*
+ * One boundary ray of a cone: through a vertex that can be reached from the tip. A point x that is
+ * seen from the tip and from the vertex is *served* by the vertex if the way over it is good
+ * enough, which is the case if it saves enough of the rest of the way: |tip x| - |vertex x| >=
+ * saving. Such points are the inside of a branch of a hyperbola, which is convex, and with x it
+ * contains all that lies behind it, seen from the tip.
+ */
+struct Cone_side
+{
+  Plane_vector direction; // of length 1
+  double distance;        // of the vertex
+  double saving;          // at which the cone may end
+  double large_saving;    // at which a vertex needs no arc
+
+  Plane_vector vertex() const { return distance * direction; }
+
+  // Whether x, which is `outside` out of the cone on this side, is out of sight. Where faces have
+  // no area, it may be on the ray, between the tip and the vertex, or on the ray of the other side.
+  bool is_passed(const Plane_vector x, const double outside) const
+  {
+    constexpr double rounding = 1e-14;
+    if(outside < 0)
+      return false;
+    const double along = dot(direction, x);
+    return along >= distance || outside > rounding * std::abs(along);
+  }
+
+  bool serves(const Plane_vector x, const double distance_of_x, const double wanted) const
+  {
+    return distance * dot(direction, x) - (distance - wanted) * (distance + wanted) / 2 >=
+           wanted * distance_of_x;
+  }
+
+  // How far along `ray`, a vector of the given length, x has to be in order to be served.
+  double start_of_service(const Plane_vector ray, const double length_of_ray) const
+  {
+    const double gain = distance * dot(direction, ray) - saving * length_of_ray;
+    return gain > 0 ? (distance - saving) * (distance + saving) / 2 / gain
+                    : std::numeric_limits<double>::infinity();
+  }
+};
+
+/*
+ * A part of an edge that is seen from the tip.
+ */
+struct Window
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  Index halfedge;            // its edge; the face ahead is to its left
+  Index left_end, right_end; // source and target of the halfedge, ...
+  Plane_vector left_position, right_position;
+  double left_distance, right_distance; // ... and their distances, if the visitor wants them
+  std::uint32_t trail;                  // the windows before it, as the visitor records them
+};
+
+/*
+ * What is seen through a window, between two rays.
+ */
+struct Cone
+{
+  using Index = Window::Index;
+
+  Window window;
+  Cone_side left, right;
+  std::uint32_t depth;          // the number of faces on the way
+  Index checkpoint;             // one of the halfedges on the way
+  bool has_middle = false;      // whether the next two are known
+  Plane_vector middle = {0, 0}; // somewhere between the two rays
+  double end_of_interest = 0;   // in multiples of `middle`: both sides serve what lies behind
+
+  // Finds the middle, and where on it both sides serve: there, the window can be cut in two parts,
+  // each of which is served by its side, so the cone may end. Where one side serves the vertex of
+  // the other, it serves all that is seen. That is the case in every narrow cone.
+  void find_middle()
+  {
+    has_middle = true;
+    if(dot(left.direction, right.direction) > 0)
+      middle = left.direction + right.direction;
+    else // the same direction, found in a way that suits blunt angles, and a straight one
+      middle = {left.direction.y - right.direction.y, right.direction.x - left.direction.x};
+    if(left.serves(right.vertex(), right.distance, left.large_saving) ||
+       right.serves(left.vertex(), left.distance, right.large_saving))
+    {
+      end_of_interest = 0;
+      return;
+    }
+    const double length_of_middle = length(middle);
+    end_of_interest = (std::max)(left.start_of_service(middle, length_of_middle),
+                                 right.start_of_service(middle, length_of_middle));
+  }
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_H

@@ -1,0 +1,390 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PATHS_SURFACE_SEARCH_H
+#define CGAL_APPROXIMATE_GEODESICS_PATHS_SURFACE_SEARCH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Euclidean_heuristic.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+namespace internal {
+
+inline void check_initial_distance(const double distance, const std::size_t number_of_source)
+{
+  if(!(distance >= 0) || std::isinf(distance))
+    reject("the initial distance of source " + std::to_string(number_of_source) + " is " +
+           text_of(distance) + "; it must be a finite number that is not negative");
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * Where a search on a surface starts.
+ */
+struct Source_point
+{
+  /// the point.
+  Intrinsic_point point;
+
+  /// what is added to the distances from there, in the unit of the mesh: finite and not negative.
+  double distance = 0;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * Distances and paths between any points of a surface: a workspace for searches from one or more
+ * sources, of which those that are not nodes of the graph are attached to it by straight lines.
+ *
+ * An object of this class is a workspace as `Propagation` is. It is made once and used for any
+ * number of runs; their cost is proportional to what they reach. Several threads may search one
+ * graph at the same time, each with an object of its own. The first question for the nearest source
+ * or for a path after a run writes to a cache, so not even `const` member functions may be called
+ * by several threads for the same object.
+ *
+ * Points are those of the graph's triangulation. `Mesh_translation` translates them from and to
+ * those of a mesh.
+ *
+ * If an exception leaves a run, the object is as if nothing had been reached, and may be used
+ * again.
+ *
+ * \tparam SurfaceGraph a model of `SurfaceGraph`
+ * \tparam PriorityQueue a model of `GeodesicPriorityQueue`
+ */
+template <typename SurfaceGraph, typename PriorityQueue = Adaptive_bucket_queue>
+class Surface_search
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// the graph searched.
+  using Graph = SurfaceGraph;
+
+  /// the search for distances of nodes.
+  using Search = Propagation<Graph, PriorityQueue>;
+
+  /// the number of a node.
+  using Node = typename Search::Node;
+
+  /// when a run may end early.
+  struct Stop_rule
+  {
+    /// points farther than this, in the unit of the mesh, are not reached.
+    double maximum_distance = std::numeric_limits<double>::infinity();
+
+    /// the run ends as soon as the distances of all of these are final, if there are any.
+    std::vector<Intrinsic_point> targets = {};
+  };
+
+  /// how a point is reached: over a node, or straight from a source.
+  struct Answer
+  {
+    /// the distance from the nearest source, in the unit of the mesh; infinity if none reaches the
+    /// point.
+    double distance = std::numeric_limits<double>::infinity();
+
+    /// the position of that source among those of the run, or `null_source`.
+    std::size_t source = null_source;
+
+    /// the last node on the path, or `Search::null_node` if there is none.
+    Node node = Search::null_node;
+
+    /// the length of the straight line from the node or the source, in units of the graph.
+    double last_length = 0;
+
+    /// returns whether a source reaches the point.
+    bool is_reached() const { return source != null_source; }
+  };
+
+  /// @}
+
+  /// the position of no source.
+  static constexpr std::size_t null_source = Search::null_source;
+
+  /// \name Creation
+  /// @{
+
+  /// makes a workspace for `graph`. Run time and memory are \cgalBigO{n} for `n` nodes.
+  /// \warning `graph` is referred to, not copied.
+  explicit Surface_search(const Graph& graph) : m_graph(&graph), m_search(graph) {}
+
+  /// a workspace for a temporary graph would outlive it.
+  explicit Surface_search(const Graph&& graph) = delete;
+
+  /// @}
+
+  /// \name Runs
+  /// @{
+
+  /*!
+   * forgets the last run, and finds the distances from the nearest of the sources.
+   *
+   * \param sources where to start; duplicates are allowed. Nothing is reached from none.
+   * \param stop when the run may end early
+   * \param visitor a model of `GeodesicVisitor` for vertices of type `Node`
+   *
+   * \throws std::invalid_argument if the distance of a source is negative, infinite, or not a
+   *         number, or if the maximum distance is negative or not a number.
+   *
+   * Run time is that of `Propagation::run()`.
+   */
+  template <typename Visitor = Geodesic_visitor_base>
+  void run(std::vector<Source_point> sources,
+           const Stop_rule& stop = Stop_rule(),
+           Visitor&& visitor = Visitor())
+  {
+    Points_by_face points = sorted(sources);
+    m_search.run(seeds(sources), rule_for_nodes(stop), visitor);
+    adopt(std::move(sources), std::move(points), stop.maximum_distance);
+  }
+
+  /*!
+   * forgets the last run, and finds the distance from the nearest of the sources to `target`, which
+   * is all that may be asked for afterwards.
+   *
+   * The run ends when that distance is final. If positions are known, straight lines through space
+   * lead it to the target (A* algorithm \cgalCite{hnr-fbhdm-68}).
+   *
+   * \throws std::invalid_argument as `run()` does.
+   */
+  void run_to(const Intrinsic_point& target,
+              std::vector<Source_point> sources,
+              Stop_rule stop = Stop_rule(),
+              const Vertex_positions& positions = Vertex_positions())
+  {
+    Points_by_face points = sorted(sources);
+    const double maximum_distance = stop.maximum_distance;
+    stop.maximum_distance =
+        (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
+    stop.targets.push_back(target);
+    if(positions.are_known())
+      m_search.run_toward(seeds(sources), rule_for_nodes(stop),
+                          internal::Euclidean_heuristic<Graph>(*m_graph, positions, target));
+    else
+      m_search.run_toward(seeds(sources), rule_for_nodes(stop), internal::No_heuristic());
+    adopt(std::move(sources), std::move(points), maximum_distance);
+  }
+
+  /// is to be called when the weights of the graph have changed. Nothing is reached any more.
+  void restart()
+  {
+    Search search(*m_graph);
+    search.collect_statistics(m_search.collects_statistics());
+    m_search = std::move(search);
+  }
+
+  /// @}
+
+  /// \name Results of the Last Run
+  /// @{
+
+  /// returns how `point` is reached.
+  /// Run time is \cgalBigO{1} for a vertex, amortized over the nodes that were reached, and else
+  /// that of attaching the point to the graph.
+  Answer nearest(const Intrinsic_point& point) const
+  {
+    Answer result = nearest_by_line(point, m_sources, m_points);
+    if(point.is_vertex())
+      consider(point.vertex, 0, result);
+    else
+      m_graph->attach(point).for_each_node(
+          [&](const Node node, const double length) { consider(node, length, result); });
+    if(result.node != Search::null_node)
+      result.source = m_search.source(result.node);
+    const bool is_known =
+        result.distance <= m_maximum_distance && m_search.is_certain(result.distance);
+    return is_known ? result : Answer();
+  }
+
+  /// returns the distance from the nearest source to `point`, in the unit of the mesh, or infinity
+  /// if none reaches it.
+  double distance(const Intrinsic_point& point) const { return nearest(point).distance; }
+
+  /*!
+   * returns a shortest path from `point` to the nearest source, without points if none reaches it.
+   *
+   * Its length is that of its points, up to rounding. It does not contain the distance that the
+   * source starts with, nor the rounding of arcs that a graph stores in single precision. Where
+   * arcs are edges, it is the difference of the two distances, to the last bit.
+   *
+   * Run time is linear in the number of arcs on the path, times the cost of tracing one.
+   */
+  Path find_path(const Intrinsic_point& point) const
+  {
+    Path result;
+    const Answer answer = nearest(point);
+    if(!answer.is_reached())
+      return result;
+    result.points.push_back(point);
+    const Source_point& source = m_sources[answer.source];
+    if(answer.node == Search::null_node)
+      append_line(point, source.point, source.point, answer.last_length, result);
+    else
+    {
+      if(!point.is_vertex())
+        append_line(point, answer.node, internal::position(*m_graph, answer.node),
+                    answer.last_length, result);
+      append_line_to_source(internal::append_tree_path(m_search, answer.node, result), source,
+                            result);
+    }
+    result.length *= m_graph->unit();
+    if(!internal::has_crossing_arcs<Graph>)
+      result.length = answer.distance - source.distance;
+    return result;
+  }
+
+  /// returns the sources.
+  const std::vector<Source_point>& sources() const { return m_sources; }
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the graph.
+  const Graph& graph() const { return *m_graph; }
+
+  /// returns the search for distances of nodes, with its results and figures.
+  const Search& search() const { return m_search; }
+
+  /// returns the search for distances of nodes.
+  Search& search() { return m_search; }
+
+  /// @}
+
+private:
+  // The sources by face, once they were checked.
+  Points_by_face sorted(const std::vector<Source_point>& sources) const
+  {
+    std::vector<Intrinsic_point> points;
+    points.reserve(sources.size());
+    for(const Source_point& s : sources)
+    {
+      internal::check_initial_distance(s.distance, points.size());
+      points.push_back(s.point);
+    }
+    return Points_by_face(m_graph->triangulation(), std::move(points));
+  }
+
+  // Called after a run, so that results fit sources if the run fails.
+  void
+  adopt(std::vector<Source_point> sources, Points_by_face points, const double maximum_distance)
+  {
+    m_sources = std::move(sources);
+    m_points = std::move(points);
+    m_maximum_distance = maximum_distance;
+  }
+
+  std::vector<typename Search::Seed> seeds(const std::vector<Source_point>& sources) const
+  {
+    std::vector<typename Search::Seed> result;
+    for(std::size_t i = 0; i < sources.size(); ++i)
+      m_graph->attach(sources[i].point).for_each_node([&](const Node node, const double length) {
+        if(length < std::numeric_limits<double>::infinity())
+          result.push_back({node, sources[i].distance + length * m_graph->unit(), i});
+      });
+    return result;
+  }
+
+  typename Search::Stop_rule rule_for_nodes(const Stop_rule& stop) const
+  {
+    typename Search::Stop_rule result;
+    result.maximum_distance = stop.maximum_distance;
+    for(const Intrinsic_point& target : stop.targets)
+      if(target.is_vertex())
+        result.targets.push_back(target.vertex);
+      else
+      {
+        result.places.emplace_back();
+        m_graph->attach(target).for_each_node([&](const Node node, const double length) {
+          result.places.back().push_back({node, length * m_graph->unit()});
+        });
+      }
+    return result;
+  }
+
+  Answer nearest_by_line(const Intrinsic_point& point,
+                         const std::vector<Source_point>& sources,
+                         const Points_by_face& points) const
+  {
+    Answer result;
+    if(!points.is_empty() && !point.is_vertex())
+      m_graph->attach(point).for_each_point(points, [&](const std::size_t i, const double length) {
+        const double distance = sources[i].distance + length * m_graph->unit();
+        if(distance < result.distance)
+          result = {distance, i, Search::null_node, length};
+      });
+    return result;
+  }
+
+  void consider(const Node node, const double length, Answer& best) const
+  {
+    const double distance = m_search.distance(node) + length * m_graph->unit();
+    if(distance < best.distance)
+      best = {distance, null_source, node, length};
+  }
+
+  // Appends the line from where the path has got to, to a node or point `to`, which is at `end`.
+  template <typename End>
+  void append_line(const Intrinsic_point& from,
+                   const End& to,
+                   const Intrinsic_point& end,
+                   const double length,
+                   Path& path) const
+  {
+    path.length +=
+        m_graph->attach(from).for_each_crossing(to, length, [&](const auto h, const double t) {
+          path.points.push_back(Intrinsic_point::on_edge(h, t));
+        });
+    internal::append(end, m_graph->triangulation(), path);
+  }
+
+  // Appends the line from the node that the search has started with to the source.
+  void append_line_to_source(const Node first, const Source_point& source, Path& path) const
+  {
+    if(source.point.is_vertex())
+      return;
+    const double length = (m_search.distance(first) - source.distance) / m_graph->unit();
+    internal::append_backward(
+        [&](auto f) { return m_graph->attach(source.point).for_each_crossing(first, length, f); },
+        path);
+    internal::append(source.point, m_graph->triangulation(), path);
+  }
+
+  const Graph* m_graph;
+  Search m_search;
+  std::vector<Source_point> m_sources;
+  Points_by_face m_points; // of the sources
+  double m_maximum_distance = std::numeric_limits<double>::infinity();
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PATHS_SURFACE_SEARCH_H

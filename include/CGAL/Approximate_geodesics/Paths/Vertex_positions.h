@@ -1,0 +1,114 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PATHS_VERTEX_POSITIONS_H
+#define CGAL_APPROXIMATE_GEODESICS_PATHS_VERTEX_POSITIONS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * The positions in space of the vertices of a triangulation, by which straight lines lead a search
+ * to its target. They take 24 bytes per vertex.
+ */
+class Vertex_positions
+{
+public:
+  /// the number of a vertex.
+  using Index = Intrinsic_triangulation::Index;
+
+  /// three coordinates.
+  using Position = std::array<double, 3>;
+
+  /// no positions are known: searches are not led.
+  Vertex_positions() = default;
+
+  /// asks for the position of each vertex, `position_of(v)`, in the unit of the mesh. They are kept
+  /// unless the triangulation has weights, or lengths that these positions do not explain: shortest
+  /// paths might then be shorter than straight lines.
+  template <typename PositionOf>
+  Vertex_positions(const Intrinsic_triangulation& triangulation, const PositionOf& position_of)
+  {
+    if(triangulation.has_weights())
+      return;
+    m_positions.reserve(triangulation.number_of_vertices());
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    {
+      const Position p = position_of(v);
+      m_positions.push_back(
+          {p[0] / triangulation.unit(), p[1] / triangulation.unit(), p[2] / triangulation.unit()});
+    }
+    if(!explain_lengths(triangulation))
+      m_positions.clear();
+  }
+
+  /// returns whether there are positions.
+  bool are_known() const { return !m_positions.empty(); }
+
+  /// returns the position of the vertex `v`, in units of the triangulation.
+  const Position& operator[](const Index v) const { return m_positions[v]; }
+
+  /// returns the position of a point of the surface, in units of the triangulation.
+  Position operator()(const Intrinsic_triangulation& triangulation, const Intrinsic_point& p) const
+  {
+    if(p.is_vertex())
+      return m_positions[p.vertex];
+    const Index h = p.halfedge;
+    const Position &a = m_positions[triangulation.source(h)],
+                   &b = m_positions[triangulation.target(h)];
+    const Position& c =
+        p.is_in_face() ? m_positions[triangulation.target(triangulation.next(h))] : a;
+    Position result;
+    for(std::size_t i = 0; i < 3; ++i)
+      result[i] = a[i] + p.t * (b[i] - a[i]) + p.s * (c[i] - a[i]);
+    return result;
+  }
+
+  /// returns the distance of two positions.
+  static double distance(const Position& p, const Position& q)
+  {
+    const double x = q[0] - p[0], y = q[1] - p[1], z = q[2] - p[2];
+    return std::sqrt(x * x + y * y + z * z);
+  }
+
+  /// returns the number of bytes that the positions take.
+  std::size_t memory() const { return m_positions.capacity() * sizeof(Position); }
+
+private:
+  // Whether edges are as long as the straight lines between their ends. Longer lengths do not
+  // suffice: a face with longer sides can be flatter, and ways across it shorter.
+  bool explain_lengths(const Intrinsic_triangulation& triangulation) const
+  {
+    constexpr double rounding = 1e-14;
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+      for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+      {
+        const double length = triangulation.length(h);
+        const double line = distance(m_positions[v], m_positions[triangulation.target(h)]);
+        if(!(std::abs(line - length) <= rounding * length))
+          return false;
+      }
+    return true;
+  }
+
+  std::vector<Position> m_positions;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PATHS_VERTEX_POSITIONS_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_TREE_PATH_H
+#define CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_TREE_PATH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Paths in the shortest-path tree of a search, whose lengths are in units of the graph.
+
+// Appends a point to a path, unless it is where the path has got to. Removes the last point if the
+// path goes straight on there, along an edge.
+inline void
+append(const Intrinsic_point& point, const Intrinsic_triangulation& triangulation, Path& path)
+{
+  auto& points = path.points;
+  if(point.is_same(points.back(), triangulation))
+    return;
+  const auto h = points.back().halfedge;
+  if(points.size() > 1 && points.back().is_on_edge() &&
+     points[points.size() - 2].is_on_edge_of(h, triangulation) &&
+     point.is_on_edge_of(h, triangulation))
+    points.pop_back();
+  points.push_back(point);
+}
+
+// Appends the edges that a line crosses, which `for_each_crossing(f)` finds in the opposite order
+// and whose length it returns.
+template <typename ForEachCrossing>
+void append_backward(ForEachCrossing for_each_crossing, Path& path)
+{
+  const auto beyond = static_cast<std::ptrdiff_t>(path.points.size());
+  path.length += for_each_crossing([&](const Intrinsic_point::Index h, const double t) {
+    path.points.push_back(Intrinsic_point::on_edge(h, t));
+  });
+  std::reverse(path.points.begin() + beyond, path.points.end());
+}
+
+// Appends what follows `node` on the path back to where the search has started. Returns the node
+// there.
+template <typename Search>
+typename Search::Node append_tree_path(const Search& search, typename Search::Node node, Path& path)
+{
+  for(auto previous = search.predecessor(node); previous != Search::null_node;
+      previous = search.predecessor(node))
+  {
+    const double length =
+        (search.distance(node) - search.distance(previous)) / search.graph().unit();
+    append_backward(
+        [&](auto f) { return for_each_crossing(search.graph(), previous, node, length, f); }, path);
+    append(position(search.graph(), previous), search.graph().triangulation(), path);
+    node = previous;
+  }
+  return node;
+}
+
+// The path that a search has found, from `node` back to where it starts, with its length in the
+// unit of the mesh; without points if `node` was not reached.
+template <typename Search>
+Path tree_path(const Search& search, const typename Search::Node node)
+{
+  Path result;
+  if(!search.is_reached(node))
+    return result;
+  result.points.push_back(position(search.graph(), node));
+  append_tree_path(search, node, result);
+  result.length *= search.graph().unit();
+  return result;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_TREE_PATH_H
