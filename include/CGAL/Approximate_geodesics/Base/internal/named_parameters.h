@@ -46,6 +46,16 @@
 #define CGAL_APPROXIMATE_GEODESICS_CONCURRENCY_TAG(APPLY)
 #endif
 
+// names of all versions of CGAL, or of newer ones, that ask for something
+#define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_OF_CGAL(APPLY)                                         \
+  APPLY(concurrency_tag_t, concurrency_tag, concurrency_tag)                                       \
+  APPLY(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)                       \
+  APPLY(maximum_distance_t, maximum_distance, maximum_distance)                                    \
+  APPLY(number_of_points_per_edge_t, number_of_points_per_edge, number_of_points_per_edge)         \
+  APPLY(nb_points_per_distance_unit_t, nb_points_per_distance_unit,                                \
+        number_of_points_per_distance_unit)                                                        \
+  APPLY(visitor_t, visitor, visitor)
+
 #define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_PARAMETER(APPLY)                                       \
   CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER(APPLY)                                         \
   CGAL_APPROXIMATE_GEODESICS_MAXIMUM_DISTANCE(APPLY)                                               \
@@ -118,6 +128,23 @@ struct Named_parameters : Named_function_parameters<T, Tag, Base>
 template <typename NamedParameters, typename Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
+template <typename NamedParameters, typename... Tags>
+constexpr bool is_any_given = (is_given<NamedParameters, Tags> || ...);
+
+template <typename T, typename... Types>
+constexpr bool is_same_as_any = (std::is_same_v<T, Types> || ...);
+
+// Whether a function that reads the parameters with the tags `Read` would ignore another one: one
+// of this package, or one of CGAL's that asks for something. Those that only describe the mesh,
+// such as index maps, are passed on to all functions, as everywhere in CGAL.
+#define CGAL_APPROXIMATE_GEODESICS_OR_IGNORED(TAG, VALUE, NAME)                                    \
+  || (is_given<NamedParameters, internal_np::TAG> && !is_same_as_any<internal_np::TAG, Read...>)
+template <typename NamedParameters, typename... Read>
+constexpr bool ignores_any =
+    false CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER(CGAL_APPROXIMATE_GEODESICS_OR_IGNORED)
+        CGAL_APPROXIMATE_GEODESICS_FOR_EACH_OF_CGAL(CGAL_APPROXIMATE_GEODESICS_OR_IGNORED);
+#undef CGAL_APPROXIMATE_GEODESICS_OR_IGNORED
+
 // Appends the links of `second`, innermost first, to `first`.
 template <typename First, typename T, typename Tag, typename Base>
 auto append_parameters(const First& first, const Named_function_parameters<T, Tag, Base>& second)
@@ -174,6 +201,7 @@ auto combine(const Named_function_parameters<T, Tag, Base>& first,
 #undef CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER
 #undef CGAL_APPROXIMATE_GEODESICS_MAXIMUM_DISTANCE
 #undef CGAL_APPROXIMATE_GEODESICS_CONCURRENCY_TAG
+#undef CGAL_APPROXIMATE_GEODESICS_FOR_EACH_OF_CGAL
 #undef CGAL_APPROXIMATE_GEODESICS_FOR_EACH_PARAMETER
 
 #endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_NAMED_PARAMETERS_H
