@@ -8,16 +8,15 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Function_property_map.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Location_functions.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Source_list.h>
@@ -187,13 +186,16 @@ public:
                              const NamedParameters& np = parameters::default_values())
     : m_mesh(tmesh),
       m_graph(std::move(graph)),
-      m_places(tmesh, internal::vertex_index_map(tmesh, np), m_graph.triangulation()),
-      m_point_map(
-          parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                       get_const_property_map(vertex_point, tmesh))),
+      m_places(tmesh,
+               internal::function_property_map<vertex_descriptor, std::size_t>(
+                   internal::vertex_index_map(tmesh, np)),
+               m_graph.triangulation()),
+      m_point_map(internal::function_property_map<vertex_descriptor, Point_3>(
+          internal::vertex_point_map(tmesh, np))),
       m_search(m_graph)
   {
     check_size();
+    m_places.list_vertices();
   }
 
   /// not copyable: sources are referred to by iterators, and the graph by the search.
@@ -634,6 +636,8 @@ public:
    * faces have no area, \cgal's tree may refuse a ray; and where squared coordinates do not fit a
    * `double`, it cannot find nearest points.
    *
+   * Programs that call these functions include `CGAL/AABB_tree.h`, which this header does not.
+   *
    * \tparam AABBTraits a model of `AABBTraits` for the faces of the mesh
    */
   /// @{
@@ -833,7 +837,7 @@ private:
 
   const Triangle_mesh& m_mesh;
   Graph m_graph;
-  const internal::Mesh_translation<Triangle_mesh, Index_function> m_places;
+  internal::Mesh_translation<Triangle_mesh, Index_function> m_places;
   const internal::Function_property_map<vertex_descriptor, Point_3> m_point_map;
   Surface_search m_search;
   std::unique_ptr<Pair_search> m_pair_search; // made when first needed

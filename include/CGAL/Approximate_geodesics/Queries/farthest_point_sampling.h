@@ -11,8 +11,8 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_vertices.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/graph_for_one_run.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
@@ -164,8 +164,8 @@ farthest_point_sampling(const TriangleMesh& tmesh,
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   const auto graph = AG::internal::graph_for_many_runs(tmesh, np);
-  const AG::internal::Mesh_vertices mesh_vertices(tmesh, AG::internal::vertex_index_map(tmesh, np),
-                                                  graph.triangulation());
+  const AG::internal::Mesh_translation mesh_vertices(
+      tmesh, AG::internal::vertex_index_map(tmesh, np), graph.triangulation());
   using Search = AG::Propagation<std::decay_t<decltype(graph)>, PriorityQueue>;
   Search search(graph);
   std::vector<typename Search::Seed> seeds;

@@ -12,7 +12,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/write_points.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
@@ -102,8 +102,9 @@ refined_geodesic_path(const TriangleMesh& tmesh,
                          "; it must be a number that is not negative");
 
   const AG::Intrinsic_triangulation triangulation(tmesh, np);
-  const AG::internal::Mesh_translation places(tmesh, AG::internal::vertex_index_map(tmesh, np),
-                                              triangulation);
+  AG::internal::Mesh_translation places(tmesh, AG::internal::vertex_index_map(tmesh, np),
+                                        triangulation);
+  places.list_vertices();
   AG::internal::Selective_refinement<PriorityQueue> refinement(triangulation, places.node(source),
                                                                places.node(target));
   const AG::internal::Path path = refinement.run(AG::Fixed_number_of_points(np), tolerance);

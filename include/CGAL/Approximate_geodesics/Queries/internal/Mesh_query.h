@@ -11,7 +11,8 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Vertex_predecessors.h>
@@ -55,6 +56,9 @@ public:
       m_places(tmesh, vertex_index_map(tmesh, np), m_graph.triangulation()),
       m_search(m_graph)
   {
+    if constexpr(is_any_given<NamedParameters, internal_np::visitor_t,
+                              internal_np::geodesic_predecessor_t>)
+      m_places.list_vertices();
   }
 
   // from one point of the surface or from a range of them
@@ -71,6 +75,7 @@ public:
   template <typename SurfacePoint, typename Target>
   void run(const SurfacePoint& source, const Target& target)
   {
+    m_places.list_vertices(); // for the points of the path
     auto stop = stop_rule<Search>(m_graph, m_places, m_np);
     if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
     {
@@ -107,8 +112,6 @@ public:
     if constexpr(is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
     {
       Vertex_predecessors<typename Search::Search> before(m_search.search());
-      if(m_graph.triangulation().number_of_vertices() > 0)
-        m_places.vertex(0); // which lists all of them
       write_distances_and_sources(distances);
       write_predecessors(before);
     }
@@ -157,17 +160,11 @@ private:
   {
     if constexpr(has_crossing_arcs<Graph> && !is_given<NamedParameters, internal_np::edge_length_t>)
     {
-      const auto points = point_map();
+      const auto points = vertex_point_map(m_mesh, m_np);
       return Vertex_positions(m_graph.triangulation(), m_places.position_of_vertex(points));
     }
     else
       return Vertex_positions();
-  }
-
-  auto point_map() const
-  {
-    return parameters::choose_parameter(parameters::get_parameter(m_np, internal_np::vertex_point),
-                                        get_const_property_map(CGAL::vertex_point, m_mesh));
   }
 
   template <typename Sources>

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -32,8 +33,7 @@ void write_points(const Path& path,
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                          get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto point_map = vertex_point_map(tmesh, np);
   for(auto it = path.points.rbegin(); it != path.points.rend(); ++it)
     if constexpr(HasPointsBetweenVertices)
     {
