@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_GEODESIC_PATH_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_GEODESIC_PATH_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_PATH_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_PATH_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -15,7 +15,6 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/write_points.h>
-#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/number_utils.h>
 
@@ -23,23 +22,23 @@
 #include <limits>
 
 namespace CGAL {
+namespace Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
  *
- * computes a short path on the mesh from `source` to `target` by selective refinement, and its
- * length.
+ * computes a short path on the mesh from `source` to `target` by selective refinement, and returns
+ * its length.
  *
  * A first path is found in a graph with a few points on every edge. Then the search is repeated in
  * graphs with twice as many points, but only on edges near the path found last, until it gets
  * shorter by less than a given part of its length. This is much faster than a graph that is fine
  * everywhere, and finds about the same path, unless the first one took another way round an
- * obstacle: the result is a path that is short among its neighbours, without a bound. Where weights
+ * obstacle: the result is a path that is short among its neighbors, without a bound. Where weights
  * differ by orders of magnitude, it can cost many times as much as the cheapest one.
  *
  * The method is that of Kanai and Suzuki \cgalCite{ks-asppa-01}.
  *
- * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -80,38 +79,42 @@ namespace CGAL {
  *
  * \sa `approximate_geodesic_path()`
  */
-template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
-          typename TriangleMesh,
+template <typename TriangleMesh,
           typename OutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-double
-refined_geodesic_path(const TriangleMesh& tmesh,
-                      const typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
-                      const typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
-                      OutputIterator points,
-                      const NamedParameters& np = parameters::default_values())
+double refined_path(const TriangleMesh& tmesh,
+                    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+                    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
+                    OutputIterator points,
+                    const NamedParameters& np = parameters::default_values())
 {
-  namespace AG = Approximate_geodesics;
-  static_assert(!AG::internal::is_given<NamedParameters, internal_np::epsilon_t>,
+  static_assert(!internal::is_given<NamedParameters, internal_np::epsilon_t>,
                 "epsilon: selective refinement gives no bound; use approximate_geodesic_path()");
+  static_assert(
+      !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
+                             internal_np::relative_tolerance_t,
+                             internal_np::number_of_points_per_edge_t, internal_np::edge_length_t,
+                             internal_np::face_weight_t, internal_np::edge_is_constrained_t>,
+      "refined_path() reads relative_tolerance, number_of_points_per_edge, and what "
+      "describes the mesh only; use approximate_geodesic_path()");
 
   const double tolerance = CGAL::to_double(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::relative_tolerance), 1e-5));
   if(!(tolerance >= 0))
-    AG::internal::reject("the relative tolerance is " + AG::internal::text_of(tolerance) +
-                         "; it must be a number that is not negative");
+    internal::reject("the relative tolerance is " + internal::text_of(tolerance) +
+                     "; it must be a number that is not negative");
 
-  const AG::Intrinsic_triangulation triangulation(tmesh, np);
-  AG::internal::Mesh_translation places(tmesh, AG::internal::vertex_index_map(tmesh, np),
-                                        triangulation);
+  const Intrinsic_triangulation triangulation(tmesh, np);
+  internal::Mesh_translation places(tmesh, internal::vertex_index_map(tmesh, np), triangulation);
   places.list_vertices();
-  AG::internal::Selective_refinement<PriorityQueue> refinement(triangulation, places.node(source),
-                                                               places.node(target));
-  const AG::internal::Path path = refinement.run(AG::Fixed_number_of_points(np), tolerance);
-  AG::internal::write_points<true>(path, places, tmesh, points, np);
+  internal::Selective_refinement refinement(triangulation, places.node(source),
+                                            places.node(target));
+  const internal::Path path = refinement.run(Fixed_number_of_points(np), tolerance);
+  internal::write_points<true>(path, places, tmesh, points, np);
   return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;
 }
 
+} // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_GEODESIC_PATH_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_PATH_H
