@@ -14,8 +14,11 @@
 #include "measure.h"
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Queries/refined_geodesic_path.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/approximate_geodesic_path.h>
 #include <CGAL/iterator.h>
 
@@ -89,8 +92,9 @@ public:
   }
 
 private:
-  static constexpr unsigned SEED_OF_TARGETS = 2; // not that of the sources
-  static constexpr std::size_t DEFAULT = 1;      // the position of the default tolerance
+  static constexpr unsigned SEED_OF_TARGETS = 2;           // not that of the sources
+  static constexpr std::size_t DEFAULT = 1;                // the position of the default tolerance
+  static constexpr std::size_t NUMBER_OF_FIRST_POINTS = 3; // per edge, the default of the function
 
   struct Method
   {
@@ -106,10 +110,17 @@ private:
   {
     m_methods.push_back({"refined", Table::scientific(tolerance),
                          [this, tolerance](const Vertex source, const Vertex target) {
-                           return CGAL::refined_geodesic_path<Node_counting_queue>(
-                               m_expected.mesh(), source, target, CGAL::Emptyset_iterator(),
-                               CGAL::parameters::relative_tolerance(tolerance));
+                           return refined_length(source, target, tolerance);
                          }});
+  }
+
+  // As `AG::refined_path()` does it, but with the queue that counts.
+  double refined_length(const Vertex source, const Vertex target, const double tolerance) const
+  {
+    const AG::Intrinsic_triangulation triangulation(m_expected.mesh());
+    AG::internal::Selective_refinement<Node_counting_queue> refinement(
+        triangulation, triangulation.vertex(source.idx()), triangulation.vertex(target.idx()));
+    return refinement.run(AG::Fixed_number_of_points(NUMBER_OF_FIRST_POINTS), tolerance).length;
   }
 
   void add_full_graph(const std::size_t m)

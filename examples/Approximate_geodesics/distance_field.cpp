@@ -2,9 +2,9 @@
 // evenly. draw_field.py draws the results.
 
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_voronoi_partition.h>
+#include <CGAL/Approximate_geodesics/Queries/gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/approximate_geodesic_distances.h>
@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+namespace AG = CGAL::Approximate_geodesics;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
@@ -133,22 +134,22 @@ void process(Mesh& mesh)
   // points that are spread evenly; the first ones of them are, too, with larger distances
   std::vector<Vertex> samples;
   const double radius =
-      CGAL::farthest_point_sampling(mesh, NUMBER_OF_SAMPLES, std::back_inserter(samples), np);
+      AG::farthest_point_sampling(mesh, std::back_inserter(samples), NUMBER_OF_SAMPLES, np);
   const std::vector<Vertex> sources(
       samples.begin(),
       samples.begin() + std::ptrdiff_t((std::min)(NUMBER_OF_CELLS, samples.size())));
 
   // the surface divided among these
   const Cell_map cell = mesh.add_property_map<Face, int>("f:cell").first;
-  CGAL::geodesic_voronoi_partition(mesh, sources, cell, np);
+  AG::voronoi_partition(mesh, cell, sources, np);
 
   // distances from one of them
   const Distance_map distance = mesh.add_property_map<Vertex, double>("v:distance").first;
   CGAL::approximate_geodesic_distances(mesh, distance, sources.back(), np);
   std::vector<Polyline> isolines;
-  CGAL::geodesic_isolines(mesh, distance, isovalues(mesh, distance), std::back_inserter(isolines));
+  AG::isolines(mesh, distance, isovalues(mesh, distance), std::back_inserter(isolines));
   const Gradient_map gradient = mesh.add_property_map<Face, Vector>("f:gradient").first;
-  CGAL::geodesic_gradient(mesh, distance, gradient);
+  AG::gradient(mesh, distance, gradient);
 
   std::cout << "No vertex is farther than " << radius << " from the nearest of " << samples.size()
             << " points.\nThere are " << sources.size() << " cells and " << isolines.size()

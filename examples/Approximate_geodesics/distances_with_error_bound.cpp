@@ -47,9 +47,9 @@ int main(int argc, char* argv[])
   // a path across faces has a point wherever it crosses an edge
   std::vector<Kernel::Point_3> along_edges, across_faces;
   const double longer =
-      CGAL::approximate_geodesic_path(mesh, source, farthest, std::back_inserter(along_edges));
-  const double shorter = CGAL::approximate_geodesic_path(mesh, source, farthest,
-                                                         std::back_inserter(across_faces), bound);
+      CGAL::approximate_geodesic_path(mesh, std::back_inserter(along_edges), source, farthest);
+  const double shorter = CGAL::approximate_geodesic_path(mesh, std::back_inserter(across_faces),
+                                                         source, farthest, bound);
   std::cout << "Along edges, a path has length " << longer << " and " << along_edges.size()
             << " points; across faces, it has length " << shorter << " and " << across_faces.size()
             << " points.\n";

@@ -40,7 +40,7 @@ void travel(const Mesh& mesh, const Travel_times times)
   const Vertex home(0), office(NUMBER_OF_BLOCKS); // the ends of the lowest row
   std::vector<Point> route;
   const double length = CGAL::approximate_geodesic_path(
-      mesh, home, office, std::back_inserter(route), CGAL::parameters::edge_length_map(times));
+      mesh, std::back_inserter(route), home, office, CGAL::parameters::edge_length_map(times));
   std::cout << length << " minutes, past " << route.size() << " crossings, "
             << std::count_if(route.begin(), route.end(), is_on_expressway) << " of them in row "
             << ROW_OF_EXPRESSWAY << "\n";

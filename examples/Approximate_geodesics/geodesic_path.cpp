@@ -52,7 +52,7 @@ int main(int argc, char* argv[])
 
   std::vector<Point> points;
   const double length =
-      CGAL::approximate_geodesic_path(mesh, source, target, std::back_inserter(points));
+      CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), source, target);
   if(points.empty())
   {
     std::cerr << "Vertices " << source << " and " << target << " are not connected.\n";

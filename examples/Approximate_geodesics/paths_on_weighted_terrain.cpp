@@ -290,13 +290,13 @@ void find_paths()
   const Vertex start = vertex(7, 54), target = vertex(118, 50);
 
   Polyline shortest, cheapest, without_road;
-  CGAL::approximate_geodesic_path(mesh, start, target, std::back_inserter(shortest),
+  CGAL::approximate_geodesic_path(mesh, std::back_inserter(shortest), start, target,
                                   CGAL::parameters::epsilon(0.1));
   const auto np = CGAL::parameters::epsilon(0.1)
                       .face_weight_map(weights(ground))
                       .edge_is_constrained_map(fence);
   double cost =
-      CGAL::approximate_geodesic_path(mesh, start, target, std::back_inserter(cheapest), np);
+      CGAL::approximate_geodesic_path(mesh, std::back_inserter(cheapest), start, target, np);
   check(ground, cheapest, cost);
 
   // A graph that is kept can get other weights. Its points stay where those that it was built with

@@ -43,10 +43,10 @@
 #include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
 
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_voronoi_partition.h>
-#include <CGAL/Approximate_geodesics/Queries/refined_geodesic_path.h>
+#include <CGAL/Approximate_geodesics/Queries/gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/refined_path.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>

@@ -205,7 +205,7 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
       "approximate_geodesic_distances() does not read one of these named parameters: its "
       "documentation lists those that it does; straighten is for paths");
 
-  AG::internal::search_once(tmesh, np, [&](auto& search) {
+  AG::internal::search_once(tmesh, np, false, [&](auto& search) {
     search.run_from(sources, np);
     search.write_results(vertex_distance_map, np);
   });

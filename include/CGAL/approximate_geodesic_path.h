@@ -30,19 +30,19 @@ namespace CGAL {
  * that of the polyline, up to rounding.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
  * \tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
  *         `Approximate_geodesics::Face_location` or `Approximate_geodesics::Surface_point`
  * \tparam Target the same
- * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
- * \param source where the path starts: a vertex, an `Approximate_geodesics::Face_location`, or an
- *               `Approximate_geodesics::Surface_point`
- * \param target where the path ends, likewise
  * \param points receives the points of the path, from `source` to `target`: vertices, where it
  *               crosses edges, and its ends; a single one if `source` and `target` are the same,
  *               and none if there is no path
+ * \param source where the path starts: a vertex, an `Approximate_geodesics::Face_location`, or an
+ *               `Approximate_geodesics::Surface_point`
+ * \param target where the path ends, likewise
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below
  *
@@ -154,14 +154,14 @@ namespace CGAL {
  * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
  */
 template <typename TriangleMesh,
+          typename OutputIterator,
           typename Source,
           typename Target,
-          typename OutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
 double approximate_geodesic_path(const TriangleMesh& tmesh,
+                                 OutputIterator points,
                                  const Source& source,
                                  const Target& target,
-                                 OutputIterator points,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
@@ -174,9 +174,9 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
       "approximate_geodesic_path() does not read one of these named parameters: its documentation "
       "lists those that it does; targets is for approximate_geodesic_distances()");
 
-  return AG::internal::search_once(tmesh, np, [&](auto& search) {
+  return AG::internal::search_once(tmesh, np, true, [&](auto& search) {
     search.run_to(source, target, AG::internal::positions_for_one_run(search, np), np);
-    const AG::Path path = search.find_path(search.translation().place(target), np);
+    const AG::Path path = search.find_path(search.translation().intrinsic_point(target), np);
     for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
       *points++ = search.point(*p, np);
     return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;

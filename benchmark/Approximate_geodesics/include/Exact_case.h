@@ -120,7 +120,7 @@ private:
         if(ours[v] < *exact * (1 - ROUNDING))
         {
           std::vector<Point> points;
-          CGAL::approximate_geodesic_path(m_mesh, source, v, std::back_inserter(points), epsilon);
+          CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), source, v, epsilon);
           correct(*exact, points);
         }
         ++exact;

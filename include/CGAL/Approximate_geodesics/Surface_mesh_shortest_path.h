@@ -8,19 +8,16 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Function_property_map.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Location_functions.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Source_list.h>
@@ -83,6 +80,9 @@ class Surface_mesh_shortest_path
   : private internal::Location_functions<TriangleMesh>
 #endif
 {
+  static_assert(!internal::is_traits_of_exact_class<TriangleMesh>,
+                "the first template argument is the mesh, not the traits of the exact class");
+
   using Locations = internal::Location_functions<TriangleMesh>;
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Sources = internal::Source_list<TriangleMesh>;
@@ -186,10 +186,12 @@ public:
                              const NamedParameters& np = parameters::default_values())
     : m_mesh(tmesh),
       m_graph(std::move(graph)),
-      m_translation(tmesh, internal::vertex_index_map(tmesh, np), m_graph.triangulation()),
-      m_point_map(
-          parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                       get_const_property_map(vertex_point, tmesh))),
+      m_translation(tmesh,
+                    internal::function_property_map<vertex_descriptor, std::size_t>(
+                        internal::vertex_index_map(tmesh, np)),
+                    m_graph.triangulation()),
+      m_point_map(internal::function_property_map<vertex_descriptor, Point_3>(
+          internal::vertex_point_map(tmesh, np))),
       m_search(m_graph, m_translation, m_point_map)
   {
     static_assert(
@@ -201,6 +203,7 @@ public:
         "build_sequence_tree(), straighten is for a path, initial distances go with "
         "sources");
     check_size();
+    m_translation.list_vertices();
   }
 
   /// not copyable: sources are referred to by iterators, and the graph by the search.
@@ -223,7 +226,8 @@ public:
    */
   Source_point_iterator add_source_point(const vertex_descriptor v, const FT initial_distance = 0)
   {
-    const Intrinsic_point p = m_translation.place(v); // which refuses what is not a vertex, first
+    const Intrinsic_point p =
+        m_translation.intrinsic_point(v); // which refuses what is not a vertex, first
     return add_source(p, initial_distance, face_location(v));
   }
 
@@ -234,7 +238,7 @@ public:
                                          const Barycentric_coordinates& location,
                                          const FT initial_distance = 0)
   {
-    return add_source(m_translation.place(f, location), initial_distance, {f, location});
+    return add_source(m_translation.intrinsic_point(f, location), initial_distance, {f, location});
   }
 
   /// does the same as `add_source_point(location.first, location.second, initial_distance)`.
@@ -247,7 +251,7 @@ public:
   /// adds a point of the surface as a source.
   Source_point_iterator add_source_point(const Surface_point& point, const FT initial_distance = 0)
   {
-    const Intrinsic_point p = m_translation.place(point);
+    const Intrinsic_point p = m_translation.intrinsic_point(point);
     return add_source(p, initial_distance, face_location(point));
   }
 
@@ -304,10 +308,11 @@ public:
   /*!
    * searches the graph from the sources, under the given conditions.
    *
-   * Queries that follow are answered from this run until the sources change; what it did not reach
-   * counts as unreachable.
+   * Queries that follow are answered from this run until the sources change; what it did not
+   * reach counts as unreachable.
    *
-   * \param np a sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+   * \param np a sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+   * below
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{maximum_distance}
@@ -323,10 +328,9 @@ public:
    *     \cgalParamDefault{none: the run goes on to the end, as it does if the range is empty}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
-   *     \cgalParamDescription{an object that is told of settled vertices and of progress, and that
-   *                           may end the run}
-   *     \cgalParamType{a class model of `GeodesicVisitor`, or a `std::reference_wrapper` of one}
-   *     \cgalParamDefault{`Geodesic_visitor_base`}
+   *     \cgalParamDescription{an object that is told of settled vertices and of progress, and
+   * that may end the run} \cgalParamType{a class model of `GeodesicVisitor`, or a
+   * `std::reference_wrapper` of one} \cgalParamDefault{`Geodesic_visitor_base`}
    *     \cgalParamExtra{The visitor is copied unless it is given as `std::ref(visitor)`.}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
@@ -367,8 +371,8 @@ public:
    *
    * \pre `Graph` has a member function `set_weights()`, as `Steiner_graph` does.
    *
-   * \throws std::invalid_argument if a weight is negative or not a number, or if costs do not fit a
-   *         `double`; the weights are then those that they were before.
+   * \throws std::invalid_argument if a weight is negative or not a number, or if costs do not fit
+   * a `double`; the weights are then those that they were before.
    */
   template <typename FaceWeightMap>
   void set_face_weights(const FaceWeightMap& face_weight_map)
@@ -394,7 +398,7 @@ public:
    */
   Shortest_path_result shortest_distance_to_source_points(const vertex_descriptor v)
   {
-    return shortest_distance(m_translation.place(v));
+    return shortest_distance(m_translation.intrinsic_point(v));
   }
 
   /// returns the distance from a point in the face `f` to the nearest source, and that source.
@@ -403,13 +407,13 @@ public:
   Shortest_path_result shortest_distance_to_source_points(const face_descriptor f,
                                                           const Barycentric_coordinates& location)
   {
-    return shortest_distance(m_translation.place(f, location));
+    return shortest_distance(m_translation.intrinsic_point(f, location));
   }
 
   /// returns the distance from a point of the surface to the nearest source, and that source.
   Shortest_path_result shortest_distance_to_source_points(const Surface_point& point)
   {
-    return shortest_distance(m_translation.place(point));
+    return shortest_distance(m_translation.intrinsic_point(point));
   }
 
   /// @}
@@ -450,7 +454,7 @@ public:
                                         OutputIterator points,
                                         const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_translation.place(v), np,
+    return for_each_point(m_translation.intrinsic_point(v), np,
                           [&](const Intrinsic_point& p) { *points++ = point(p); });
   }
 
@@ -463,13 +467,13 @@ public:
                                         OutputIterator points,
                                         const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_translation.place(f, location), np,
+    return for_each_point(m_translation.intrinsic_point(f, location), np,
                           [&](const Intrinsic_point& p) { *points++ = point(p); });
   }
 
   /*!
-   * tells `visitor` the sequence of vertices, edges and faces that a shortest path from `v` to the
-   * nearest source goes through. Only the ends of the path can lie inside faces.
+   * tells `visitor` the sequence of vertices, edges and faces that a shortest path from `v` to
+   * the nearest source goes through. Only the ends of the path can lie inside faces.
    *
    * \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
    */
@@ -479,7 +483,7 @@ public:
                                           Visitor& visitor,
                                           const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_translation.place(v), np,
+    return for_each_point(m_translation.intrinsic_point(v), np,
                           [&](const Intrinsic_point& p) { visit(p, visitor); });
   }
 
@@ -491,7 +495,7 @@ public:
                                           Visitor& visitor,
                                           const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_translation.place(f, location), np,
+    return for_each_point(m_translation.intrinsic_point(f, location), np,
                           [&](const Intrinsic_point& p) { visit(p, visitor); });
   }
 
@@ -508,7 +512,7 @@ public:
       OutputIterator points,
       const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point(m_translation.place(start), np, [&](const Intrinsic_point& p) {
+    return for_each_point(m_translation.intrinsic_point(start), np, [&](const Intrinsic_point& p) {
       *points++ = m_translation.surface_point(p);
     });
   }
@@ -518,10 +522,10 @@ public:
   /*!
    * \name Single Pairs
    *
-   * These functions find paths between any two points of the surface, whatever the sources are. The
-   * search ends as soon as the distance is certain, and is led to the target by the straight line
-   * through space, unless faces have weights or lengths are not those of the mesh's points. It
-   * works in memory of its own, which takes 24 bytes per vertex more than that of the sources.
+   * These functions find paths between any two points of the surface, whatever the sources are.
+   * The search ends as soon as the distance is certain, and is led to the target by the straight
+   * line through space, unless faces have weights or lengths are not those of the mesh's points.
+   * It works in memory of its own, which takes 24 bytes per vertex more than that of the sources.
    *
    * They return the length of the path; it is negative, and nothing is written, if there is none.
    * The named parameters are those above and `maximum_distance`.
@@ -544,7 +548,7 @@ public:
     else
     {
       const double result =
-          search_pair(source, target, np).search().distance(m_translation.place(target));
+          search_pair(source, target, np).search().distance(m_translation.intrinsic_point(target));
       return std::isinf(result) ? -1 : result;
     }
   }
@@ -597,7 +601,7 @@ public:
   Point_3 point(const vertex_descriptor v) const { return get(m_point_map, v); }
 
   /// returns a point of the surface.
-  Point_3 point(const Surface_point& p) const { return point(m_translation.place(p)); }
+  Point_3 point(const Surface_point& p) const { return point(m_translation.intrinsic_point(p)); }
 
   /// @}
 
@@ -636,13 +640,15 @@ public:
    *
    * A location next to a corner or a side of its face is moved onto that: barycentric coordinates
    * of at most `tolerance` are set to zero. What is returned is where paths from there start, to
-   * the last bit. The face is `boost::graph_traits<Triangle_mesh>::%null_face()` if the mesh has no
-   * faces, or the ray does not meet any.
+   * the last bit. The face is `boost::graph_traits<Triangle_mesh>::%null_face()` if the mesh has
+   * no faces, or the ray does not meet any.
    *
    * Those functions that are given no tree build one, of the mesh's own points. There are static
    * versions, which take the mesh and a vertex point map as arguments before the tolerance. Where
    * faces have no area, \cgal's tree may refuse a ray; and where squared coordinates do not fit a
    * `double`, it cannot find nearest points.
+   *
+   * Programs that call these functions include `CGAL/AABB_tree.h`, which this header does not.
    *
    * \tparam AABBTraits a model of `AABBTraits` for the faces of the mesh
    */
@@ -792,7 +798,8 @@ private:
                             const NamedParameters& np,
                             F f)
   {
-    const Path path = search_pair(source, target, np).find_path(m_translation.place(target), np);
+    const Path path =
+        search_pair(source, target, np).find_path(m_translation.intrinsic_point(target), np);
     std::for_each(path.points.rbegin(), path.points.rend(), f);
     return path.points.empty() ? -1 : path.length;
   }
@@ -833,7 +840,7 @@ private:
 
   const Triangle_mesh& m_mesh;
   Graph m_graph;
-  const Translation m_translation;
+  Translation m_translation;
   const Point_function m_point_map;
   Mesh_search m_search;
   std::unique_ptr<Pair_search> m_pair_search; // made when first needed

@@ -186,7 +186,7 @@ TEST(Barriers, keep_in_what_they_enclose)
   paths.add_source_point(at(0, 0));
   EXPECT_LT(paths.shortest_distance_to_source_points(at(6, 5)).first, 0);
   std::vector<Point> points;
-  EXPECT_EQ(CGAL::approximate_geodesic_path(mesh, at(0, 0), at(6, 5), std::back_inserter(points),
+  EXPECT_EQ(CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), at(0, 0), at(6, 5),
                                             with_barriers(barriers).number_of_points_per_edge(2)),
             infinity);
   EXPECT_TRUE(points.empty());
@@ -327,7 +327,7 @@ TEST(Barriers, do_not_divide_vertices_that_have_none)
   Barriers barriers(mesh.num_edges());
   barriers[mesh.edge(mesh.halfedge(p, q)).idx()] = true;
   std::vector<Point> points;
-  EXPECT_NEAR(CGAL::approximate_geodesic_path(mesh, a, d, std::back_inserter(points),
+  EXPECT_NEAR(CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), a, d,
                                               with_barriers(barriers).number_of_points_per_edge(2)),
               2, 1e-12);
 }

@@ -219,7 +219,7 @@ TEST(Bad_weights, are_refused_by_name_of_the_face)
     EXPECT_EQ(distances, std::vector<double>(mesh.num_vertices(), 7));
     expect_refusal([&] {
       std::vector<Point> points;
-      CGAL::approximate_geodesic_path(mesh, Vertex(0), Vertex(1), std::back_inserter(points),
+      CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
                                       with_weights(weights));
     });
     using Paths = AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<>>;

@@ -154,7 +154,7 @@ TEST(Bad_parameters, are_refused)
     expect_message<std::invalid_argument>(
         [&] {
           std::vector<Point> points;
-          CGAL::approximate_geodesic_path(mesh, Vertex(0), Vertex(1), std::back_inserter(points),
+          CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
                                           with_weights(weights).epsilon(e));
         },
         "epsilon");

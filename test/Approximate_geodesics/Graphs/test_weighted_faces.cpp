@@ -305,7 +305,7 @@ TEST(Weighted_faces, have_their_inside_unreachable_if_forbidden_ones_surround_it
     std::vector<Point> points;
     paths.shortest_path_points_to_source_points(inside, std::back_inserter(points));
     EXPECT_TRUE(points.empty());
-    EXPECT_EQ(CGAL::approximate_geodesic_path(mesh, outside, inside, std::back_inserter(points),
+    EXPECT_EQ(CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), outside, inside,
                                               with_weights(weights).epsilon(0.2)),
               infinity);
     EXPECT_TRUE(points.empty());

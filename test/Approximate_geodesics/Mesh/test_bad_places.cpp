@@ -69,12 +69,12 @@ protected:
     expect_rejection([&] { CGAL::approximate_geodesic_distances(m_mesh, map, list); }, texts...);
     expect_rejection(
         [&] {
-          CGAL::approximate_geodesic_path(m_mesh, bad, Vertex(1), std::back_inserter(points));
+          CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), bad, Vertex(1));
         },
         texts...);
     expect_rejection(
         [&] {
-          CGAL::approximate_geodesic_path(m_mesh, Vertex(1), bad, std::back_inserter(points));
+          CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), Vertex(1), bad);
         },
         texts...);
     EXPECT_EQ(distances, std::vector<double>(m_mesh.num_vertices(), -5));
@@ -86,8 +86,9 @@ protected:
 
 TEST_F(Bad_place, in_a_face_that_the_mesh_has_not)
 {
-  for(const Face bad : {Mesh::null_face(), Face(50), Face(1000)})
-    expect_rejected({bad, {0.2, 0.3, 0.5}}, "the face is not one of the mesh");
+  expect_rejected({Mesh::null_face(), {0.2, 0.3, 0.5}}, "the null face is not one of the mesh");
+  expect_rejected({Face(50), {0.2, 0.3, 0.5}}, "face 50 is not one of the mesh");
+  expect_rejected({Face(1000), {0.2, 0.3, 0.5}}, "face 1000 is not one of the mesh");
 }
 
 TEST_F(Bad_place, in_a_face_that_was_removed)
@@ -98,7 +99,8 @@ TEST_F(Bad_place, in_a_face_that_was_removed)
     m_mesh = to_mesh(flat_grid(6, 6));
     CGAL::Euler::remove_face(m_mesh.halfedge(bad), m_mesh);
     ASSERT_TRUE(m_mesh.is_removed(bad));
-    expect_rejected({bad, {0.2, 0.3, 0.5}}, "the face is not one of the mesh");
+    expect_rejected({bad, {0.2, 0.3, 0.5}},
+                    "face " + std::to_string(bad.idx()) + " is not one of the mesh");
   }
 }
 
@@ -125,9 +127,9 @@ TEST_F(Bad_place, on_no_part_of_a_halfedge)
     expect_rejection([&] { paths.add_source_point(Edge_location(Halfedge(3), bad)); },
                      "part of the way along a halfedge");
   expect_rejection([&] { paths.add_source_point(Edge_location(Mesh::null_halfedge(), 0.5)); },
-                   "the halfedge is not one of the mesh");
+                   "the null halfedge is not one of the mesh");
   expect_rejection([&] { paths.add_source_point(Edge_location(Halfedge(10000), 0.5)); },
-                   "the halfedge is not one of the mesh");
+                   "halfedge 10000 is not one of the mesh");
   for(const double end : {0., 1.})
     EXPECT_NO_THROW(paths.add_source_point(Edge_location(Halfedge(3), end)));
 }

@@ -44,8 +44,8 @@ TYPED_TEST(Kernels, have_points_where_paths_cross_edges)
   const Copied_mesh<Kernel_mesh> copy(to_mesh(flat_grid(8, 5)));
   std::vector<typename TypeParam::Point_3> points;
   const double distance =
-      CGAL::approximate_geodesic_path(copy.mesh, copy.vertices[0], copy.vertices[4 * 8 + 3],
-                                      std::back_inserter(points), parameters::epsilon(1e-5));
+      CGAL::approximate_geodesic_path(copy.mesh, std::back_inserter(points), copy.vertices[0],
+                                      copy.vertices[4 * 8 + 3], parameters::epsilon(1e-5));
   EXPECT_NEAR(distance, 5, 1e-9);
   ASSERT_GT(points.size(), 4u);
   for(const auto& p : points)
@@ -188,7 +188,7 @@ TEST(Points, may_be_of_any_type)
   const std::vector<double> lengths = {1, 1, 5}; // of ab, bc and ca
   const auto map = boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh));
   std::vector<Name> points;
-  EXPECT_EQ(CGAL::approximate_geodesic_path(mesh, a, c, std::back_inserter(points),
+  EXPECT_EQ(CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), a, c,
                                             parameters::edge_length_map(map)),
             2);
   ASSERT_EQ(points.size(), 3u);

@@ -136,7 +136,7 @@ TEST(Paths_across_faces, are_straight_in_the_plane)
   const Mesh mesh = to_mesh(flat_grid(12, 12));
   std::vector<Point> points;
   const double distance = CGAL::approximate_geodesic_path(
-      mesh, Vertex(0), Vertex(5 * 12 + 3), std::back_inserter(points), epsilon(1e-6));
+      mesh, std::back_inserter(points), Vertex(0), Vertex(5 * 12 + 3), epsilon(1e-6));
   EXPECT_NEAR(distance, std::sqrt(34.), 1e-9);
   EXPECT_GT(points.size(), 5u); // an edge at least for every unit
   for(const Point& p : points)
@@ -167,7 +167,7 @@ TEST(Functions_with_epsilon, agree_and_keep_their_bound)
         continue;
       std::vector<Point> points;
       const double to_v =
-          CGAL::approximate_geodesic_path(mesh, source, v, std::back_inserter(points), epsilon(e));
+          CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), source, v, epsilon(e));
       EXPECT_NEAR(to_v, found[v.idx()], found[v.idx()] * e);
       EXPECT_NEAR(length_of(points), to_v, to_v * 1e-10);
       EXPECT_EQ(points.front(), mesh.point(source));

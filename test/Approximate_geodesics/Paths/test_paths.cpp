@@ -125,7 +125,7 @@ TEST(Function, finds_paths_of_the_length_it_says)
       const Vertex source = random_vertex(mesh, random), target = random_vertex(mesh, random);
       std::vector<Point> points;
       const double distance = CGAL::approximate_geodesic_path(
-          mesh, source, target, std::back_inserter(points),
+          mesh, std::back_inserter(points), source, target,
           parameters::edge_length_map(length_map).vertex_point_map(label_map));
       EXPECT_EQ(distance, boost_distances(mesh, lengths, source)[target.idx()]);
       EXPECT_EQ(points.empty(), distance == infinity);
@@ -148,7 +148,7 @@ TEST(Function, gives_one_point_or_none)
   std::vector<Point> points;
   const auto path = [&](const Vertex source, const Vertex target, const auto& np) {
     points.clear();
-    return CGAL::approximate_geodesic_path(mesh, source, target, std::back_inserter(points), np);
+    return CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), source, target, np);
   };
   EXPECT_EQ(path(Vertex(5), Vertex(5), parameters::default_values()), 0);
   EXPECT_EQ(points, std::vector<Point>{mesh.point(Vertex(5))});

@@ -11,7 +11,7 @@
 #include "oracles/exact_distances.h"
 #include "oracles/straight_lines.h"
 
-#include <CGAL/Approximate_geodesics/Queries/refined_geodesic_path.h>
+#include <CGAL/Approximate_geodesics/Queries/refined_path.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -89,7 +89,7 @@ TEST(Weighted_paths, cost_what_they_say)
     const Vertex target = random_vertex(mesh, random);
     std::vector<Point> points, backward;
     const double cost =
-        CGAL::approximate_geodesic_path(mesh, source, target, std::back_inserter(points),
+        CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), source, target,
                                         with_weights(weights).number_of_points_per_edge(m));
     const double expected =
         paths.shortest_path_points_to_source_points(target, std::back_inserter(backward)).first;
@@ -157,10 +157,9 @@ TEST(Refined_path, is_close_to_the_exact_one)
     {
       const Vertex target = random_vertex(mesh, random);
       std::vector<Point> points, coarse;
-      const double length =
-          CGAL::refined_geodesic_path(mesh, source, target, std::back_inserter(points));
+      const double length = AG::refined_path(mesh, std::back_inserter(points), source, target);
       const double coarse_length =
-          CGAL::approximate_geodesic_path(mesh, source, target, std::back_inserter(coarse),
+          CGAL::approximate_geodesic_path(mesh, std::back_inserter(coarse), source, target,
                                           parameters::number_of_points_per_edge(3));
       const double d = exact[target.idx()];
       EXPECT_GE(length, d * (1 - 1e-12)) << name;
@@ -183,9 +182,9 @@ TEST(Refined_path, gets_shorter_with_the_tolerance)
   for(const double tolerance : {1., 1e-2, 1e-4, 1e-6})
   {
     std::vector<Point> points;
-    lengths.push_back(CGAL::refined_geodesic_path(
-        mesh, source, target, std::back_inserter(points),
-        parameters::relative_tolerance(tolerance).number_of_points_per_edge(1)));
+    lengths.push_back(
+        AG::refined_path(mesh, std::back_inserter(points), source, target,
+                         parameters::relative_tolerance(tolerance).number_of_points_per_edge(1)));
     EXPECT_LE(lengths.back(), last);
     last = lengths.back();
   }
@@ -215,8 +214,8 @@ TEST(Refined_path, is_refracted)
       low = a;
   }
   std::vector<Point> points;
-  const double found = CGAL::refined_geodesic_path(
-      mesh, Vertex(0), Vertex(120), std::back_inserter(points),
+  const double found = AG::refined_path(
+      mesh, std::back_inserter(points), Vertex(0), Vertex(120),
       parameters::face_weight_map(boost::make_assoc_property_map(weight)).relative_tolerance(1e-7));
   EXPECT_GE(found, cost(low) * (1 - 1e-12));
   EXPECT_LE(found, cost(low) * (1 + 1e-6));
@@ -228,10 +227,10 @@ TEST(Refined_path, is_a_point_or_nothing_in_the_extreme)
   const Mesh mesh = to_mesh(scattered_parts(random));
   std::vector<Point> points;
   const Vertex v(10), isolated(0);
-  EXPECT_EQ(CGAL::refined_geodesic_path(mesh, v, v, std::back_inserter(points)), 0);
+  EXPECT_EQ(AG::refined_path(mesh, std::back_inserter(points), v, v), 0);
   EXPECT_EQ(points, std::vector<Point>{mesh.point(v)});
   points.clear();
-  EXPECT_EQ(CGAL::refined_geodesic_path(mesh, v, isolated, std::back_inserter(points)), infinity);
+  EXPECT_EQ(AG::refined_path(mesh, std::back_inserter(points), v, isolated), infinity);
   EXPECT_TRUE(points.empty());
 }
 
@@ -242,8 +241,8 @@ TEST(Refined_path, needs_a_sensible_tolerance)
   for(const double tolerance : {-1., std::nan("")})
     expect_message<std::invalid_argument>(
         [&] {
-          CGAL::refined_geodesic_path(mesh, Vertex(0), Vertex(8), std::back_inserter(points),
-                                      parameters::relative_tolerance(tolerance));
+          AG::refined_path(mesh, std::back_inserter(points), Vertex(0), Vertex(8),
+                           parameters::relative_tolerance(tolerance));
         },
         "tolerance");
   EXPECT_TRUE(points.empty());

@@ -35,8 +35,8 @@ using namespace geodesics_test;
 double bounded_distance(const Mesh& mesh, const Point& from, const Point& to, const double epsilon)
 {
   std::vector<Point> points;
-  return CGAL::approximate_geodesic_path(mesh, location_at(mesh, from), location_at(mesh, to),
-                                         std::back_inserter(points), parameters::epsilon(epsilon));
+  return CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), location_at(mesh, from),
+                                         location_at(mesh, to), parameters::epsilon(epsilon));
 }
 
 // ----- unfolded
@@ -53,7 +53,7 @@ TEST(Surface_paths, are_straight_in_the_plane)
     for(const double epsilon : {0.1, 1e-3})
     {
       std::vector<Point> points;
-      const double found = CGAL::approximate_geodesic_path(mesh, p, q, std::back_inserter(points),
+      const double found = CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), p, q,
                                                            parameters::epsilon(epsilon));
       EXPECT_GE(found, straight * (1 - rounding) - 1e-15);
       EXPECT_LE(found, straight * (1 + epsilon) + 1e-15);
@@ -207,8 +207,8 @@ TEST(Surface_paths, leave_costly_faces_soon)
   for(const double epsilon : {0.5, 0.1, 0.01})
   {
     std::vector<Point> points;
-    const double found = CGAL::approximate_geodesic_path(mesh, source, location_at(mesh, corner),
-                                                         std::back_inserter(points),
+    const double found = CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), source,
+                                                         location_at(mesh, corner),
                                                          with_weights(weights).epsilon(epsilon));
     EXPECT_GE(found, expected * (1 - 1e-8));
     EXPECT_LE(found, expected * (1 + epsilon));

@@ -14,6 +14,7 @@
 
 #include <iterator>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 // What a search refuses.
@@ -49,6 +50,12 @@ protected:
     }
   }
 
+  std::string message_about(const Vertex v) const
+  {
+    return (v == m_null ? "the null vertex" : "vertex " + std::to_string(v.idx())) +
+           " is not one of the mesh";
+  }
+
   static Mesh make_mesh()
   {
     Mesh result = to_mesh(flat_grid(6, 6));
@@ -70,21 +77,21 @@ TEST_F(Bad_query, vertices_that_the_mesh_has_not)
   std::vector<Point> points;
   for(const Vertex bad : {m_null, m_foreign, m_removed})
   {
+    const std::string message = message_about(bad);
     const std::vector<Vertex> list = {Vertex(0), bad};
-    expect_rejection([&] { distances(bad); }, "not one of the mesh");
-    expect_rejection([&] { distances(list); }, "not one of the mesh");
-    expect_rejection([&] { distances(Vertex(0), parameters::targets(list)); },
-                     "not one of the mesh");
+    expect_rejection([&] { distances(bad); }, message);
+    expect_rejection([&] { distances(list); }, message);
+    expect_rejection([&] { distances(Vertex(0), parameters::targets(list)); }, message);
     expect_rejection(
         [&] {
-          CGAL::approximate_geodesic_path(m_mesh, bad, Vertex(0), std::back_inserter(points));
+          CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), bad, Vertex(0));
         },
-        "not one of the mesh");
+        message);
     expect_rejection(
         [&] {
-          CGAL::approximate_geodesic_path(m_mesh, Vertex(0), bad, std::back_inserter(points));
+          CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), Vertex(0), bad);
         },
-        "not one of the mesh");
+        message);
   }
   EXPECT_TRUE(points.empty());
 }
@@ -96,14 +103,15 @@ TEST_F(Bad_query, vertices_given_to_the_class)
   std::vector<Point> points;
   for(const Vertex bad : {m_null, m_foreign, m_removed})
   {
+    const std::string message = message_about(bad);
     const std::vector<Vertex> list = {bad};
-    expect_rejection([&] { paths.add_source_point(bad); }, "not one of the mesh");
-    expect_rejection([&] { paths.shortest_distance_to_source_points(bad); }, "not one of");
+    expect_rejection([&] { paths.add_source_point(bad); }, message);
+    expect_rejection([&] { paths.shortest_distance_to_source_points(bad); }, message);
     expect_rejection(
         [&] { paths.shortest_path_points_to_source_points(bad, std::back_inserter(points)); },
-        "not one of the mesh");
-    expect_rejection([&] { paths.build_sequence_tree(parameters::targets(list)); }, "not one of");
-    expect_rejection([&] { paths.node(bad); }, "not one of the mesh");
+        message);
+    expect_rejection([&] { paths.build_sequence_tree(parameters::targets(list)); }, message);
+    expect_rejection([&] { paths.node(bad); }, message);
   }
   EXPECT_EQ(paths.number_of_source_points(), 1u); // usable as if nothing had been tried
   EXPECT_EQ(paths.shortest_distance_to_source_points(Vertex(5)).first, 2);

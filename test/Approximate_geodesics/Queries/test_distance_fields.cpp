@@ -115,9 +115,9 @@ TYPED_TEST(Steep_gradient, is_right_if_it_fits_a_double)
   CGAL::make_triangle(MeshPoint(0, 0, 0), MeshPoint(4e10, 0, 0), MeshPoint(0, 4e10, 0), mesh);
   std::vector<double> values = {-1.5e308, 1.5e308, -1.5e308};
   std::vector<Vector_3> result(1);
-  CGAL::geodesic_gradient(
-      mesh, boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh)),
-      boost::make_iterator_property_map(result.begin(), get(boost::face_index, mesh)));
+  AG::gradient(mesh,
+               boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh)),
+               boost::make_iterator_property_map(result.begin(), get(boost::face_index, mesh)));
   EXPECT_NEAR(CGAL::to_double(result[0].x()) / 7.5e297, 1, 1e-12);
   EXPECT_EQ(result[0].y(), 0);
 }
@@ -196,17 +196,16 @@ std::vector<double> everything(const AnyMesh& mesh)
 {
   using Graph_traits = boost::graph_traits<AnyMesh>;
   std::vector<typename Graph_traits::vertex_descriptor> points;
-  const double radius = CGAL::farthest_point_sampling(mesh, 6, std::back_inserter(points));
+  const double radius = AG::farthest_point_sampling(mesh, std::back_inserter(points), 6);
   std::map<typename Graph_traits::vertex_descriptor, double> distance;
   std::map<typename Graph_traits::face_descriptor, int> cell;
   std::map<typename Graph_traits::face_descriptor, Vector> gradient;
   const auto distances = boost::make_assoc_property_map(distance);
   CGAL::approximate_geodesic_distances(mesh, distances, points);
-  CGAL::geodesic_voronoi_partition(mesh, points, boost::make_assoc_property_map(cell));
-  CGAL::geodesic_gradient(mesh, distances, boost::make_assoc_property_map(gradient));
+  AG::voronoi_partition(mesh, boost::make_assoc_property_map(cell), points);
+  AG::gradient(mesh, distances, boost::make_assoc_property_map(gradient));
   std::vector<Polyline> lines;
-  CGAL::geodesic_isolines(mesh, distances, std::array<float, 2>{0.25, 0.5},
-                          std::back_inserter(lines));
+  AG::isolines(mesh, distances, std::array<float, 2>{0.25, 0.5}, std::back_inserter(lines));
 
   std::vector<double> result = {radius, double(lines.size()), length(lines)};
   for(const auto v : points)
@@ -258,10 +257,10 @@ TEST(Distance_fields, are_exact_with_an_exact_kernel)
                 mesh.add_vertex(Exact_point(0, 7, 1)));
   const auto x = at_vertices([&](const Vertex v) { return CGAL::to_double(mesh.point(v).x()); });
   std::map<Face, Exact_vector> gradient;
-  CGAL::geodesic_gradient(mesh, x, boost::make_assoc_property_map(gradient));
+  AG::gradient(mesh, x, boost::make_assoc_property_map(gradient));
   EXPECT_EQ(gradient.at(Face(0)), Exact_vector(1, 0, 0));
   std::vector<std::vector<Exact_point>> lines;
-  CGAL::geodesic_isolines(mesh, x, std::vector<double>{1.5}, std::back_inserter(lines));
+  AG::isolines(mesh, x, std::vector<double>{1.5}, std::back_inserter(lines));
   const std::vector<Exact_point> expected = {Exact_point(1.5, 0, 0), Exact_point(1.5, 3.5, 0.5)};
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0], expected);
@@ -274,12 +273,12 @@ TEST(Distance_fields, take_points_from_a_map)
   const auto doubled = boost::make_function_property_map<Vertex>(
       [&](const Vertex v) { return CGAL::ORIGIN + 2 * (mesh.point(v) - CGAL::ORIGIN); });
   std::map<Face, Vector> gradient;
-  CGAL::geodesic_gradient(mesh, x, boost::make_assoc_property_map(gradient),
-                          parameters::vertex_point_map(doubled).geom_traits(Kernel()));
+  AG::gradient(mesh, x, boost::make_assoc_property_map(gradient),
+               parameters::vertex_point_map(doubled).geom_traits(Kernel()));
   EXPECT_EQ(gradient.at(Face(0)), Vector(0.5, 0, 0));
   std::vector<Polyline> lines;
-  CGAL::geodesic_isolines(mesh, x, std::vector<int>{1}, std::back_inserter(lines),
-                          parameters::vertex_point_map(doubled).geom_traits(Kernel()));
+  AG::isolines(mesh, x, std::vector<int>{1}, std::back_inserter(lines),
+               parameters::vertex_point_map(doubled).geom_traits(Kernel()));
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0], Polyline({Point(2, 0, 0), Point(2, 2, 0)}));
 }
@@ -300,8 +299,11 @@ TEST(Distance_fields, refuse_sources_that_are_not_vertices)
 {
   const Mesh mesh = to_mesh(flat_grid(3, 2));
   const std::vector<Vertex> wrong = {Vertex(0), Vertex(6)};
-  expect_message<std::invalid_argument>([&] { partition(mesh, wrong); }, "not one of the mesh");
-  expect_message<std::invalid_argument>([&] { sample(mesh, wrong, 3); }, "not one of the mesh");
+  const char* message = "vertex 6 is not one of the mesh";
+  expect_message<std::invalid_argument>([&] { partition(mesh, wrong); }, message);
+  expect_message<std::invalid_argument>([&] { sample(mesh, wrong, 3); }, message);
+  expect_message<std::invalid_argument>([&] { sample(mesh, {Mesh::null_vertex()}, 3); },
+                                        "the null vertex is not one of the mesh");
 }
 
 } // namespace

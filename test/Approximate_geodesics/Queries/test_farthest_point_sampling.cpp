@@ -4,16 +4,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "checks/distance_fields.h"
+#include "checks/expect_message.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 // Points as far as possible from those before.
@@ -60,7 +63,6 @@ TEST(Farthest_point_sampling, is_the_same_as_from_scratch)
   for(const auto& [name, mesh] : generated_meshes(test_seed()))
   {
     SCOPED_TRACE(name);
-    namespace AG = CGAL::Approximate_geodesics;
     expect_sample_from_scratch<AG::Edge_graph>(mesh);
     expect_sample_from_scratch<AG::Discrete_geodesic_graph>(mesh, parameters::epsilon(0.2));
     expect_sample_from_scratch<AG::Steiner_graph<AG::Fixed_number_of_points>>(
@@ -68,7 +70,7 @@ TEST(Farthest_point_sampling, is_the_same_as_from_scratch)
   }
 }
 
-// A hexagon with its centre, all of whose edges have length 1.
+// A hexagon with its center, all of whose edges have length 1.
 TEST(Farthest_point_sampling, chooses_the_first_of_those_that_are_equally_far)
 {
   const Mesh mesh = to_mesh(fan(6));
@@ -116,20 +118,47 @@ TEST(Farthest_point_sampling, gives_every_part_a_point_first)
   EXPECT_EQ(sample(mesh, {last, Vertex(0)}, 2).points, std::vector<Vertex>({Vertex(1), Vertex(2)}));
 }
 
-TEST(Farthest_point_sampling, can_do_without_sources_and_with_another_queue)
+TEST(Farthest_point_sampling, takes_no_source_or_one_or_a_range_and_returns_the_radius)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(20, 20, random));
-  const Sample expected = sample(mesh, {}, 50);
-  std::vector<Vertex> same, with_heap, from_vertex;
-  EXPECT_EQ(CGAL::farthest_point_sampling(mesh, 50, std::back_inserter(same)), expected.radius);
+  const auto np = parameters::epsilon(0.3);
+  const Sample expected = sample(mesh, {}, 50), across_faces = sample(mesh, {}, 50, np);
+  std::vector<Vertex> same, same_across_faces, from_vertex, from_vertex_across_faces;
+  EXPECT_EQ(AG::farthest_point_sampling(mesh, std::back_inserter(same), 50), expected.radius);
   EXPECT_EQ(same, expected.points);
-  using Queue = CGAL::Approximate_geodesics::Binary_heap_queue;
-  EXPECT_EQ(CGAL::farthest_point_sampling<Queue>(mesh, 50, std::back_inserter(with_heap)),
+  EXPECT_EQ(AG::farthest_point_sampling(mesh, std::back_inserter(same_across_faces), 50, np),
+            across_faces.radius);
+  EXPECT_EQ(same_across_faces, across_faces.points);
+  EXPECT_EQ(AG::farthest_point_sampling(mesh, std::back_inserter(from_vertex), 49, Vertex(0)),
             expected.radius);
-  EXPECT_EQ(with_heap, expected.points);
-  CGAL::farthest_point_sampling(mesh, Vertex(0), 49, std::back_inserter(from_vertex));
   EXPECT_TRUE(std::equal(from_vertex.begin(), from_vertex.end(), expected.points.begin() + 1));
+  EXPECT_EQ(AG::farthest_point_sampling(mesh, std::back_inserter(from_vertex_across_faces), 49,
+                                        Vertex(0), np),
+            across_faces.radius);
+  EXPECT_EQ(from_vertex_across_faces.size(), 49u);
+  EXPECT_TRUE(std::equal(from_vertex_across_faces.begin(), from_vertex_across_faces.end(),
+                         across_faces.points.begin() + 1));
+}
+
+TEST(Farthest_point_sampling, takes_numbers_of_any_type_but_no_negative_one)
+{
+  const Mesh mesh = to_mesh(fan(6));
+  std::vector<Vertex> points;
+  const auto number_of_points = [&](const auto number) {
+    points.clear();
+    AG::farthest_point_sampling(mesh, std::back_inserter(points), number);
+    return points.size();
+  };
+  EXPECT_EQ(number_of_points(0), 0u);
+  EXPECT_EQ(number_of_points(std::size_t(2)), 2u);
+  EXPECT_EQ(number_of_points(short(3)), 3u);
+  EXPECT_EQ(number_of_points(1000000), 7u); // of all vertices
+  EXPECT_EQ(number_of_points((std::numeric_limits<std::size_t>::max)()), 7u);
+  for(const int number : {-1, (std::numeric_limits<int>::min)()})
+    expect_message<std::invalid_argument>([&] { number_of_points(number); }, "number of points",
+                                          std::to_string(number), "not be negative");
+  EXPECT_TRUE(points.empty());
 }
 
 } // namespace

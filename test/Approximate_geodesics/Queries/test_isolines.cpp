@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "checks/distance_fields.h"
+#include "checks/expect_message.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <stdexcept>
 #include <vector>
 
 // Lines where a function has given values.
@@ -131,6 +134,31 @@ TEST(Isolines, end_where_vertices_were_not_reached)
   EXPECT_EQ(lines[0].back(), Point(1.5, 6, 0));
   const auto none = at_vertices([](Vertex) { return std::nan(""); });
   EXPECT_TRUE(isolines(mesh, none, {0, 1}).empty());
+}
+
+TEST(Isolines, need_values_that_are_numbers)
+{
+  const Mesh mesh = to_mesh(flat_grid(3, 2));
+  const auto x = at_points(mesh, [](const Point& p) { return p.x(); });
+  std::vector<Polyline> lines;
+  for(const double nan : {std::nan(""), -std::nan("")})
+    expect_message<std::invalid_argument>(
+        [&] {
+          AG::isolines(mesh, x, std::vector<double>{0.5, infinity, nan, nan},
+                       std::back_inserter(lines));
+        },
+        "isovalue 2", "not a number");
+  EXPECT_TRUE(lines.empty());
+}
+
+TEST(Isolines, return_the_iterator)
+{
+  const Mesh mesh = to_mesh(flat_grid(3, 2));
+  const auto x = at_points(mesh, [](const Point& p) { return p.x(); });
+  std::array<Polyline, 3> lines;
+  const auto last = AG::isolines(mesh, x, std::array<double, 2>{0.5, 1.5}, lines.begin());
+  EXPECT_EQ(last - lines.begin(), 2);
+  EXPECT_EQ(AG::isolines(mesh, x, std::array<double, 0>(), last) - lines.begin(), 2);
 }
 
 } // namespace

@@ -106,7 +106,7 @@ void expect_same_paths(const Mesh& mesh, Random& random, const NamedParameters& 
     const double expected = paths.shortest_distance_to_source_points(target).first;
     std::vector<Point> points;
     const double found =
-        CGAL::approximate_geodesic_path(mesh, source, target, std::back_inserter(points), np);
+        CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), source, target, np);
     EXPECT_EQ(points.empty(), expected < 0);
     if(expected < 0)
     {
@@ -201,9 +201,9 @@ TEST(Surface_functions, find_a_path_from_several_places)
   const std::vector<Surface_point> sources = {location_at(mesh, Point(1.3, 1.2, 0)),
                                               location_at(mesh, Point(6.5, 5.25, 0)), Vertex(80)};
   std::vector<Point> points;
-  const double found =
-      CGAL::approximate_geodesic_path(mesh, sources, location_at(mesh, Point(5, 4.5, 0)),
-                                      std::back_inserter(points), parameters::epsilon(0.01));
+  const double found = CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), sources,
+                                                       location_at(mesh, Point(5, 4.5, 0)),
+                                                       parameters::epsilon(0.01));
   const double straight = std::hypot(1.5, 0.75);
   EXPECT_GE(found, straight * (1 - 1e-12));
   EXPECT_LE(found, straight * 1.01);

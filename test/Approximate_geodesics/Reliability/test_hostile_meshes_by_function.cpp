@@ -10,7 +10,7 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Approximate_geodesics/Queries/refined_geodesic_path.h>
+#include <CGAL/Approximate_geodesics/Queries/refined_path.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -94,7 +94,7 @@ Entry_point path_with(const std::string& name, const NamedParameters&... np)
   return {name,
           [=](const Mesh& mesh, std::size_t& number) {
             const Vertex source = *mesh.vertices().begin();
-            CGAL::approximate_geodesic_path(mesh, source, source, counting_iterator(number), np...);
+            CGAL::approximate_geodesic_path(mesh, counting_iterator(number), source, source, np...);
           },
           sizeof...(np) > 0};
 }
@@ -115,21 +115,21 @@ std::vector<Entry_point> entry_points()
           {"refined path",
            [](const Mesh& mesh, std::size_t& number) {
              const Vertex source = *mesh.vertices().begin();
-             CGAL::refined_geodesic_path(mesh, source, source, counting_iterator(number));
+             AG::refined_path(mesh, counting_iterator(number), source, source);
            }},
           {"partition",
            [](const Mesh& mesh, std::size_t& number) {
-             CGAL::geodesic_voronoi_partition(mesh, std::vector<Vertex>{*mesh.vertices().begin()},
-                                              Counting_map<Face, int>{&number});
+             AG::voronoi_partition(mesh, Counting_map<Face, int>{&number},
+                                   std::vector<Vertex>{*mesh.vertices().begin()});
            },
            false},
           {"sampling along edges",
            [](const Mesh& mesh, std::size_t& number) {
-             CGAL::farthest_point_sampling(mesh, 3, counting_iterator(number));
+             AG::farthest_point_sampling(mesh, counting_iterator(number), 3);
            },
            false},
           {"sampling", [](const Mesh& mesh, std::size_t& number) {
-             CGAL::farthest_point_sampling(mesh, 3, counting_iterator(number), epsilon(0.1));
+             AG::farthest_point_sampling(mesh, counting_iterator(number), 3, epsilon(0.1));
            }}};
 }
 
@@ -178,12 +178,11 @@ TEST(Hostile_meshes, are_refused_by_functions_of_values_if_they_have_other_faces
     const auto values = at_vertices([](const Vertex v) { return double(v.idx()); });
     expect_message<std::invalid_argument>(
         [&] {
-          CGAL::geodesic_isolines(row.mesh, values, std::vector<double>{0.5},
-                                  counting_iterator(number));
+          AG::isolines(row.mesh, values, std::vector<double>{0.5}, counting_iterator(number));
         },
         "not a triangle");
     expect_message<std::invalid_argument>(
-        [&] { CGAL::geodesic_gradient(row.mesh, values, Counting_map<Face, Vector>{&number}); },
+        [&] { AG::gradient(row.mesh, values, Counting_map<Face, Vector>{&number}); },
         "not a triangle");
     EXPECT_EQ(number, 0u);
   }
@@ -226,8 +225,8 @@ void expect_paths(const Bound& bound, const NamedParameters&... np)
       {
         std::vector<Point> points;
         const auto source = std::get<Vertex>(p), target = std::get<Vertex>(q);
-        const double length = CGAL::approximate_geodesic_path(known.mesh, source, target,
-                                                              std::back_inserter(points), np...);
+        const double length = CGAL::approximate_geodesic_path(
+            known.mesh, std::back_inserter(points), source, target, np...);
         expect_length(or_minus_one(length), known, bound, p, q);
         ASSERT_EQ(points.empty(), length == infinity);
         if(points.empty())
@@ -259,8 +258,8 @@ TEST(Hostile_meshes, have_refined_paths)
       for(const Surface_point& q : some_vertices(known.mesh))
       {
         std::vector<Point> points;
-        const double length = CGAL::refined_geodesic_path(
-            known.mesh, std::get<Vertex>(p), std::get<Vertex>(q), std::back_inserter(points));
+        const double length = AG::refined_path(known.mesh, std::back_inserter(points),
+                                               std::get<Vertex>(p), std::get<Vertex>(q));
         expect_length(or_minus_one(length), known, {}, p, q);
         EXPECT_EQ(points.empty(), length == infinity);
       }

@@ -7,10 +7,10 @@
 #include "meshes/test_weights.h"
 
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_voronoi_partition.h>
-#include <CGAL/Approximate_geodesics/Queries/refined_geodesic_path.h>
+#include <CGAL/Approximate_geodesics/Queries/gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/refined_path.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 
@@ -27,6 +27,7 @@
 
 namespace {
 
+namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
 using Polylines = std::vector<std::vector<Point>>;
@@ -153,29 +154,29 @@ TEST_F(Interrupted_function, approximate_geodesic_distances)
 TEST_F(Interrupted_function, approximate_geodesic_path)
 {
   expect_survival_of([&](Results& r) {
-    CGAL::approximate_geodesic_path(m_mesh, Vertex(3), Vertex(60), std::back_inserter(r.points));
+    CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(r.points), Vertex(3), Vertex(60));
   });
   expect_survival_of([&](Results& r) {
-    CGAL::approximate_geodesic_path(m_mesh, Vertex(3), Vertex(60), std::back_inserter(r.points),
+    CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(r.points), Vertex(3), Vertex(60),
                                     parameters::epsilon(0.1).straighten(true));
   });
 }
 
-TEST_F(Interrupted_function, refined_geodesic_path)
+TEST_F(Interrupted_function, refined_path)
 {
   expect_survival_of([&](Results& r) {
-    CGAL::refined_geodesic_path(m_mesh, Vertex(3), Vertex(60), std::back_inserter(r.points));
+    AG::refined_path(m_mesh, std::back_inserter(r.points), Vertex(3), Vertex(60));
   });
 }
 
-TEST_F(Interrupted_function, geodesic_voronoi_partition)
+TEST_F(Interrupted_function, voronoi_partition)
 {
   expect_survival_of([&](Results& r) {
     const auto face_index_map = get(CGAL::face_index, m_mesh);
     const auto vertex_index_map = get(boost::vertex_index, m_mesh);
-    CGAL::geodesic_voronoi_partition(
-        m_mesh, m_sources,
-        boost::make_iterator_property_map(r.source_of_face.begin(), face_index_map),
+    AG::voronoi_partition(
+        m_mesh, boost::make_iterator_property_map(r.source_of_face.begin(), face_index_map),
+        m_sources,
         parameters::nearest_source_map(
             boost::make_iterator_property_map(r.source.begin(), vertex_index_map)));
   });
@@ -184,7 +185,7 @@ TEST_F(Interrupted_function, geodesic_voronoi_partition)
 TEST_F(Interrupted_function, farthest_point_sampling)
 {
   expect_survival_of([&](Results& r) {
-    CGAL::farthest_point_sampling(m_mesh, Vertex(3), 8, std::back_inserter(r.samples));
+    AG::farthest_point_sampling(m_mesh, std::back_inserter(r.samples), 8, Vertex(3));
   });
 }
 
@@ -193,13 +194,12 @@ TEST_F(Interrupted_function, on_a_field)
   Values field(m_mesh.num_vertices());
   CGAL::approximate_geodesic_distances(m_mesh, map(field), Vertex(3));
   expect_survival_of([&](Results& r) {
-    CGAL::geodesic_isolines(m_mesh, map(field), std::vector<double>{1, 2, 4},
-                            std::back_inserter(r.polylines));
+    AG::isolines(m_mesh, map(field), std::vector<double>{1, 2, 4}, std::back_inserter(r.polylines));
   });
   Results results(m_mesh);
   const auto gradient =
       boost::make_iterator_property_map(results.gradient.begin(), get(CGAL::face_index, m_mesh));
-  EXPECT_TRUE(needs_no_allocation([&] { CGAL::geodesic_gradient(m_mesh, map(field), gradient); }));
+  EXPECT_TRUE(needs_no_allocation([&] { AG::gradient(m_mesh, map(field), gradient); }));
 }
 
 } // namespace

@@ -295,9 +295,8 @@ TEST_F(Watched_function, can_be_cancelled_by_another_thread)
   });
   cancel([&](Cancelled_visitor& visitor) {
     std::vector<Point> points;
-    EXPECT_EQ(CGAL::approximate_geodesic_path(m_mesh, Vertex(3), Vertex(107),
-                                              std::back_inserter(points),
-                                              parameters::visitor(std::ref(visitor))),
+    EXPECT_EQ(CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), Vertex(3),
+                                              Vertex(107), parameters::visitor(std::ref(visitor))),
               infinity);
     EXPECT_TRUE(points.empty());
   });

@@ -8,8 +8,8 @@
 #include "meshes/test_weights.h"
 
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_voronoi_partition.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -192,9 +192,9 @@ TEST_F(Threads_with_a_mesh, may_find_paths_and_samples)
     std::vector<Point> points;
     std::vector<Vertex> samples;
     Values result = {
-        CGAL::approximate_geodesic_path(m_mesh, vertex(i), vertex(499), std::back_inserter(points),
+        CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), vertex(i), vertex(499),
                                         parameters::epsilon(0.1).straighten(true)),
-        CGAL::farthest_point_sampling(m_mesh, vertex(i), 5, std::back_inserter(samples))};
+        AG::farthest_point_sampling(m_mesh, std::back_inserter(samples), 5, vertex(i))};
     for(const Point& p : points)
       result.insert(result.end(), {p.x(), p.y(), p.z()});
     for(const Vertex v : samples)
@@ -210,12 +210,12 @@ TEST_F(Threads_with_a_mesh, may_evaluate_a_field)
   CGAL::approximate_geodesic_distances(m_mesh, field_map, vertex(3));
   expect_same_from_all_threads([&](const std::size_t i) {
     std::vector<std::vector<Point>> polylines;
-    CGAL::geodesic_isolines(m_mesh, field_map, std::vector<double>{3, 5 + double(i)},
-                            std::back_inserter(polylines));
+    AG::isolines(m_mesh, field_map, std::vector<double>{3, 5 + double(i)},
+                 std::back_inserter(polylines));
     Values result(m_mesh.number_of_faces());
-    CGAL::geodesic_voronoi_partition(
-        m_mesh, std::vector<Vertex>{vertex(0), vertex(30 * i + 60)},
-        boost::make_iterator_property_map(result.begin(), get(CGAL::face_index, m_mesh)));
+    AG::voronoi_partition(
+        m_mesh, boost::make_iterator_property_map(result.begin(), get(CGAL::face_index, m_mesh)),
+        std::vector<Vertex>{vertex(0), vertex(30 * i + 60)});
     for(const auto& polyline : polylines)
       for(const Point& p : polyline)
         result.insert(result.end(), {p.x(), p.y(), p.z()});

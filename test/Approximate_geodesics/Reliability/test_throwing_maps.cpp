@@ -7,8 +7,8 @@
 #include "meshes/test_weights.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -228,13 +228,13 @@ TEST_F(Impatient_maps, interrupt_paths_that_are_written)
 {
   const auto expect_first_points = [&](const auto& np) {
     std::vector<Point> points, all_points;
-    CGAL::approximate_geodesic_path(m_mesh, Vertex(3), Vertex(60), std::back_inserter(all_points),
+    CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(all_points), Vertex(3), Vertex(60),
                                     np);
     interrupt(
         [&] {
           points.clear();
           CGAL::approximate_geodesic_path(
-              m_mesh, Vertex(3), Vertex(60), std::back_inserter(points),
+              m_mesh, std::back_inserter(points), Vertex(3), Vertex(60),
               parameters::combine(np, parameters::vertex_point_map(point_map())));
         },
         [&](std::size_t) {
@@ -261,10 +261,9 @@ TEST_F(Impatient_maps_of_a_field, leave_the_first_gradients)
   const Vectors nothing(m_mesh.num_faces(), Kernel::Vector_3(9, 9, 9));
   Vectors gradients, all_gradients = nothing;
   const auto gradient = [&](Vectors& vectors) {
-    CGAL::geodesic_gradient(
-        m_mesh, map<Vertex>(m_field),
-        boost::make_iterator_property_map(vectors.begin(), get(CGAL::face_index, m_mesh)),
-        parameters::vertex_point_map(point_map()));
+    AG::gradient(m_mesh, map<Vertex>(m_field),
+                 boost::make_iterator_property_map(vectors.begin(), get(CGAL::face_index, m_mesh)),
+                 parameters::vertex_point_map(point_map()));
   };
   m_patience.set(1000000);
   gradient(all_gradients);
@@ -288,8 +287,8 @@ TEST_F(Impatient_maps_of_a_field, leave_whole_isolines)
   Polylines polylines, all_polylines;
   const auto isolines = [&](Polylines& result) {
     result.clear();
-    CGAL::geodesic_isolines(m_mesh, map<Vertex>(m_field), isovalues, std::back_inserter(result),
-                            parameters::vertex_point_map(point_map()));
+    AG::isolines(m_mesh, map<Vertex>(m_field), isovalues, std::back_inserter(result),
+                 parameters::vertex_point_map(point_map()));
   };
   m_patience.set(1000000);
   isolines(all_polylines);

@@ -291,8 +291,8 @@ void call_functions(const Mesh& mesh, Fuzzed_data& data, const NamedParameters& 
   for(const double distance : distances)
     require(distance >= 0, "a distance is negative or not a number", distance);
   std::vector<Point> points;
-  const double length = CGAL::approximate_geodesic_path(mesh, sources.front(), sources.back(),
-                                                        std::back_inserter(points), np);
+  const double length = CGAL::approximate_geodesic_path(mesh, std::back_inserter(points),
+                                                        sources.front(), sources.back(), np);
   require(points.empty() == (length < 0 || length == infinity), "a path is missing", length);
   CGAL::approximate_geodesic_distances(mesh, map, sources, parameters::initial_distances(initial));
   for(const double distance : distances)
@@ -304,18 +304,17 @@ void call_functions_of_fields(const Mesh& mesh, Fuzzed_data& data)
 {
   std::vector<double> field = fuzzed_numbers(data, mesh.num_vertices());
   const auto map = boost::make_iterator_property_map(field.begin(), get(boost::vertex_index, mesh));
-  std::vector<std::vector<Point>> lines;
-  CGAL::geodesic_isolines(mesh, map, fuzzed_numbers(data, data.below(4)),
-                          std::back_inserter(lines));
-  for(const std::vector<Point>& line : lines)
-    for(const Point& p : line)
-      require(std::isfinite(p.x() + p.y() + p.z()), "an isoline leaves the mesh");
   std::vector<Kernel::Vector_3> gradient(mesh.num_faces());
-  CGAL::geodesic_gradient(
-      mesh, map, boost::make_iterator_property_map(gradient.begin(), get(boost::face_index, mesh)));
+  AG::gradient(mesh, map,
+               boost::make_iterator_property_map(gradient.begin(), get(boost::face_index, mesh)));
   for(const Kernel::Vector_3& g : gradient)
     for(int i = 0; i < 3; ++i)
       require(std::isfinite(g[i]), "a gradient is not finite");
+  std::vector<std::vector<Point>> lines;
+  AG::isolines(mesh, map, fuzzed_numbers(data, data.below(4)), std::back_inserter(lines));
+  for(const std::vector<Point>& line : lines)
+    for(const Point& p : line)
+      require(std::isfinite(p.x() + p.y() + p.z()), "an isoline leaves the mesh");
 }
 
 void call_functions_of_vertices(const Mesh& mesh, Fuzzed_data& data)
@@ -326,16 +325,16 @@ void call_functions_of_vertices(const Mesh& mesh, Fuzzed_data& data)
   std::vector<std::size_t> cells(mesh.num_faces());
   const auto number = static_cast<std::ptrdiff_t>(data.below(40)) - 2;
   std::vector<Vertex> samples;
-  CGAL::farthest_point_sampling(mesh, sources, number, std::back_inserter(samples));
+  AG::farthest_point_sampling(mesh, std::back_inserter(samples), number, sources);
   require(samples.size() <= mesh.num_vertices(), "more samples than vertices");
-  CGAL::geodesic_voronoi_partition(
-      mesh, sources,
-      boost::make_iterator_property_map(cells.begin(), get(boost::face_index, mesh)));
+  AG::voronoi_partition(
+      mesh, boost::make_iterator_property_map(cells.begin(), get(boost::face_index, mesh)),
+      sources);
   const double tolerance = data.number();
   std::vector<Point> points;
-  CGAL::refined_geodesic_path(mesh, fuzzed_vertex(data, mesh), fuzzed_vertex(data, mesh),
-                              std::back_inserter(points),
-                              parameters::relative_tolerance(at_least(1e-3, tolerance)));
+  AG::refined_path(mesh, std::back_inserter(points), fuzzed_vertex(data, mesh),
+                   fuzzed_vertex(data, mesh),
+                   parameters::relative_tolerance(at_least(1e-3, tolerance)));
 }
 
 void check(const Mesh& mesh, Fuzzed_data& data)

@@ -7,7 +7,7 @@
 #define APPROXIMATE_GEODESICS_TEST_GOLDEN_RESULTS_H
 
 #include "Hash.h"
-#include "test_meshes.h"
+#include "meshes/test_meshes.h"
 
 #include <string>
 #include <vector>

@@ -6,7 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_HASH_H
 #define APPROXIMATE_GEODESICS_TEST_HASH_H
 
-#include "test_soup.h"
+#include "meshes/test_soup.h"
 
 #include <cstdint>
 #include <cstring>

@@ -5,15 +5,15 @@
 
 #include "Golden_results.h"
 #include "golden_graphs.h"
-#include "surface_points.h"
+#include "meshes/surface_points.h"
 
+#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
+#include <CGAL/Approximate_geodesics/Queries/gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/refined_path.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
-#include <CGAL/farthest_point_sampling.h>
-#include <CGAL/geodesic_gradient.h>
-#include <CGAL/geodesic_isolines.h>
-#include <CGAL/geodesic_voronoi_partition.h>
-#include <CGAL/refined_geodesic_path.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -92,8 +92,7 @@ public:
   void add_cells()
   {
     std::vector<std::size_t> cells(m_mesh.number_of_faces());
-    CGAL::geodesic_voronoi_partition(m_mesh, m_vertices, by_face(m_mesh, cells),
-                                     parameters::epsilon(0.1));
+    AG::voronoi_partition(m_mesh, by_face(m_mesh, cells), m_vertices, parameters::epsilon(0.1));
     Hash hash;
     hash.add(cells);
     m_results.add("Voronoi partition", hash);
@@ -107,11 +106,11 @@ public:
     Hash lines, slopes;
     std::vector<std::vector<Point>> isolines;
     const std::vector<double> values = {0.2 * m_reach, 0.5 * m_reach, 2 * m_reach};
-    CGAL::geodesic_isolines(m_mesh, map, values, std::back_inserter(isolines));
+    AG::isolines(m_mesh, map, values, std::back_inserter(isolines));
     lines.add(isolines);
     m_results.add("isolines", lines);
     std::vector<Kernel::Vector_3> gradients(m_mesh.number_of_faces());
-    CGAL::geodesic_gradient(m_mesh, map, by_face(m_mesh, gradients));
+    AG::gradient(m_mesh, map, by_face(m_mesh, gradients));
     slopes.add(gradients);
     m_results.add("gradients", slopes);
   }
@@ -168,15 +167,15 @@ private:
   {
     std::vector<Point> points;
     const double length =
-        CGAL::approximate_geodesic_path(m_mesh, source, target, std::back_inserter(points), np);
+        CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), source, target, np);
     add_path_lines(with, points, length);
   }
 
   void add_refined_path()
   {
     std::vector<Point> points;
-    const double length = CGAL::refined_geodesic_path(m_mesh, m_vertices[1], m_vertices[2],
-                                                      std::back_inserter(points));
+    const double length =
+        AG::refined_path(m_mesh, std::back_inserter(points), m_vertices[1], m_vertices[2]);
     add_path_lines("refined", points, length);
   }
 
@@ -195,7 +194,7 @@ private:
   {
     std::vector<Vertex> sample;
     const double radius =
-        CGAL::farthest_point_sampling(m_mesh, m_vertices[0], 9, std::back_inserter(sample), np);
+        AG::farthest_point_sampling(m_mesh, std::back_inserter(sample), 9, m_vertices[0], np);
     Hash hash;
     hash.add(sample);
     hash.add(radius);

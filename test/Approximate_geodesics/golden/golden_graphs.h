@@ -7,7 +7,7 @@
 #define APPROXIMATE_GEODESICS_TEST_GOLDEN_GRAPHS_H
 
 #include "golden_names.h"
-#include "test_weights.h"
+#include "meshes/test_weights.h"
 
 #include <CGAL/Named_function_parameters.h>
 

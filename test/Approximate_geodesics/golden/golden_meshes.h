@@ -7,9 +7,9 @@
 #define APPROXIMATE_GEODESICS_TEST_GOLDEN_MESHES_H
 
 #include "Hash.h"
-#include "random_soups.h"
-#include "sample_meshes.h"
-#include "test_meshes.h"
+#include "meshes/random_soups.h"
+#include "meshes/sample_meshes.h"
+#include "meshes/test_meshes.h"
 
 #include <stdexcept>
 #include <string>

@@ -6,26 +6,26 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_GOLDEN_NAMES_H
 #define APPROXIMATE_GEODESICS_TEST_GOLDEN_NAMES_H
 
-#include "test_soup.h"
+#include "meshes/test_soup.h"
 
-#include <CGAL/Approximate_geodesics/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Binary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/D_ary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Equally_dense_points.h>
-#include <CGAL/Approximate_geodesics/Equally_spaced_points.h>
-#include <CGAL/Approximate_geodesics/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Pairing_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Propagation.h>
-#include <CGAL/Approximate_geodesics/Published_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Published_geometric_points.h>
-#include <CGAL/Approximate_geodesics/Radix_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
+#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 // All classes of the package that golden results are made of, for the day when one is renamed.
@@ -39,8 +39,8 @@ using Triangulation = AG::Intrinsic_triangulation;
 using Edges = AG::Edge_graph;
 using Built = AG::Discrete_geodesic_graph;
 using Lazy = AG::Lazy_discrete_geodesic_graph;
-using Spaced_points = AG::Equally_spaced_points;
-using Dense_points = AG::Equally_dense_points;
+using Spaced_points = AG::Fixed_number_of_points;
+using Dense_points = AG::Points_at_interval;
 using Geometric_points = AG::Geometric_points;
 using Published_points = AG::Published_geometric_points;
 

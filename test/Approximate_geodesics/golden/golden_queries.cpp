@@ -6,7 +6,7 @@
 #include "Golden_results.h"
 #include "golden_graphs.h"
 #include "golden_names.h"
-#include "surface_points.h"
+#include "meshes/surface_points.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Golden_results.h"
+#include "checks/test_random.h"
 #include "golden_meshes.h"
-#include "test_random.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/halfedge_groups.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/halfedge_groups.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Surface/Face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -10,9 +10,9 @@
 #include "oracles/test_oracles.h"
 
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_isolines.h>
-#include <CGAL/Approximate_geodesics/Queries/geodesic_voronoi_partition.h>
+#include <CGAL/Approximate_geodesics/Queries/gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -30,6 +30,7 @@
 
 namespace geodesics_test {
 
+namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using Vector = Kernel::Vector_3;
 using Polyline = std::vector<Point>;
@@ -63,7 +64,7 @@ template <typename Map>
 std::vector<Polyline> isolines(const Mesh& mesh, const Map& map, const std::vector<double>& values)
 {
   std::vector<Polyline> result;
-  CGAL::geodesic_isolines(mesh, map, values, std::back_inserter(result));
+  AG::isolines(mesh, map, values, std::back_inserter(result));
   return result;
 }
 
@@ -115,7 +116,7 @@ template <typename Map>
 std::vector<Vector> gradients(const Mesh& mesh, const Map& map)
 {
   std::map<Face, Vector> found;
-  CGAL::geodesic_gradient(mesh, map, boost::make_assoc_property_map(found));
+  AG::gradient(mesh, map, boost::make_assoc_property_map(found));
   std::vector<Vector> result;
   for(const Face f : mesh.faces())
     result.push_back(found.at(f));
@@ -128,7 +129,7 @@ std::vector<int> partition(const Mesh& mesh,
                            const NamedParameters& np = parameters::default_values())
 {
   std::map<Face, int> found;
-  CGAL::geodesic_voronoi_partition(mesh, sources, boost::make_assoc_property_map(found), np);
+  AG::voronoi_partition(mesh, boost::make_assoc_property_map(found), sources, np);
   std::vector<int> result;
   for(const Face f : mesh.faces())
     result.push_back(found.at(f));
@@ -148,8 +149,8 @@ Sample sample(const Mesh& mesh,
               const NamedParameters&... np)
 {
   Sample result;
-  result.radius = CGAL::farthest_point_sampling(mesh, sources, number,
-                                                std::back_inserter(result.points), np...);
+  result.radius =
+      AG::farthest_point_sampling(mesh, std::back_inserter(result.points), number, sources, np...);
   return result;
 }
 

@@ -46,9 +46,8 @@
 #define CGAL_APPROXIMATE_GEODESICS_CONCURRENCY_TAG(APPLY)
 #endif
 
-// names of all versions of CGAL, or of newer ones, that ask for something
+// names of CGAL that change a result
 #define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_OF_CGAL(APPLY)                                         \
-  APPLY(concurrency_tag_t, concurrency_tag, concurrency_tag)                                       \
   APPLY(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)                       \
   APPLY(maximum_distance_t, maximum_distance, maximum_distance)                                    \
   APPLY(number_of_points_per_edge_t, number_of_points_per_edge, number_of_points_per_edge)         \
@@ -128,6 +127,15 @@ struct Named_parameters : Named_function_parameters<T, Tag, Base>
 template <typename NamedParameters, typename Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
+template <typename T, typename Tag, typename Base>
+std::true_type is_named_parameters_test(const Named_function_parameters<T, Tag, Base>*);
+std::false_type is_named_parameters_test(...);
+
+// to tell named parameters from another last argument
+template <typename T>
+constexpr bool is_named_parameters =
+    decltype(is_named_parameters_test(static_cast<const T*>(nullptr)))::value;
+
 template <typename NamedParameters, typename... Tags>
 constexpr bool is_any_given = (is_given<NamedParameters, Tags> || ...);
 
@@ -135,8 +143,8 @@ template <typename T, typename... Types>
 constexpr bool is_same_as_any = (std::is_same_v<T, Types> || ...);
 
 // Whether a function that reads the parameters with the tags `Read` would ignore another one: one
-// of this package, or one of CGAL's that asks for something. Those that only describe the mesh,
-// such as index maps, are passed on to all functions, as everywhere in CGAL.
+// of this package, or one of CGAL's that changes a result. Those that describe the mesh, such as
+// index maps, and `concurrency_tag` do no harm where they are not read.
 #define CGAL_APPROXIMATE_GEODESICS_OR_IGNORED(TAG, VALUE, NAME)                                    \
   || (is_given<NamedParameters, internal_np::TAG> && !is_same_as_any<internal_np::TAG, Read...>)
 template <typename NamedParameters, typename... Read>

@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/locate.h>
 #include <CGAL/Kernel_traits.h>
@@ -21,6 +20,12 @@
 #include <cstddef>
 
 namespace CGAL {
+
+// Who calls `locate()` has a tree, and so its header, which would be a quarter of all that others
+// have to compile.
+template <typename AABBTraits>
+class AABB_tree;
+
 namespace Approximate_geodesics {
 namespace internal {
 

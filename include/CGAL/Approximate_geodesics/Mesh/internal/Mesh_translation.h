@@ -9,12 +9,14 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_vertices.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/halfedge_groups.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -26,40 +28,22 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-template <typename T>
-constexpr bool is_pair = false;
-
-template <typename T, typename U>
-constexpr bool is_pair<std::pair<T, U>> = true;
-
-// Whether points are those of a kernel, which computes others from them.
-template <typename Point, typename = void>
-constexpr bool is_point_of_kernel = false;
-
-template <typename Point>
-constexpr bool
-    is_point_of_kernel<Point,
-                       std::void_t<typename Kernel_traits<Point>::Kernel::Construct_barycenter_3>> =
-        true;
-
-// Whether `T` is a point on the surface of a mesh, and not a range of them.
-template <typename TriangleMesh, typename T>
-constexpr bool is_surface_point =
-    std::is_convertible_v<T, typename boost::graph_traits<TriangleMesh>::vertex_descriptor> ||
-    std::is_same_v<T, Surface_point<TriangleMesh>> || is_pair<T>;
-
 /*
- * Translates between points on the surface of a mesh and places on its triangulation.
+ * Translates between points on the surface of a mesh and points of its triangulation.
+ *
+ * Functions that are `const` write nothing, so that several threads can call them. For those that
+ * return something of the mesh, `list_vertices()` has to be called before: the others can do
+ * without that list.
  */
 template <typename TriangleMesh, typename VertexIndexMap>
-class Mesh_translation : public Mesh_vertices<TriangleMesh, VertexIndexMap>
+class Mesh_translation
 {
-  using Base = Mesh_vertices<TriangleMesh, VertexIndexMap>;
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Index = Intrinsic_triangulation::Index;
 
@@ -72,41 +56,58 @@ public:
   Mesh_translation(const TriangleMesh& tmesh,
                    VertexIndexMap vertex_index_map,
                    const Intrinsic_triangulation& triangulation)
-    : Base(tmesh, std::move(vertex_index_map), triangulation)
+    : m_mesh(&tmesh),
+      m_vertex_index_map(std::move(vertex_index_map)),
+      m_triangulation(&triangulation)
   {
   }
+
+  const TriangleMesh& mesh() const { return *m_mesh; }
+  const VertexIndexMap& index_map() const { return m_vertex_index_map; }
 
   // ----- from the mesh to its triangulation
 
-  Intrinsic_point place(const vertex_descriptor v) const
+  Index node(const vertex_descriptor v) const
   {
-    return Intrinsic_point::at_vertex(this->node(v));
+    if(v == Graph_traits::null_vertex())
+      reject("the null vertex is not one of the mesh");
+    const auto index = get(m_vertex_index_map, v);
+    const Index result = m_triangulation->vertex(static_cast<std::size_t>(index));
+    if(result == Intrinsic_triangulation::null_index)
+      reject("vertex " + std::to_string(index) + " is not one of the mesh");
+    return result;
   }
 
-  Intrinsic_point place(const halfedge_descriptor h, const double t) const
+  Intrinsic_point intrinsic_point(const vertex_descriptor v) const
   {
-    if(h == Graph_traits::null_halfedge() || !is_in_range(h, num_halfedges(this->mesh())))
-      reject("the halfedge is not one of the mesh");
+    return Intrinsic_point::at_vertex(node(v));
+  }
+
+  Intrinsic_point intrinsic_point(const halfedge_descriptor h, const double t) const
+  {
+    if(h == Graph_traits::null_halfedge() || !is_in_range(h, num_halfedges(*m_mesh)))
+      reject_foreign("halfedge", h, Graph_traits::null_halfedge());
     if(!(t >= 0 && t <= 1))
       reject("the part of the way along a halfedge is " + text_of(t) +
              "; it must be a number from 0 to 1");
     if(t < rounding || 1 - t < rounding)
-      return place(t < rounding ? source(h, this->mesh()) : target(h, this->mesh()));
+      return intrinsic_point(t < rounding ? source(h, *m_mesh) : target(h, *m_mesh));
     return Intrinsic_point::on_edge(number(h), t);
   }
 
   template <typename FT>
-  Intrinsic_point place(const face_descriptor f, const std::array<FT, 3>& coordinates) const
+  Intrinsic_point intrinsic_point(const face_descriptor f,
+                                  const std::array<FT, 3>& coordinates) const
   {
     check(f);
     const std::array<double, 3> weights = checked(coordinates);
-    const halfedge_descriptor h = halfedge(f, this->mesh());
-    const std::array<halfedge_descriptor, 3> sides{h, next(h, this->mesh()), prev(h, this->mesh())};
+    const halfedge_descriptor h = halfedge(f, *m_mesh);
+    const std::array<halfedge_descriptor, 3> sides{h, next(h, *m_mesh), prev(h, *m_mesh)};
     for(std::size_t i = 0; i < 3; ++i)
       if(weights[i] == 1)
-        return place(source(sides[i], this->mesh()));
+        return intrinsic_point(source(sides[i], *m_mesh));
     const Index first = number(h);
-    const std::array<Index, 3> numbers = this->triangulation().halfedges_of_face(first);
+    const std::array<Index, 3> numbers = m_triangulation->halfedges_of_face(first);
     for(std::size_t i = 0; i < 3; ++i)
       if(weights[(i + 2) % 3] == 0)
         return Intrinsic_point::on_edge(numbers[i], weights[(i + 1) % 3]);
@@ -114,59 +115,78 @@ public:
   }
 
   template <typename FT>
-  Intrinsic_point place(const std::pair<face_descriptor, std::array<FT, 3>>& location) const
+  Intrinsic_point
+  intrinsic_point(const std::pair<face_descriptor, std::array<FT, 3>>& location) const
   {
-    return place(location.first, location.second);
+    return intrinsic_point(location.first, location.second);
   }
 
-  Intrinsic_point place(const std::pair<halfedge_descriptor, double>& point) const
+  Intrinsic_point intrinsic_point(const std::pair<halfedge_descriptor, double>& point) const
   {
-    return place(point.first, point.second);
+    return intrinsic_point(point.first, point.second);
   }
 
-  Intrinsic_point place(const Surface_point<TriangleMesh>& point) const
+  Intrinsic_point intrinsic_point(const Surface_point<TriangleMesh>& point) const
   {
-    return std::visit([this](const auto& p) { return this->place(p); }, point);
+    return std::visit([this](const auto& p) { return intrinsic_point(p); }, point);
   }
 
   // ----- from the triangulation to the mesh
 
+  void list_vertices()
+  {
+    std::vector<vertex_descriptor> result(m_triangulation->number_of_vertices(),
+                                          Graph_traits::null_vertex());
+    for(const vertex_descriptor v : vertices(*m_mesh))
+      result[node(v)] = v;
+    m_vertices = std::move(result);
+  }
+
+  // whether a node is a vertex, and not a point that a graph has added
+  bool is_vertex(const Index node) const { return node < m_triangulation->number_of_vertices(); }
+
+  vertex_descriptor vertex(const Index node) const
+  {
+    CGAL_assertion(node < m_vertices.size());
+    return m_vertices[node];
+  }
+
   // The halfedge of the mesh that has number `h` in the triangulation, which keeps their order.
   halfedge_descriptor mesh_halfedge(const Index h) const
   {
-    const Index source = this->triangulation().source(h);
-    halfedge_descriptor result = first_halfedge_from(this->vertex(source), this->mesh());
-    for(Index i = this->triangulation().first_halfedge(source); i < h; ++i)
-      result = counterclockwise(result, this->mesh());
+    const Index source = m_triangulation->source(h);
+    halfedge_descriptor result = first_halfedge_from(vertex(source), *m_mesh);
+    for(Index i = m_triangulation->first_halfedge(source); i < h; ++i)
+      result = counterclockwise(result, *m_mesh);
     return result;
   }
 
-  Face_location<TriangleMesh> face_location(const Intrinsic_point& place) const
+  Face_location<TriangleMesh> face_location(const Intrinsic_point& p) const
   {
-    const halfedge_descriptor h = mesh_halfedge(place.halfedge);
-    const face_descriptor f = face(h, this->mesh());
-    const halfedge_descriptor first = halfedge(f, this->mesh());
-    const double rest = 1 - place.t - place.s;
+    const halfedge_descriptor h = mesh_halfedge(p.halfedge);
+    const face_descriptor f = face(h, *m_mesh);
+    const halfedge_descriptor first = halfedge(f, *m_mesh);
+    const double rest = 1 - p.t - p.s;
     if(h == first)
-      return {f, {rest, place.t, place.s}};
-    if(h == next(first, this->mesh()))
-      return {f, {place.s, rest, place.t}};
-    return {f, {place.t, place.s, rest}};
+      return {f, {rest, p.t, p.s}};
+    if(h == next(first, *m_mesh))
+      return {f, {p.s, rest, p.t}};
+    return {f, {p.t, p.s, rest}};
   }
 
-  Surface_point<TriangleMesh> surface_point(const Intrinsic_point& place) const
+  Surface_point<TriangleMesh> surface_point(const Intrinsic_point& p) const
   {
-    if(place.is_vertex())
-      return this->vertex(place.vertex);
-    if(place.is_on_edge())
-      return std::make_pair(mesh_halfedge(place.halfedge), place.t);
-    return face_location(place);
+    if(p.is_vertex())
+      return vertex(p.vertex);
+    if(p.is_on_edge())
+      return std::make_pair(mesh_halfedge(p.halfedge), p.t);
+    return face_location(p);
   }
 
   template <typename VertexPointMap>
   auto point_of_vertex(const Intrinsic_point& p, const VertexPointMap& point_map) const
   {
-    return get(point_map, this->vertex(p.vertex));
+    return get(point_map, vertex(p.vertex));
   }
 
   template <typename VertexPointMap, typename Traits>
@@ -177,12 +197,12 @@ public:
     if(p.is_vertex())
       return Result(point_of_vertex(p, point_map));
     const auto barycenter = traits.construct_barycenter_3_object();
-    const Intrinsic_triangulation& t = this->triangulation();
-    const auto& source = get(point_map, this->vertex(t.source(p.halfedge)));
-    const auto& target = get(point_map, this->vertex(t.target(p.halfedge)));
+    const Intrinsic_triangulation& t = *m_triangulation;
+    const auto& source = get(point_map, vertex(t.source(p.halfedge)));
+    const auto& target = get(point_map, vertex(t.target(p.halfedge)));
     if(p.is_on_edge())
       return Result(barycenter(target, FT(p.t), source));
-    const auto& third = get(point_map, this->vertex(t.target(t.next(p.halfedge))));
+    const auto& third = get(point_map, vertex(t.target(t.next(p.halfedge))));
     return Result(barycenter(target, FT(p.t), third, FT(p.s), source));
   }
 
@@ -192,7 +212,7 @@ public:
   auto position_of_vertex(const VertexPointMap& point_map) const
   {
     return [this, &point_map](const Index v) -> std::array<double, 3> {
-      const auto way = get(point_map, this->vertex(v)) - get(point_map, this->vertex(0));
+      const auto way = get(point_map, vertex(v)) - get(point_map, vertex(0));
       return {CGAL::to_double(way.x()), CGAL::to_double(way.y()), CGAL::to_double(way.z())};
     };
   }
@@ -202,12 +222,23 @@ private:
 
   void check(const face_descriptor f) const
   {
-    const bool may_be_face =
-        f != Graph_traits::null_face() && is_in_range(f, num_faces(this->mesh()));
+    const bool may_be_face = f != Graph_traits::null_face() && is_in_range(f, num_faces(*m_mesh));
     const halfedge_descriptor h =
-        may_be_face ? halfedge(f, this->mesh()) : Graph_traits::null_halfedge();
-    if(h == Graph_traits::null_halfedge() || face(h, this->mesh()) != f) // or was removed
-      reject("the face is not one of the mesh");
+        may_be_face ? halfedge(f, *m_mesh) : Graph_traits::null_halfedge();
+    if(h == Graph_traits::null_halfedge() || face(h, *m_mesh) != f) // or was removed
+      reject_foreign("face", f, Graph_traits::null_face());
+  }
+
+  // Names an element by its number, if descriptors are numbers.
+  template <typename Descriptor>
+  [[noreturn]] static void
+  reject_foreign(const std::string& kind, const Descriptor d, const Descriptor null)
+  {
+    std::string name = (d == null ? "the null " : "the ") + kind;
+    if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
+      if(d != null)
+        name = kind + ' ' + std::to_string(static_cast<std::size_t>(d));
+    reject(name + " is not one of the mesh");
   }
 
   // Whether a descriptor can be one of so many, if it is a number.
@@ -245,10 +276,10 @@ private:
   // has the fewest neighbors.
   Index number(const halfedge_descriptor h) const
   {
-    const Intrinsic_triangulation& t = this->triangulation();
-    if(is_border(h, this->mesh()))
+    const Intrinsic_triangulation& t = *m_triangulation;
+    if(is_border(h, *m_mesh))
       return number_around_source(h);
-    std::array<halfedge_descriptor, 3> sides{h, prev(h, this->mesh()), next(h, this->mesh())};
+    std::array<halfedge_descriptor, 3> sides{h, prev(h, *m_mesh), next(h, *m_mesh)};
     std::size_t best = 0;
     for(const std::size_t i : {std::size_t(1), std::size_t(2)})
       if(degree(sides[i]) < degree(sides[best]))
@@ -261,19 +292,44 @@ private:
 
   Index degree(const halfedge_descriptor h) const
   {
-    return this->triangulation().degree(this->node(source(h, this->mesh())));
+    return m_triangulation->degree(node(source(h, *m_mesh)));
   }
 
   Index number_around_source(const halfedge_descriptor h) const
   {
-    const vertex_descriptor v = source(h, this->mesh());
-    Index result = this->triangulation().first_halfedge(this->node(v));
-    for(halfedge_descriptor g = first_halfedge_from(v, this->mesh()); g != h;
-        g = counterclockwise(g, this->mesh()))
+    const vertex_descriptor v = source(h, *m_mesh);
+    Index result = m_triangulation->first_halfedge(node(v));
+    for(halfedge_descriptor g = first_halfedge_from(v, *m_mesh); g != h;
+        g = counterclockwise(g, *m_mesh))
       ++result;
     return result;
   }
+
+  const TriangleMesh* m_mesh;
+  VertexIndexMap m_vertex_index_map;
+  const Intrinsic_triangulation* m_triangulation;
+  std::vector<vertex_descriptor> m_vertices; // by node, once they are listed
 };
+
+// The point of the mesh's kernel that a point of its triangulation is. Where points are not those
+// of a kernel, only vertices have one.
+template <typename Translation, typename VertexPointMap, typename NamedParameters>
+auto point(const Translation& translation,
+           const Intrinsic_point& p,
+           const VertexPointMap& point_map,
+           [[maybe_unused]] const NamedParameters& np)
+{
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  if constexpr(is_given<NamedParameters, internal_np::geom_traits_t>)
+    return Point(
+        translation.point(p, point_map, parameters::get_parameter(np, internal_np::geom_traits)));
+  else if constexpr(is_point_of_kernel<Point>)
+    return Point(translation.point(p, point_map, typename Kernel_traits<Point>::Kernel()));
+  else if(p.is_vertex())
+    return Point(translation.point_of_vertex(p, point_map));
+  else
+    reject("there are no points between vertices: the mesh's are not those of a kernel");
+}
 
 } // namespace internal
 } // namespace Approximate_geodesics

@@ -10,12 +10,13 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -27,8 +28,6 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-using Point = std::array<double, 3>;
 
 // A power of two, and its inverse, that brings `extent` near 2^200 without rounding: products of
 // four lengths still fit a double, and lengths may be smaller than the extent by more than 1e300.
@@ -58,21 +57,22 @@ private:
   double m_rest;
 };
 
-inline double distance(const Point& p, const Point& q)
+// the distance of two points, however small it is
+inline double accurate_distance(const Space_vector& p, const Space_vector& q)
 {
-  const double dx = p[0] - q[0], dy = p[1] - q[1], dz = p[2] - q[2];
-  const double squared = dx * dx + dy * dy + dz * dz;
+  const Space_vector way = difference(p, q);
+  const double squared = dot(way, way);
 
   constexpr double smallest_accurate = 1e-280; // below, a square may have lost bits to underflow
   if(squared > smallest_accurate)
     return std::sqrt(squared);
 
-  const double largest = (std::max)({std::abs(dx), std::abs(dy), std::abs(dz)});
+  const double largest = (std::max)({std::abs(way[0]), std::abs(way[1]), std::abs(way[2])});
   if(largest == 0)
     return 0;
-  const Scale scale(largest);
-  const double x = scale.reduce(dx), y = scale.reduce(dy), z = scale.reduce(dz);
-  return std::sqrt(x * x + y * y + z * z) * scale.unit();
+  const Scale scale(largest); // `std::hypot()` rounds otherwise, and is slower
+  const Space_vector scaled = {scale.reduce(way[0]), scale.reduce(way[1]), scale.reduce(way[2])};
+  return std::sqrt(dot(scaled, scaled)) * scale.unit();
 }
 
 // Per halfedge that of its edge, in a unit that is a power of two.
@@ -117,7 +117,7 @@ Edge_lengths given_lengths(const TriangleMesh& tmesh,
 }
 
 template <typename Point_3, typename Traits>
-Point double_point(const Point_3& p, const Traits& traits)
+Space_vector double_point(const Point_3& p, const Traits& traits)
 {
   return {CGAL::to_double(traits.compute_x_3_object()(p)),
           CGAL::to_double(traits.compute_y_3_object()(p)),
@@ -126,19 +126,17 @@ Point double_point(const Point_3& p, const Traits& traits)
 
 // The points of the vertices of a mesh, in the order of their numbers in the triangulation.
 template <typename TriangleMesh, typename Vertices, typename NamedParameters>
-std::vector<Point> double_points(const TriangleMesh& tmesh,
-                                 const Vertices& vertices,
-                                 const NamedParameters& np,
-                                 const Intrinsic_triangulation& triangulation)
+std::vector<Space_vector> double_points(const TriangleMesh& tmesh,
+                                        const Vertices& vertices,
+                                        const NamedParameters& np,
+                                        const Intrinsic_triangulation& triangulation)
 {
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
   const Traits traits =
       parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
-  const auto point_map =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                   get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto point_map = vertex_point_map(tmesh, np);
 
-  std::vector<Point> result;
+  std::vector<Space_vector> result;
   result.reserve(vertices.size());
   for(Intrinsic_triangulation::Index v = 0; v < vertices.size(); ++v)
   {
@@ -152,7 +150,7 @@ std::vector<Point> double_points(const TriangleMesh& tmesh,
 }
 
 // Isolated vertices do not count: they can be anywhere, and need not fit the unit.
-inline Scale scale_of(const std::vector<Point>& points,
+inline Scale scale_of(const std::vector<Space_vector>& points,
                       const Intrinsic_triangulation& triangulation)
 {
   double extent = 0;
@@ -164,13 +162,13 @@ inline Scale scale_of(const std::vector<Point>& points,
 }
 
 // Computes lengths from points.
-inline Edge_lengths straight_lengths(std::vector<Point> points,
+inline Edge_lengths straight_lengths(std::vector<Space_vector> points,
                                      const Intrinsic_triangulation& triangulation)
 {
   using Index = Intrinsic_triangulation::Index;
 
   const Scale scale = scale_of(points, triangulation);
-  for(Point& p : points)
+  for(Space_vector& p : points)
     for(double& coordinate : p)
       coordinate = scale.reduce(coordinate);
 
@@ -179,12 +177,12 @@ inline Edge_lengths straight_lengths(std::vector<Point> points,
   result.of_halfedge.resize(triangulation.number_of_halfedges());
   for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-      result.of_halfedge[h] = distance(points[v], points[triangulation.target(h)]);
+      result.of_halfedge[h] = accurate_distance(points[v], points[triangulation.target(h)]);
   return result;
 }
 
-// No path is longer than all edges together, and two of them, unless it goes nowhere; so distances
-// fit a `double` where twice the sum does.
+// Twice the sum of all edges is an upper bound of the length of any path that revisits nothing;
+// where it fits a `double`, so do all distances.
 inline void check_sum(const Edge_lengths& lengths, const Intrinsic_triangulation& triangulation)
 {
   const auto& l = lengths.of_halfedge; // each of an edge is there twice

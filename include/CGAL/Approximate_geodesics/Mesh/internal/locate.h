@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/cgal_compatibility.h>
 #include <CGAL/Ray_3.h>
@@ -29,23 +30,12 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-using Space_vector = std::array<double, 3>;
-
+// the vector from one point of a kernel to another
 template <typename Point_3>
-Space_vector difference(const Point_3& p, const Point_3& q)
+Space_vector vector_between(const Point_3& p, const Point_3& q)
 {
   const auto v = q - p;
   return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
-}
-
-inline double dot(const Space_vector& a, const Space_vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline Space_vector linear_combination(const Space_vector& a, const double t, const Space_vector& b)
-{
-  return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
 }
 
 // Weights at most as large as the tolerance, and negative ones, become zero.
@@ -92,7 +82,7 @@ std::array<double, 3> barycentric_coordinates(const std::array<Point_3, 3>& corn
   double size = 0;
   for(std::size_t i = 0; i < 3; ++i)
   {
-    sides[i] = difference(corners[i], corners[(i + 1) % 3]);
+    sides[i] = vector_between(corners[i], corners[(i + 1) % 3]);
     for(const double x : sides[i])
       size = (std::max)(size, std::abs(x));
   }
@@ -110,9 +100,9 @@ std::array<double, 3> barycentric_coordinates(const std::array<Point_3, 3>& corn
     if(squared_length(i) > squared_length(first))
       first = i;
   const std::size_t second = (first + 1) % 3, third = (first + 2) % 3;
-  const std::array<double, 3> weights =
-      weights_over_base(scaled(sides[first]), scaled(difference(corners[first], corners[third])),
-                        scaled(difference(corners[first], p)));
+  const std::array<double, 3> weights = weights_over_base(
+      scaled(sides[first]), scaled(vector_between(corners[first], corners[third])),
+      scaled(vector_between(corners[first], p)));
   std::array<double, 3> result{};
   result[first] = weights[0];
   result[second] = weights[1];
@@ -165,7 +155,7 @@ Face_location<TriangleMesh> locate_first(const Ray_3<Kernel>& ray,
   Face_location<TriangleMesh> result(boost::graph_traits<TriangleMesh>::null_face(), {0, 0, 0});
   double smallest = std::numeric_limits<double>::infinity();
   const auto consider = [&](const Point_3& p, const auto f) {
-    const Space_vector way = difference(Point_3(ray.source()), p);
+    const Space_vector way = vector_between(Point_3(ray.source()), p);
     if(dot(way, way) < smallest)
     {
       smallest = dot(way, way);

@@ -11,7 +11,8 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
@@ -22,9 +23,7 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
@@ -70,10 +69,10 @@ public:
   {
     std::vector<Source_point> points;
     if constexpr(is_surface_point<Triangle_mesh, Sources>)
-      points.push_back({m_translation.place(sources)});
+      points.push_back({m_translation.intrinsic_point(sources)});
     else
       for(const auto& source : sources)
-        points.push_back({m_translation.place(source)});
+        points.push_back({m_translation.intrinsic_point(source)});
     set_initial_distances(np, points);
     run(std::move(points), np);
   }
@@ -92,7 +91,8 @@ public:
               const Vertex_positions& positions,
               const NamedParameters& np)
   {
-    const Intrinsic_point start = m_translation.place(source), end = m_translation.place(target);
+    const Intrinsic_point start = m_translation.intrinsic_point(source),
+                          end = m_translation.intrinsic_point(target);
     auto stop = stop_rule(np);
     if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
     {
@@ -124,19 +124,10 @@ public:
     return result;
   }
 
-  // Along edges, paths between vertices do not need points that can be computed with.
   template <typename NamedParameters>
   Point point(const Intrinsic_point& p, const NamedParameters& np) const
   {
-    if constexpr(is_given<NamedParameters, internal_np::geom_traits_t>)
-      return m_translation.point(p, m_point_map,
-                                 parameters::get_parameter(np, internal_np::geom_traits));
-    else if constexpr(is_point_of_kernel<Point>)
-      return m_translation.point(p, m_point_map, typename Kernel_traits<Point>::Kernel());
-    else if(p.is_vertex())
-      return m_translation.point_of_vertex(p, m_point_map);
-    else
-      reject("there are no points between vertices: the mesh's are not those of a kernel");
+    return internal::point(m_translation, p, m_point_map, np);
   }
 
   // Writes the distances, and what else the named parameters ask for. All memory for that is
@@ -147,8 +138,6 @@ public:
     if constexpr(is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
     {
       Vertex_predecessors<typename Surface_search::Search> predecessors(m_search.search());
-      if(m_search.graph().triangulation().number_of_vertices() > 0)
-        m_translation.vertex(0); // which lists all of them
       write_distances_and_sources(distances, np);
       write_predecessors(predecessors, np);
     }
@@ -264,15 +253,16 @@ Vertex_positions positions_for_one_run(const MeshSearch& search, const NamedPara
 // Reads a mesh, builds the graph that the named parameters ask for, and calls `f` with a search of
 // it: for a run on a mesh that is not seen again.
 template <typename TriangleMesh, typename NamedParameters, typename F>
-auto search_once(const TriangleMesh& tmesh, const NamedParameters& np, F f)
+auto search_once(const TriangleMesh& tmesh, const NamedParameters& np, const bool finds_path, F f)
 {
   const auto graph = graph_for_one_run(tmesh, np);
-  const Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
-  auto point_map =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                   get_const_property_map(CGAL::vertex_point, tmesh));
-  Mesh_search<std::decay_t<decltype(graph)>, Adaptive_bucket_queue,
-              std::decay_t<decltype(translation)>, decltype(point_map)>
+  Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
+  if(finds_path ||
+     is_any_given<NamedParameters, internal_np::visitor_t, internal_np::geodesic_predecessor_t>)
+    translation.list_vertices();
+  auto point_map = vertex_point_map(tmesh, np);
+  Mesh_search<std::decay_t<decltype(graph)>, Adaptive_bucket_queue, decltype(translation),
+              decltype(point_map)>
       search(graph, translation, std::move(point_map));
   return f(search);
 }

@@ -10,7 +10,9 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -25,8 +27,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A placement of equally spaced points on the edges near a path, and of none on others: on those of
- * the faces that the path touches, and of so many rings of faces around these.
+ * A placement of equally spaced points on the edges near a path, and of none on others. Near are
+ * the faces that the path touches, and `number_of_rings` rings of faces around these.
  */
 class Points_near_path
 {
@@ -65,7 +67,7 @@ public:
   std::size_t memory() const { return m_is_near.capacity() / 8; }
 
 private:
-  // those of the faces that a point of the path lies in
+  // the vertices of the faces that a point of the path lies in
   void mark_vertices_of_faces(const Intrinsic_triangulation& triangulation,
                               const Intrinsic_point& p)
   {
@@ -99,10 +101,10 @@ private:
 };
 
 /*
- * A path from one vertex to another that is searched for again and again, each time in a graph with
- * twice as many points on edges near the path that was found before, and nearer from time to time.
+ * Searches for a path from one vertex to another repeatedly, each time in a graph with twice as
+ * many points on the edges in a narrowing corridor around the last path.
  */
-template <typename PriorityQueue>
+template <typename PriorityQueue = Adaptive_bucket_queue>
 class Selective_refinement
 {
   using Index = Intrinsic_triangulation::Index;
@@ -115,7 +117,7 @@ public:
   {
   }
 
-  // Ends when the path has got shorter by less than a part of its length.
+  // Ends when the path gets shorter by less than this part of its length.
   Path run(Fixed_number_of_points first_placement, const double relative_tolerance)
   {
     std::size_t number_of_points = first_placement.number_of_points(m_triangulation, 0);

@@ -30,7 +30,7 @@ StopRule stop_rule(const Translation& translation, const NamedParameters& np)
       parameters::get_parameter(np, internal_np::maximum_distance), result.maximum_distance));
   if constexpr(is_given<NamedParameters, internal_np::targets_t>)
     for(const auto& target : parameters::get_parameter(np, internal_np::targets))
-      result.targets.push_back(translation.place(target));
+      result.targets.push_back(translation.intrinsic_point(target));
   return result;
 }
 

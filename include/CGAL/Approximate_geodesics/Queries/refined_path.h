@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_GEODESIC_PATH_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_GEODESIC_PATH_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_PATH_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_PATH_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -12,41 +12,41 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
-#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <limits>
 
 namespace CGAL {
+namespace Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
  *
- * computes a short path on the mesh from `source` to `target` by selective refinement, and its
- * length.
+ * computes a short path on the mesh from `source` to `target` by selective refinement, and returns
+ * its length.
  *
  * A first path is found in a graph with a few points on every edge. Then the search is repeated in
  * graphs with twice as many points, but only on edges near the path found last, until it gets
  * shorter by less than a given part of its length. This is much faster than a graph that is fine
  * everywhere, and finds about the same path, unless the first one took another way round an
- * obstacle: the result is a path that is short among its neighbours, without a bound. Where weights
+ * obstacle: the result is a path that is short among its neighbors, without a bound. Where weights
  * differ by orders of magnitude, it can cost many times as much as the cheapest one.
  *
  * The method is that of Kanai and Suzuki \cgalCite{ks-asppa-01}.
  *
- * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
+ * \param points receives the points of the path, as of `approximate_geodesic_path()`
  * \param source the vertex that the path starts from
  * \param target the vertex that the path ends at
- * \param points receives the points of the path, as of `approximate_geodesic_path()`
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those listed
  *           below and `vertex_point_map`, `edge_length_map`, `face_weight_map`,
  *           `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map` and `geom_traits`,
@@ -79,44 +79,45 @@ namespace CGAL {
  *
  * \sa `approximate_geodesic_path()`
  */
-template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
-          typename TriangleMesh,
+template <typename TriangleMesh,
           typename OutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-double
-refined_geodesic_path(const TriangleMesh& tmesh,
-                      const typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
-                      const typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
-                      OutputIterator points,
-                      const NamedParameters& np = parameters::default_values())
+double refined_path(const TriangleMesh& tmesh,
+                    OutputIterator points,
+                    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+                    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
+                    const NamedParameters& np = parameters::default_values())
 {
-  namespace AG = Approximate_geodesics;
-  static_assert(!AG::internal::is_given<NamedParameters, internal_np::epsilon_t>,
+  static_assert(!internal::is_given<NamedParameters, internal_np::epsilon_t>,
                 "epsilon: selective refinement gives no bound; use approximate_geodesic_path()");
+  static_assert(
+      !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
+                             internal_np::relative_tolerance_t,
+                             internal_np::number_of_points_per_edge_t, internal_np::edge_length_t,
+                             internal_np::face_weight_t, internal_np::edge_is_constrained_t>,
+      "refined_path() reads relative_tolerance, number_of_points_per_edge, and what "
+      "describes the mesh only; use approximate_geodesic_path()");
 
   const double tolerance = CGAL::to_double(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::relative_tolerance), 1e-5));
   if(!(tolerance >= 0))
-    AG::internal::reject("the relative tolerance is " + AG::internal::text_of(tolerance) +
-                         "; it must be a number that is not negative");
+    internal::reject("the relative tolerance is " + internal::text_of(tolerance) +
+                     "; it must be a number that is not negative");
 
-  const AG::Intrinsic_triangulation triangulation(tmesh, np);
-  const AG::internal::Mesh_translation places(tmesh, AG::internal::vertex_index_map(tmesh, np),
-                                              triangulation);
-  AG::internal::Selective_refinement<PriorityQueue> refinement(triangulation, places.node(source),
-                                                               places.node(target));
-  const AG::Path path = refinement.run(AG::Fixed_number_of_points(np), tolerance);
-  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-  const auto point_map =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                   get_const_property_map(CGAL::vertex_point, tmesh));
-  const auto traits =
-      parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
+  const Intrinsic_triangulation triangulation(tmesh, np);
+  internal::Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
+                                         triangulation);
+  translation.list_vertices();
+  internal::Selective_refinement refinement(triangulation, translation.node(source),
+                                            translation.node(target));
+  const Path path = refinement.run(Fixed_number_of_points(np), tolerance);
+  const auto point_map = internal::vertex_point_map(tmesh, np);
   for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
-    *points++ = places.point(*p, point_map, traits);
+    *points++ = internal::point(translation, *p, point_map, np);
   return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;
 }
 
+} // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_GEODESIC_PATH_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_PATH_H

@@ -3,13 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_ISOLINES_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_ISOLINES_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_ISOLINES_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_ISOLINES_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -19,11 +21,12 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace CGAL {
-
 namespace Approximate_geodesics {
 namespace internal {
 
@@ -163,8 +166,19 @@ private:
   std::set<halfedge_descriptor> m_not_passed; // the ways into faces that no polyline has taken yet
 };
 
+template <typename Isovalues>
+void check_isovalues(const Isovalues& isovalues)
+{
+  std::size_t i = 0;
+  for(const auto& isovalue : isovalues)
+  {
+    if(std::isnan(CGAL::to_double(isovalue)))
+      reject("isovalue " + std::to_string(i) + ", counted from 0, is not a number");
+    ++i;
+  }
+}
+
 } // namespace internal
-} // namespace Approximate_geodesics
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
@@ -196,7 +210,7 @@ private:
  * \param vertex_distance_map one value per vertex, for example from
  *        `approximate_geodesic_distances()`; faces with a value that is infinite or not a number
  *        have no isolines
- * \param isovalues the values
+ * \param isovalues the values; an infinite one has no isolines
  * \param polylines receives the polylines, those of the first value first; the last point of a
  *        closed one is the same as its first
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
@@ -217,45 +231,47 @@ private:
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the output iterator, behind the last polyline.
+ * \return the output iterator, after the last polyline.
  *
- * \throws std::invalid_argument naming a face that is not a triangle; nothing has been written
- * then.
+ * \throws std::invalid_argument if a face is not a triangle, or an isovalue is not a number. The
+ *         message tells which one; nothing has been written then.
  *
  * Run time is \cgalBigO{n + k \log k} for every value, for `n` faces, `k` of which have a part of
  * the isoline.
  *
  * \sa `approximate_geodesic_distances()`
- * \sa `geodesic_gradient()`
+ * \sa `gradient()`
  */
 template <typename TriangleMesh,
           typename VertexDistanceMap,
           typename Isovalues,
           typename OutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
-OutputIterator geodesic_isolines(const TriangleMesh& tmesh,
-                                 const VertexDistanceMap& vertex_distance_map,
-                                 const Isovalues& isovalues,
-                                 OutputIterator polylines,
-                                 const NamedParameters& np = parameters::default_values())
+OutputIterator isolines(const TriangleMesh& tmesh,
+                        const VertexDistanceMap& vertex_distance_map,
+                        const Isovalues& isovalues,
+                        OutputIterator polylines,
+                        const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  namespace AG = Approximate_geodesics;
+  static_assert(!internal::ignores_any<NamedParameters>,
+                "isolines() reads vertex_point_map and geom_traits only; other parameters "
+                "are for the function that computes the distances");
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
-  AG::internal::check_triangles(tmesh);
-  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                          get_const_property_map(CGAL::vertex_point, tmesh));
-  const auto traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
+  internal::check_triangles(tmesh);
+  internal::check_isovalues(isovalues);
+  const auto point_map = internal::vertex_point_map(tmesh, np);
+  const auto traits =
+      parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
 
   for(const auto& isovalue : isovalues)
-    polylines = AG::internal::Isoline(tmesh, vertex_distance_map, point_map, traits,
-                                      CGAL::to_double(isovalue))
-                    .write(polylines);
+    polylines =
+        internal::Isoline(tmesh, vertex_distance_map, point_map, traits, CGAL::to_double(isovalue))
+            .write(polylines);
   return polylines;
 }
 
+} // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_ISOLINES_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_ISOLINES_H

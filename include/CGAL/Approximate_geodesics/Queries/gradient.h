@@ -3,13 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_GRADIENT_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_GRADIENT_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_GRADIENT_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_GRADIENT_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -19,7 +20,6 @@
 #include <cstddef>
 
 namespace CGAL {
-
 namespace Approximate_geodesics {
 namespace internal {
 
@@ -31,9 +31,9 @@ namespace internal {
  * overflow if the mesh were tiny or huge.
  */
 template <typename Traits>
-typename Traits::Vector_3 gradient(const std::array<typename Traits::Point_3, 3>& points,
-                                   const std::array<double, 3>& values,
-                                   const Traits& traits)
+typename Traits::Vector_3 gradient_of_face(const std::array<typename Traits::Point_3, 3>& points,
+                                           const std::array<double, 3>& values,
+                                           const Traits& traits)
 {
   using FT = typename Traits::FT;
   using Vector_3 = typename Traits::Vector_3;
@@ -69,7 +69,6 @@ typename Traits::Vector_3 gradient(const std::array<typename Traits::Point_3, 3>
 }
 
 } // namespace internal
-} // namespace Approximate_geodesics
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
@@ -114,32 +113,32 @@ typename Traits::Vector_3 gradient(const std::array<typename Traits::Point_3, 3>
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws std::invalid_argument naming a face that is not a triangle; nothing has been written
- * then.
+ * \throws std::invalid_argument if a face is not a triangle. The message tells which one; nothing
+ *         has been written then.
  *
  * Run time is \cgalBigO{n} for `n` faces.
  *
  * \sa `approximate_geodesic_distances()`
- * \sa `geodesic_isolines()`
+ * \sa `isolines()`
  */
 template <typename TriangleMesh,
           typename VertexDistanceMap,
           typename FaceVectorMap,
           typename NamedParameters = parameters::Default_named_parameters>
-void geodesic_gradient(const TriangleMesh& tmesh,
-                       const VertexDistanceMap& vertex_distance_map,
-                       FaceVectorMap face_vector_map,
-                       const NamedParameters& np = parameters::default_values())
+void gradient(const TriangleMesh& tmesh,
+              const VertexDistanceMap& vertex_distance_map,
+              FaceVectorMap face_vector_map,
+              const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  namespace AG = Approximate_geodesics;
+  static_assert(!internal::ignores_any<NamedParameters>,
+                "gradient() reads vertex_point_map and geom_traits only; other parameters "
+                "are for the function that computes the distances");
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
-  AG::internal::check_triangles(tmesh);
-  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                          get_const_property_map(CGAL::vertex_point, tmesh));
-  const auto traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
+  internal::check_triangles(tmesh);
+  const auto point_map = internal::vertex_point_map(tmesh, np);
+  const auto traits =
+      parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
 
   for(const auto f : faces(tmesh))
   {
@@ -155,11 +154,12 @@ void geodesic_gradient(const TriangleMesh& tmesh,
       ++i;
     }
     put(face_vector_map, f,
-        is_reached ? AG::internal::gradient(points, values, traits)
+        is_reached ? internal::gradient_of_face(points, values, traits)
                    : traits.construct_vector_3_object()(NULL_VECTOR));
   }
 }
 
+} // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_GRADIENT_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_GRADIENT_H

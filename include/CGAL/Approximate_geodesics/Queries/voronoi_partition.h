@@ -3,14 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_VORONOI_PARTITION_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_VORONOI_PARTITION_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_VORONOI_PARTITION_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_VORONOI_PARTITION_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/index_maps.h>
-#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -23,7 +22,6 @@
 #include <vector>
 
 namespace CGAL {
-
 namespace Approximate_geodesics {
 namespace internal {
 
@@ -48,7 +46,6 @@ inline std::size_t source_of_face(const std::array<Corner_source, 3>& corners)
 }
 
 } // namespace internal
-} // namespace Approximate_geodesics
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
@@ -60,20 +57,19 @@ inline std::size_t source_of_face(const std::array<Corner_source, 3>& corners)
  * nearest sources of the vertices can be had in addition, by the named parameter
  * `nearest_source_map`.
  *
- * \tparam PriorityQueue a model of `GeodesicPriorityQueue`, given explicitly if at all
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam Sources a model of `ConstRange` with value type
- *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
  * \tparam FaceSourceMap a model of `WritablePropertyMap` with
  *         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as
  *         value type
+ * \tparam Sources a model of `ConstRange` with value type
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
- * \param sources the sources, vertices of `tmesh`; of equal ones, all but the first get nothing
  * \param face_source_map receives, for each face, the position of its nearest source in `sources`;
  *        `-1`, converted to the value type, for faces that have two or three corners that no source
  *        reaches
+ * \param sources the sources, vertices of `tmesh`; of equal ones, all but the first get nothing
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": all those of
  *           `approximate_geodesic_distances()`
  *
@@ -86,19 +82,25 @@ inline std::size_t source_of_face(const std::array<Corner_source, 3>& corners)
  * \sa `approximate_geodesic_distances()`
  * \sa `farthest_point_sampling()`
  */
-template <typename PriorityQueue = Approximate_geodesics::Adaptive_bucket_queue,
-          typename TriangleMesh,
-          typename Sources,
+template <typename TriangleMesh,
           typename FaceSourceMap,
+          typename Sources,
           typename NamedParameters = parameters::Default_named_parameters>
-void geodesic_voronoi_partition(const TriangleMesh& tmesh,
-                                const Sources& sources,
-                                FaceSourceMap face_source_map,
-                                const NamedParameters& np = parameters::default_values())
+void voronoi_partition(const TriangleMesh& tmesh,
+                       FaceSourceMap face_source_map,
+                       const Sources& sources,
+                       const NamedParameters& np = parameters::default_values())
 {
-  namespace AG = Approximate_geodesics;
+  static_assert(
+      !internal::ignores_any<NamedParameters, internal_np::edge_length_t, internal_np::epsilon_t,
+                             internal_np::number_of_points_per_edge_t, internal_np::face_weight_t,
+                             internal_np::edge_is_constrained_t, internal_np::initial_distances_t,
+                             internal_np::maximum_distance_t, internal_np::targets_t,
+                             internal_np::nearest_source_t, internal_np::geodesic_predecessor_t,
+                             internal_np::visitor_t>,
+      "voronoi_partition() reads the named parameters of approximate_geodesic_distances() only");
 
-  const auto index_map = AG::internal::vertex_index_map(tmesh, np);
+  const auto index_map = internal::vertex_index_map(tmesh, np);
   std::vector<double> distance_of(num_vertices(tmesh));
   std::vector<std::size_t> source_of(num_vertices(tmesh));
   const auto distance_map = boost::make_iterator_property_map(distance_of.begin(), index_map);
@@ -107,7 +109,7 @@ void geodesic_voronoi_partition(const TriangleMesh& tmesh,
       tmesh, distance_map, sources,
       parameters::combine(np, parameters::nearest_source_map(source_map)));
 
-  if constexpr(AG::internal::is_given<NamedParameters, internal_np::nearest_source_t>)
+  if constexpr(internal::is_given<NamedParameters, internal_np::nearest_source_t>)
   {
     const auto wanted_map = parameters::get_parameter(np, internal_np::nearest_source);
     using Value = typename boost::property_traits<decltype(wanted_map)>::value_type;
@@ -118,14 +120,15 @@ void geodesic_voronoi_partition(const TriangleMesh& tmesh,
   using Value = typename boost::property_traits<FaceSourceMap>::value_type;
   for(const auto f : faces(tmesh))
   {
-    std::array<AG::internal::Corner_source, 3> corners;
+    std::array<internal::Corner_source, 3> corners;
     std::size_t i = 0;
     for(const auto v : vertices_around_face(halfedge(f, tmesh), tmesh))
       corners[i++] = {get(distance_map, v), get(source_map, v)};
-    put(face_source_map, f, static_cast<Value>(AG::internal::source_of_face(corners)));
+    put(face_source_map, f, static_cast<Value>(internal::source_of_face(corners)));
   }
 }
 
+} // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_GEODESIC_VORONOI_PARTITION_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_VORONOI_PARTITION_H

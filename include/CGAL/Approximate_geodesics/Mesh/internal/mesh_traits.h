@@ -1,0 +1,62 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_MESH_TRAITS_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_MESH_TRAITS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Kernel_traits.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <type_traits>
+#include <utility>
+
+// What a type is to a mesh.
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+template <typename T>
+constexpr bool is_pair = false;
+
+template <typename T, typename U>
+constexpr bool is_pair<std::pair<T, U>> = true;
+
+// Whether `T` is a point on the surface of a mesh, and not a range of them.
+template <typename TriangleMesh, typename T>
+constexpr bool is_surface_point =
+    std::is_convertible_v<T, typename boost::graph_traits<TriangleMesh>::vertex_descriptor> ||
+    std::is_same_v<T, Surface_point<TriangleMesh>> || is_pair<T>;
+
+// Whether points are those of a kernel, which computes others from them.
+template <typename Point, typename = void>
+constexpr bool is_point_of_kernel = false;
+
+template <typename Point>
+constexpr bool
+    is_point_of_kernel<Point,
+                       std::void_t<typename Kernel_traits<Point>::Kernel::Construct_barycenter_3>> =
+        true;
+
+// Whether somebody has left the traits of CGAL's exact class where the mesh belongs.
+template <typename T, typename = void>
+constexpr bool is_traits_of_exact_class = false;
+
+template <typename T>
+constexpr bool
+    is_traits_of_exact_class<T,
+                             std::void_t<typename T::Triangle_mesh,
+                                         typename T::Compute_parametric_distance_along_segment_2>> =
+        true;
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_MESH_TRAITS_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_PROPERTY_MAPS_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_PROPERTY_MAPS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <functional>
+
+// The property maps of a mesh: the one given, as it is, or else the mesh's own. CGAL's functions
+// assert that an index map that is given is right; here, it is checked when it is used, in all
+// build types, and a wrong one is rejected with an exception that names the index.
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+template <typename TriangleMesh, typename NamedParameters>
+auto vertex_index_map(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::vertex_index_t>)
+    return parameters::get_parameter(np, internal_np::vertex_index);
+  else
+    return get_initialized_vertex_index_map(tmesh, np);
+}
+
+template <typename TriangleMesh, typename NamedParameters>
+auto halfedge_index_map(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::halfedge_index_t>)
+    return parameters::get_parameter(np, internal_np::halfedge_index);
+  else
+    return get_initialized_halfedge_index_map(tmesh, np);
+}
+
+template <typename TriangleMesh, typename NamedParameters>
+auto vertex_point_map(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::vertex_point_t>)
+    return parameters::get_parameter(np, internal_np::vertex_point);
+  else
+    return get_const_property_map(CGAL::vertex_point, tmesh);
+}
+
+// A readable property map whose type does not tell what is behind it: it keeps the types of the
+// maps that a constructor is given out of the class's template arguments.
+template <typename Key, typename Value>
+using Function_property_map =
+    boost::function_property_map<std::function<Value(const Key&)>, Key, Value>;
+
+template <typename Key, typename Value, typename Map>
+Function_property_map<Key, Value> function_property_map(const Map& map)
+{
+  return Function_property_map<Key, Value>(
+      [map](const Key& key) { return static_cast<Value>(get(map, key)); });
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_PROPERTY_MAPS_H

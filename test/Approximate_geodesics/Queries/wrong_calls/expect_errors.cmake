@@ -1,0 +1,23 @@
+# Compiles the file `source`, and expects one error for each comment inside a function there, with
+# the text of that comment in its message, and no others.
+list(TRANSFORM include_dirs PREPEND -I)
+execute_process(COMMAND ${compiler} -std=c++17 -fsyntax-only ${include_dirs} ${source}
+                ERROR_VARIABLE output)
+string(REPLACE ";" "," output "${output}") # which would end elements of a list
+string(REGEX MATCHALL "[^\n]*error: [^\n]*" errors "${output}")
+
+file(READ ${source} text)
+string(REGEX MATCHALL "\n  // [^\n]+" messages "${text}")
+foreach(message IN LISTS messages)
+  string(REPLACE "\n  // " "" message "${message}")
+  string(FIND "${errors}" "${message}" position)
+  if(position EQUAL -1)
+    message(SEND_ERROR "No error says: ${message}")
+  endif()
+endforeach()
+
+list(LENGTH messages expected_number)
+list(LENGTH errors number)
+if(NOT number EQUAL expected_number)
+  message(SEND_ERROR "${number} errors in place of ${expected_number}:\n${output}")
+endif()

@@ -1,0 +1,57 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Calls that must not compile, each below the message that the compiler has to print for it.
+
+#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
+#include <CGAL/Approximate_geodesics/Queries/gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/refined_path.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <iterator>
+#include <vector>
+
+namespace AG = CGAL::Approximate_geodesics;
+namespace parameters = CGAL::parameters;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Vector = CGAL::Simple_cartesian<double>::Vector_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+using Face = Mesh::Face_index;
+
+void call_wrongly(const Mesh& mesh,
+                  const Mesh::Property_map<Vertex, double> distances,
+                  const Mesh::Property_map<Face, int> cells,
+                  const Mesh::Property_map<Face, Vector> gradients)
+{
+  const std::vector<double> isovalues;
+  const std::vector<Vertex> vertices;
+  std::vector<std::vector<Point>> lines;
+  std::vector<Vertex> samples;
+  std::vector<Point> points;
+
+  // isolines() reads vertex_point_map and geom_traits only
+  AG::isolines(mesh, distances, isovalues, std::back_inserter(lines), parameters::epsilon(0.1));
+
+  // gradient() reads vertex_point_map and geom_traits only
+  AG::gradient(mesh, distances, gradients, parameters::maximum_distance(3));
+
+  // farthest_point_sampling() reads epsilon
+  AG::farthest_point_sampling(mesh, std::back_inserter(samples), 3, parameters::targets(vertices));
+
+  // voronoi_partition() reads the named parameters of approximate_geodesic_distances() only
+  AG::voronoi_partition(mesh, cells, vertices, parameters::straighten(true));
+
+  // epsilon: selective refinement gives no bound
+  AG::refined_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
+                   parameters::epsilon(0.1));
+
+  // refined_path() reads relative_tolerance
+  AG::refined_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
+                   parameters::relative_tolerance(0.1).straighten(true));
+}
