@@ -6,7 +6,7 @@
 #include "checks/test_recorder.h"
 #include "oracles/test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/boost/graph/generators.h>
 
