@@ -27,6 +27,7 @@
 
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_rules.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>

@@ -138,7 +138,7 @@ TEST(Interrupted_runs, of_all_kinds_forget_the_run_before)
   const Graph graph{Triangulation(mesh)};
   const auto make = [&] {
     Search search(graph);
-    search.run(Node(7));
+    search.run_from(Node(7));
     search.source(9);
     return search;
   };

@@ -148,7 +148,7 @@ TYPED_TEST(Queues, search_a_graph_of_implicit_arcs)
   Propagation<Implicit_square, TypeParam> search(graph);
   for(const std::uint32_t source : {0u, 61u, 1830u})
   {
-    search.run(source);
+    search.run_from(source);
     for(std::uint32_t n = 0; n < 3600; ++n)
     {
       const double x = std::abs(double(n % 60) - double(source % 60));
