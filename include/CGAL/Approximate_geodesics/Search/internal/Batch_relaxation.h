@@ -13,6 +13,8 @@
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -60,9 +62,11 @@ public:
   }
 
   // The first loop: appends the nodes of a batch to the order, but for those of stale entries.
-  void extract()
+  // Where batches have a single entry, a call would cost as much.
+  BOOST_FORCEINLINE void extract()
   {
     const auto& batch = m_queue.extract_min();
+    const double* const distances = m_labels.distances(); // kept in a register
     auto& order = m_labels.order();
     const std::size_t first = order.size();
     order.resize(first + batch.size());
@@ -76,9 +80,9 @@ public:
       if constexpr(has_prefetch<Graph>)
         m_graph.prefetch(node);
       *end = node;
-      const bool skips = is_stale(key, m_labels.distance(node), node, m_heuristic);
-      end += static_cast<std::ptrdiff_t>(!skips);
-      m_counter.on_stale_pops(skips ? 1 : 0);
+      const bool is_skipped = is_stale(key, distances[node], node, m_heuristic);
+      end += static_cast<std::ptrdiff_t>(!is_skipped);
+      m_counter.on_stale_pops(is_skipped ? 1 : 0);
     }
     order.resize(static_cast<std::size_t>(end - order.data()));
     m_size = order.size() - first;
@@ -110,11 +114,12 @@ public:
   // The third loop: lowers labels, and enters their nodes.
   void take_candidates()
   {
+    const double* const distances = m_labels.distances(); // kept in a register
     for(std::size_t i = 0; i < m_number_of_candidates; ++i)
     {
       const Candidate c = m_candidates[i];
       // still, after the earlier ones
-      if(c.distance < m_labels.distance(c.node) && c.distance <= m_limit)
+      if(c.distance < distances[c.node] && c.distance <= m_limit)
       {
         m_counter.on_improvement();
         m_labels.set(c.node, c.distance, c.predecessor);

@@ -64,16 +64,17 @@ struct Check_graph
       std::declval<Labels::Node>(), std::declval<const Labels&>(), std::declval<Some_function>()));
 
   static_assert(boost::is_detected_exact_v<Labels::Node, Node, Graph>,
-                "A model of GeodesicGraph has a type `Node`, which is `std::uint32_t`.");
+                "A model of GeodesicGraph must have a type `Node`, which is `std::uint32_t`.");
   static_assert(boost::is_detected_convertible_v<std::size_t, Number_of_nodes, Graph>,
-                "A model of GeodesicGraph has `std::size_t number_of_nodes() const`.");
+                "A model of GeodesicGraph must have `std::size_t number_of_nodes() const`.");
   static_assert(boost::is_detected_convertible_v<double, Unit, Graph>,
-                "A model of GeodesicGraph has `double unit() const`.");
+                "A model of GeodesicGraph must have `double unit() const`.");
   static_assert(boost::is_detected_convertible_v<Arc_lengths, Lengths, Graph>,
-                "A model of GeodesicGraph has `Arc_lengths arc_lengths() const`.");
-  static_assert(boost::is_detected_v<For_each_arc, Graph>,
-                "A model of GeodesicGraph has `for_each_arc(Node node, const Labels& labels, F f) "
-                "const`, for all types `Labels` and `F`.");
+                "A model of GeodesicGraph must have `Arc_lengths arc_lengths() const`.");
+  static_assert(
+      boost::is_detected_v<For_each_arc, Graph>,
+      "A model of GeodesicGraph must have `for_each_arc(Node node, const Labels& labels, F f) "
+      "const`, for all types `Labels` and `F`.");
 
   static constexpr bool is_done = true;
 };
@@ -112,34 +113,38 @@ struct Check_queue
   template <typename Q>
   using Memory = decltype(std::declval<const Q&>().memory());
 
-  static_assert(std::is_constructible_v<Queue, std::size_t, const Arc_lengths&>,
-                "A model of GeodesicPriorityQueue has a constructor for arguments of the types "
-                "`std::size_t` and `const Arc_lengths&`.");
+  static_assert(
+      std::is_constructible_v<Queue, std::size_t, const Arc_lengths&>,
+      "A model of GeodesicPriorityQueue must have a constructor for arguments of the types "
+      "`std::size_t` and `const Arc_lengths&`.");
   static_assert(boost::is_detected_v<Push, Queue>,
-                "A model of GeodesicPriorityQueue has `void push(Node node, Key key)`, where "
+                "A model of GeodesicPriorityQueue must have `void push(Node node, Key key)`, where "
                 "`Node` is `std::uint32_t`, and `Key` is `double`.");
   static_assert(boost::is_detected_v<Batch, Queue>,
-                "A model of GeodesicPriorityQueue has `Batch extract_min()`.");
+                "A model of GeodesicPriorityQueue must have `Batch extract_min()`.");
   static_assert(boost::is_detected_convertible_v<std::size_t, Size_of_batch, Queue> &&
                     boost::is_detected_v<Begin_of_batch, Queue> &&
                     boost::is_detected_v<End_of_batch, Queue>,
-                "The `Batch` of a model of GeodesicPriorityQueue has `begin()`, `end()` and "
+                "The `Batch` of a model of GeodesicPriorityQueue must have `begin()`, `end()` and "
                 "`size()`.");
-  static_assert(boost::is_detected_exact_v<std::pair<double, Labels::Node>, Parts_of_entry, Queue>,
-                "An `Entry` of a model of GeodesicPriorityQueue has two parts: first the key, a "
-                "`double`, then the node, a `std::uint32_t`.");
+  static_assert(
+      boost::is_detected_exact_v<std::pair<double, Labels::Node>, Parts_of_entry, Queue>,
+      "An `Entry` of a model of GeodesicPriorityQueue must have two parts: first the key, a "
+      "`double`, then the node, a `std::uint32_t`.");
   static_assert(boost::is_detected_convertible_v<bool, Is_empty, Queue>,
-                "A model of GeodesicPriorityQueue has `bool is_empty() const`.");
-  static_assert(boost::is_detected_convertible_v<bool, Is_final, Queue>,
-                "A model of GeodesicPriorityQueue has `bool is_final(Key key) const`, where `Key` "
-                "is `double`.");
-  static_assert(boost::is_detected_v<For_each_node, Queue>,
-                "A model of GeodesicPriorityQueue has `for_each_node(F f) const`, for all types "
-                "`F`.");
+                "A model of GeodesicPriorityQueue must have `bool is_empty() const`.");
+  static_assert(
+      boost::is_detected_convertible_v<bool, Is_final, Queue>,
+      "A model of GeodesicPriorityQueue must have `bool is_final(Key key) const`, where `Key` "
+      "is `double`.");
+  static_assert(
+      boost::is_detected_v<For_each_node, Queue>,
+      "A model of GeodesicPriorityQueue must have `for_each_node(F f) const`, for all types "
+      "`F`.");
   static_assert(boost::is_detected_v<Clear, Queue>,
-                "A model of GeodesicPriorityQueue has `void clear()`.");
+                "A model of GeodesicPriorityQueue must have `void clear()`.");
   static_assert(boost::is_detected_convertible_v<std::size_t, Memory, Queue>,
-                "A model of GeodesicPriorityQueue has `std::size_t memory() const`.");
+                "A model of GeodesicPriorityQueue must have `std::size_t memory() const`.");
 
   static constexpr bool is_done = true;
 };
