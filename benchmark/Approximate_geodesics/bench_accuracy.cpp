@@ -141,7 +141,7 @@ public:
     add_methods();
     for(const Method& method : m_methods)
       m_contest.add([&](const auto round) { method.run(m_sources[round]); });
-    m_contest.add([&](const auto round) { m_priority_queue.run(node(m_sources[round])); });
+    m_contest.add([&](const auto round) { m_priority_queue.run_from(node(m_sources[round])); });
     if(m_has_exact)
       m_contest.add([&](const auto round) { find_exact_distances(m_sources[round]); });
     m_contest.run(m_sources.size(), 5);
@@ -216,9 +216,10 @@ private:
   add_graph(const std::string& name, const std::string& epsilon, const std::shared_ptr<Graph> graph)
   {
     const auto search = std::make_shared<AG::Propagation<Graph>>(*graph);
-    m_methods.push_back({name, epsilon,
-                         [this, graph, search](const Vertex source) { search->run(node(source)); },
-                         [this, search](const Vertex v) { return search->distance(node(v)); }});
+    m_methods.push_back(
+        {name, epsilon,
+         [this, graph, search](const Vertex source) { search->run_from(node(source)); },
+         [this, search](const Vertex v) { return search->distance(node(v)); }});
   }
 
   void find_exact_distances(const Vertex source)

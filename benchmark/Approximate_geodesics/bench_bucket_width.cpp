@@ -75,7 +75,7 @@ public:
       Search<Balanced_from_elsewhere> search(m_graph);
       for(std::size_t i = 0; i < (std::min)(NUMBER_OF_STEPS, m_sources.size()); ++i)
       {
-        const double seconds = seconds_of([&] { search.run(m_sources[i]); });
+        const double seconds = seconds_of([&] { search.run_from(m_sources[i]); });
         if((i & (i + 1)) == 0) // the first, second, fourth and so on
           add_step(table, i, search, seconds);
       }
@@ -98,9 +98,9 @@ public:
     Search<Balanced_bucket_width> adaptive(m_graph);
     Contest contest;
     for(auto& search : fixed)
-      contest.add([&](const auto round) { search.run(m_sources[round]); });
+      contest.add([&](const auto round) { search.run_from(m_sources[round]); });
     // not beside the slowest ones, which leave little in the caches
-    const auto number = contest.add([&](const auto round) { adaptive.run(m_sources[round]); });
+    const auto number = contest.add([&](const auto round) { adaptive.run_from(m_sources[round]); });
     contest.run(m_number_of_rounds, 5);
 
     const double reference = contest.median_seconds(number);

@@ -109,9 +109,9 @@ void compare(const std::string& name, const std::size_t rounds, Table& table)
     AG::Propagation<Graph> search(graph);
     std::vector<double> seconds;
     for(const Vertex source : sources)
-      seconds.push_back(seconds_of([&] { search.run(triangulation.vertex(source.idx())); }));
+      seconds.push_back(seconds_of([&] { search.run_from(triangulation.vertex(source.idx())); }));
 
-    search.run(triangulation.vertex(sources.front().idx()));
+    search.run_from(triangulation.vertex(sources.front().idx()));
     Errors errors;
     for(const Vertex v : mesh.vertices())
       errors.add(search.distance(triangulation.vertex(v.idx())), exact.distance(v));

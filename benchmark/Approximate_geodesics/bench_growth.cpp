@@ -50,8 +50,8 @@ public:
     const auto sources = random_sources(mesh, m_number_of_rounds);
     const auto node = [&](const std::size_t i) { return graph.triangulation().vertex(sources[i]); };
     Contest contest;
-    const auto ours = contest.add([&](const auto round) { search.run(node(round)); });
-    const auto floor = contest.add([&](const auto round) { breadth_first.run(node(round)); });
+    const auto ours = contest.add([&](const auto round) { search.run_from(node(round)); });
+    const auto floor = contest.add([&](const auto round) { breadth_first.run_from(node(round)); });
     contest.run(sources.size());
 
     m_times.push_back(contest.median_seconds(ours) / vertices);

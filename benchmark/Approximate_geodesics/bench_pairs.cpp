@@ -109,7 +109,7 @@ private:
     std::size_t next = 0;
     for(const Vertex source : sources)
     {
-      m_complete.run(node(source));
+      m_complete.run_from(node(source));
       double largest = 0;
       for(const Vertex v : m_mesh.vertices())
         if(m_complete.is_reached(node(v)))
@@ -126,7 +126,7 @@ private:
 
   void search_all(const std::size_t round, Counts& counts)
   {
-    m_complete.run(m_pairs[round].first);
+    m_complete.run_from(m_pairs[round].first);
     counts.all += m_complete.reached_nodes().size();
   }
 

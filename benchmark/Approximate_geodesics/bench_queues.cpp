@@ -17,7 +17,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
@@ -75,7 +74,7 @@ public:
     m_memory = m_graph.memory() + search.memory();
 
     search.collect_statistics(true);
-    search.run(node(0));
+    search.run_from(node(0));
     const AG::Propagation_statistics& s = search.statistics();
     m_expansions = double(s.pops - s.stale_pops) / double(s.settled_nodes);
   }
@@ -155,7 +154,7 @@ private:
   void add(const std::string& name, Search& search)
   {
     m_names.push_back(name);
-    m_contest.add([this, &search](const auto round) { search.run(node(round)); });
+    m_contest.add([this, &search](const auto round) { search.run_from(node(round)); });
   }
 
   template <typename Queue>
@@ -163,7 +162,7 @@ private:
   {
     m_names.push_back(name);
     const auto search = std::make_shared<AG::Propagation<AG::Edge_graph, Queue>>(m_graph);
-    m_contest.add([this, search](const auto round) { search->run(node(round)); });
+    m_contest.add([this, search](const auto round) { search->run_from(node(round)); });
     m_checks.push_back([this, name, search](const auto& ours, const auto& priority_queue) {
       for(AG::Edge_graph::Node n = 0; n < m_graph.number_of_nodes(); ++n)
         if(search->distance(n) != ours.distance(n) ||

@@ -49,7 +49,7 @@ public:
       m_contest.add([&](const auto round) { trial.run(sources[round]); });
     }
     m_contest.add([&](const auto round) {
-      m_priority_queue.run(m_triangulation.vertex(sources[round].idx()));
+      m_priority_queue.run_from(m_triangulation.vertex(sources[round].idx()));
     });
     m_contest.run(sources.size(), 5);
   }

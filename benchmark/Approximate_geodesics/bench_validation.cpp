@@ -59,7 +59,7 @@ public:
     m_wrong = Violations();
     for(std::size_t i = 0; i < expected.sources().size(); ++i)
     {
-      search.run(graph.triangulation().vertex(expected.sources()[i].idx()));
+      search.run_from(graph.triangulation().vertex(expected.sources()[i].idx()));
       compare(expected, i, search);
     }
     m_means.push_back(m_errors.mean());

@@ -25,7 +25,7 @@ using Node = Search::Node;
 
 double largest_distance(Search& search, const Node source)
 {
-  search.run(source);
+  search.run_from(source);
   double result = 0;
   for(const Node node : search.reached_nodes())
     result = (std::max)(result, search.distance(node));

@@ -18,7 +18,6 @@
 
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Balanced_bucket_width.h>
-#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
@@ -28,6 +27,7 @@
 
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_rules.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>

@@ -65,7 +65,7 @@ private:
     auto cost = m_costs.begin();
     for(const Vertex source : m_sources)
     {
-      search.run(graph.triangulation().vertex(source.idx()));
+      search.run_from(graph.triangulation().vertex(source.idx()));
       for(const Vertex v : m_mesh.vertices())
       {
         *cost = (std::min)(*cost, search.distance(graph.triangulation().vertex(v.idx())));

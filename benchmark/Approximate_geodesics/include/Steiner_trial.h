@@ -45,7 +45,7 @@ public:
     const std::shared_ptr<const Graph> graph = build<Graph>(triangulation, placement);
     const auto search = std::make_shared<CGAL::Approximate_geodesics::Propagation<Graph>>(*graph);
     const auto node = [graph](const Vertex v) { return graph->triangulation().vertex(v.idx()); };
-    m_run = [=](const Vertex source) { search->run(node(source)); };
+    m_run = [=](const Vertex source) { search->run_from(node(source)); };
     m_distance = [=](const Vertex v) { return search->distance(node(v)); };
     m_bytes_of_graph = graph->memory() - graph->triangulation().memory();
     m_bytes_of_workspace = [=] { return search->memory(); };

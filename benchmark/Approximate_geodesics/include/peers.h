@@ -35,7 +35,7 @@ public:
   {
   }
 
-  void run(const Index source)
+  void run_from(const Index source)
   {
     constexpr Index unseen = (std::numeric_limits<Index>::max)();
     std::fill(m_level.begin(), m_level.end(), unseen);
@@ -75,7 +75,7 @@ public:
   {
   }
 
-  void run(const Index source)
+  void run_from(const Index source)
   {
     std::fill(m_distance.begin(), m_distance.end(), std::numeric_limits<double>::infinity());
     m_distance[source] = 0;

@@ -2,11 +2,11 @@
 \ingroup PkgApproximateGeodesicsConcepts
 \cgalConcept
 
-The concept `BucketWidthPolicy` describes how the width of the buckets of a
-`CGAL::Approximate_geodesics::Basic_adaptive_bucket_queue` is chosen, and how it changes from one
-run to the next.
+The concept `BucketWidthPolicy` describes how to choose the width of the buckets of a
+`CGAL::Approximate_geodesics::Basic_adaptive_bucket_queue`, and how to change it from one run to the
+next.
 
-The choice has no influence on the distances, only on the time that it takes to find them.
+The choice affects only the run time, never the distances.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Balanced_bucket_width}
@@ -16,16 +16,15 @@ The choice has no influence on the distances, only on the time that it takes to 
 class BucketWidthPolicy
 {
 public:
-  /// chooses the width for the first run, on a graph with the given arcs. All of their lengths are
-  /// zero if there are no arcs.
+  /// chooses the width for the first run, on a graph with the given arcs. If there are no arcs, all
+  /// their lengths are zero.
   explicit BucketWidthPolicy(const CGAL::Approximate_geodesics::Arc_lengths& arcs);
 
-  /// returns the width of the buckets, in units of the graph. It is larger than zero, and neither
-  /// it nor its reciprocal is infinite. The queue asks for it once before each run.
+  /// returns the width of the buckets, in units of the graph: a positive number that is finite, as
+  /// is its reciprocal. The queue calls it once before each run.
   double width() const;
 
-  /// is given the figures of a run after it, to choose the width for the next one. The figures may
-  /// be those of a run that ended early, or that consisted of nothing: there is such a call before
-  /// the first run, too.
+  /// chooses the width for the next run, given the figures of the last one. That run may have ended
+  /// early, or may have done nothing; there is also such a call before the first run.
   void update(const CGAL::Approximate_geodesics::Bucket_statistics& last_run);
 };

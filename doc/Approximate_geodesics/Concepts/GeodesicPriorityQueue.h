@@ -3,34 +3,42 @@
 \cgalConcept
 
 The concept `GeodesicPriorityQueue` describes a queue of graph nodes with distances as keys, as used
-by `CGAL::Approximate_geodesics::Propagation`.
+by `CGAL::Approximate_geodesics::Propagation`. That class checks at compile time that a queue has
+all members below, and names the first one that is missing.
 
-The search has one verb to insert and to lower: `push()`. If a queue can find the entry of a node,
-it lowers its key; if not, it leaves the old entry where it is, which has become <em>stale</em>. The
-search recognizes stale entries when they come out, and skips them.
+There is one operation to insert a node and to lower its key: `push()`. A queue that can find the
+entry of a node lowers its key. Any other leaves the old entry where it is, which becomes
+<em>stale</em>: the search recognizes stale entries when they come out, and skips them.
 
-Entries come out in batches. A queue that keeps its entries in order returns one at a time. One that
-does not care to order entries of similar keys returns some of those, and the search gains a lot:
-the fewer decisions it has to take between one node and the next, the faster it is. The queue need
-not return the smallest key either. Distances are right in any case, as the search expands a node
-again whose distance has fallen since; the better the order, the less often this happens. What must
-be exact is `is_final()`: it decides when the search may stop, and what a visitor is told.
+Entries come out in batches. A queue that keeps its entries in order returns one at a time. A queue
+that does not order entries of similar keys returns several of them, which makes the search a lot
+faster, as it takes fewer decisions between one node and the next. The keys returned need not be the
+smallest ones: the search expands a node again if its distance falls afterwards, so that distances
+are right in any order. The better the order, the less often this happens. Only `is_final()` must be
+exact, as it decides when the search may stop and which nodes a visitor is notified of.
 
-<b>Monotony.</b> Between two calls of `clear()`, the first keys are pushed in any order; after the
-first call of `extract_min()`, no key is pushed that is smaller than the smallest of the batch
-extracted last.
+<b>Monotony.</b> After a call of `clear()`, the first keys are pushed in any order. After the first
+call of `extract_min()`, no key is pushed that is smaller than the smallest key of the last batch.
 
-<b>Finality in steps.</b> When `extract_min()` makes the key of any entry that was extracted earlier
-final, it makes those of all entries that were extracted earlier final. (A queue that returns keys
-in their order fulfils this, if it calls those final that are smaller than the last one; so does a
-queue that empties one bucket after the other, if it calls those final that belong to earlier
-buckets.)
+<b>Finality.</b> A key is final if it is smaller than all keys that are in the queue or may still be
+pushed. For a queue that returns entries one by one, in the order of their keys, this is one line:
+
+\code{.cpp}
+bool is_final(Key key) const { return key < m_key_extracted_last; } // which clear() sets to 0
+\endcode
+
+For a queue that empties one bucket after the other, the final keys are those that belong to earlier
+buckets.
+
+<b>Finality in steps.</b> If a call of `extract_min()` makes the key of any entry final that was
+extracted before, it makes the keys of all of them final. Both kinds of queues above fulfill this.
 
 If an exception leaves a member function, `clear()` makes the queue usable again. A queue that was
 moved from may only be destroyed or assigned to.
 
-A queue that counts may have a member function `statistics()` that returns a
-`CGAL::Approximate_geodesics::Bucket_statistics`; the search then knows the number of comparisons.
+<b>Optional.</b> A queue that counts may have a `const` member function `statistics()` that returns
+a `CGAL::Approximate_geodesics::Bucket_statistics`. The statistics of the search then include the
+comparisons in the queue.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Basic_adaptive_bucket_queue}
@@ -56,11 +64,11 @@ public:
   /// a distance, in units of the graph: `double`.
   using Key = unspecified_type;
 
-  /// what comes out: a key and a node. A structured binding of two names gets them in this order.
-  /// `CGAL::Approximate_geodesics::Queue_entry` will do.
+  /// a key and a node, in this order, as a structured binding gets them: for example
+  /// `CGAL::Approximate_geodesics::Queue_entry`, or `std::pair<Key, Node>`.
   using Entry = unspecified_type;
 
-  /// a range of entries, with member functions `begin()`, `end()` and `size()`.
+  /// a range of entries, with `const` member functions `begin()`, `end()` and `size()`.
   using Batch = unspecified_type;
 
   /// @}
@@ -78,17 +86,18 @@ public:
   /// @{
 
   /// enters `node` with `key`; if it is present with a larger key, that entry is replaced or
-  /// becomes stale. \pre `key` is not a NaN, not negative, and not smaller than the smallest
-  /// key of the batch extracted last.
+  /// becomes stale.
+  /// \pre `key` is not a NaN, not negative, and not smaller than the smallest key of the last
+  /// batch.
   void push(Node node, Key key);
 
-  /// removes one or more entries, which may be stale, and returns them. The range is valid until
-  /// the next call of `extract_min()` or `clear()`; `push()` leaves it as it is. It does not hold
-  /// two entries of the same node and key. \pre `!is_empty()`
+  /// removes one or more entries, which may be stale, and returns them. The range stays valid until
+  /// the next call of `extract_min()` or `clear()`, also when `push()` is called. It does not
+  /// contain two entries of the same node and key. \pre `!is_empty()`
   Batch extract_min();
 
   /// removes all entries, and prepares for a new run, whose keys may be as small as zero. It is
-  /// called before each run, the first one included; a queue that learns from a run does so here.
+  /// called before each run, including the first one; a queue that adapts to runs does so here.
   void clear();
 
   /// @}
@@ -99,13 +108,13 @@ public:
   /// returns whether no entry is left, not even a stale one.
   bool is_empty() const;
 
-  /// returns whether `key` is smaller than all keys that are in the queue, and than all that may
-  /// still be pushed in this run: those are not smaller than the key extracted last. Once true,
-  /// this stays true until `clear()` is called; if it is true of a key, so it is of smaller ones.
+  /// returns whether `key` is final: smaller than all keys in the queue, and than all that may
+  /// still be pushed in this run. If a key is final, it remains so until `clear()` is called, and
+  /// all smaller keys are final, too.
   bool is_final(Key key) const;
 
-  /// calls `f(node)` for the node of every entry that is present. It may do so more than once for
-  /// a node, and for nodes whose entries were extracted before.
+  /// calls `f(node)` for the node of every entry in the queue. It may do so more than once for a
+  /// node, and also for nodes whose entries were extracted before.
   template <typename F>
   void for_each_node(F f) const;
 

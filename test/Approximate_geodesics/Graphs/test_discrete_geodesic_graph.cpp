@@ -415,7 +415,7 @@ TEST(Lazy_discrete_geodesic_graph, has_the_arcs_of_the_built_graph_if_it_keeps_t
         distances<Discrete_geodesic_graph>(named.mesh, source, 0.1);
     for(std::size_t run = 0; run < 2; ++run)
     {
-      search.run(kept.triangulation().vertex(source.idx()));
+      search.run_from(kept.triangulation().vertex(source.idx()));
       for(const Vertex v : named.mesh.vertices())
         EXPECT_EQ(search.distance(kept.triangulation().vertex(v.idx())), expected[v.idx()]);
     }
@@ -428,12 +428,12 @@ TEST(Lazy_discrete_geodesic_graph, can_be_moved_with_what_it_has_kept)
   const Mesh mesh = to_mesh(flat_grid(9, 9));
   Lazy_discrete_geodesic_graph first(Triangulation(mesh), epsilon(0.1),
                                      Lazy_discrete_geodesic_graph::Arcs::KEPT);
-  AG::Propagation<Lazy_discrete_geodesic_graph>(first).run(0);
+  AG::Propagation<Lazy_discrete_geodesic_graph>(first).run_from(0);
   const std::size_t memory = first.memory();
   const Lazy_discrete_geodesic_graph second = std::move(first);
   EXPECT_EQ(second.memory(), memory);
   AG::Propagation<Lazy_discrete_geodesic_graph> search(second);
-  search.run(second.triangulation().vertex(0));
+  search.run_from(second.triangulation().vertex(0));
   EXPECT_NEAR(search.distance(second.triangulation().vertex(80)), std::sqrt(128.), 1e-5);
 }
 

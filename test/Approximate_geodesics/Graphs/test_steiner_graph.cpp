@@ -12,7 +12,7 @@
 #include "oracles/exact_distances.h"
 
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
 
 #include <gtest/gtest.h>
@@ -116,7 +116,7 @@ TEST(Geometric_points, take_lengths_that_only_just_make_triangles)
       boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh)));
   const Steiner_graph<> graph(Triangulation(mesh, np), Geometric_points(0.1));
   AG::Propagation<Steiner_graph<>> search(graph);
-  search.run(graph.triangulation().vertex(0));
+  search.run_from(graph.triangulation().vertex(0));
   for(Node n = 0; n < graph.number_of_nodes(); ++n)
     EXPECT_TRUE(search.distance(n) >= 0 && search.distance(n) <= 1 + 1e-12);
 }
@@ -137,7 +137,7 @@ void expect_all_arcs(const Mesh& mesh,
   for(const std::size_t choice : {number_of_vertices, graph.number_of_nodes()}) // points as well
   {
     const Node source = static_cast<Node>(random.below(choice));
-    search.run(source);
+    search.run_from(source);
     expect_about_the_same(distances_of_nodes(search), reference.distances(source), rounding);
   }
 }
@@ -213,7 +213,7 @@ std::vector<double> distances_by(const Steiner_graph<Fixed_number_of_points>& gr
                                  const Node source)
 {
   AG::Propagation<Steiner_graph<Fixed_number_of_points>, Queue> search(graph);
-  search.run(source);
+  search.run_from(source);
   return distances_of_nodes(search);
 }
 

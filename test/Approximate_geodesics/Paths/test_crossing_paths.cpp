@@ -114,7 +114,7 @@ TEST(Lazy_discrete_geodesic_graph, finds_distances_that_are_sums_of_arcs)
   std::size_t repeated = 0;
   for(Node source = 0; source < graph.number_of_nodes(); source += 3000)
   {
-    search.run(source);
+    search.run_from(source);
     repeated += search.statistics().repeated_pops();
     const double unit = graph.triangulation().unit();
     for(Node node = 0; node < graph.number_of_nodes(); node += 3)
@@ -221,7 +221,7 @@ TEST(Lazy_discrete_geodesic_graph, may_be_searched_by_several_threads)
     const Lazy_discrete_geodesic_graph graph(Triangulation(mesh), epsilon(0.1), arcs);
     using Search = AG::Propagation<Lazy_discrete_geodesic_graph>;
     Search expected(graph);
-    expected.run(17);
+    expected.run_from(17);
 
     std::vector<std::optional<Search>> searches(4);
     const Lazy_discrete_geodesic_graph fresh(Triangulation(mesh), epsilon(0.1), arcs);
@@ -229,7 +229,7 @@ TEST(Lazy_discrete_geodesic_graph, may_be_searched_by_several_threads)
     for(auto& search : searches)
       threads.emplace_back([&] {
         search.emplace(fresh);
-        search->run(17);
+        search->run_from(17);
       });
     for(std::thread& thread : threads)
       thread.join();

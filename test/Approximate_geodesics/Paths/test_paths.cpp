@@ -291,7 +291,7 @@ TEST(Class, gives_nodes_and_a_graph_to_search_oneself)
   const Mesh mesh = to_mesh(flat_grid(7, 7));
   const Shortest_paths paths(mesh);
   Search search(paths.graph());
-  search.run(paths.node(Vertex(0)));
+  search.run_from(paths.node(Vertex(0)));
   EXPECT_EQ(search.distance(paths.node(Vertex(6))), 6);
 }
 

@@ -7,7 +7,6 @@
 #include "checks/random_gap.h"
 #include "checks/test_random.h"
 
-#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>

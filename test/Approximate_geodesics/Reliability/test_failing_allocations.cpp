@@ -33,7 +33,7 @@ template <typename GeodesicGraph>
 Values distances_in(const GeodesicGraph& graph)
 {
   AG::Propagation<GeodesicGraph> search(graph);
-  search.run(Node(3));
+  search.run_from(Node(3));
   return distances_of_nodes(search);
 }
 

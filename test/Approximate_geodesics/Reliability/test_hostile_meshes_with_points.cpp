@@ -54,7 +54,7 @@ template <typename Graph>
 std::vector<double> distances_from(const Vertex source, Basic_mesh_search<Graph>& search)
 {
   std::vector<double> result(search.mesh().num_vertices(), infinity);
-  search.search().run(search.node(source));
+  search.search().run_from(search.node(source));
   for(const Vertex v : search.mesh().vertices())
     result[v.idx()] = search.search().distance(search.node(v));
   return result;

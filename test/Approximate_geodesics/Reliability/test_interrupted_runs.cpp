@@ -7,7 +7,6 @@
 #include "checks/graphs_of_all_kinds.h"
 #include "checks/test_recorder.h"
 
-#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
@@ -139,7 +138,7 @@ TEST(Interrupted_runs, of_all_kinds_forget_the_run_before)
   const Graph graph{Triangulation(mesh)};
   const auto make = [&] {
     Search search(graph);
-    search.run(Node(7));
+    search.run_from(Node(7));
     search.source(9);
     return search;
   };

@@ -7,7 +7,6 @@
 #include "oracles/test_oracles.h"
 
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Binary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
@@ -84,8 +83,8 @@ private:
   Key m_last = 0;
 };
 
-// A square of points, each joined to its four neighbours by arcs that are nowhere stored, and not
-// to the one that its path comes from. Lengths are different in x and y.
+// A square of points, each joined to its four neighbors by arcs that are nowhere stored, and not to
+// the one that its path comes from. Lengths are different in x and y.
 class Implicit_square
 {
 public:
@@ -96,9 +95,6 @@ public:
   std::size_t number_of_nodes() const { return std::size_t(m_side) * m_side; }
   double unit() const { return 1; }
   Arc_lengths arc_lengths() const { return {dx, (dx + dy) / 2, dy}; }
-  std::size_t maximum_degree() const { return 4; }
-  void prefetch(Node) const {}
-  const Triangulation& triangulation() const { return m_nothing; }
 
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
@@ -122,7 +118,27 @@ public:
 
 private:
   Node m_side;
-  Triangulation m_nothing;
+};
+
+// The same with all that a graph may have besides.
+class Square_with_options : public Implicit_square
+{
+public:
+  using Implicit_square::Implicit_square;
+
+  static constexpr bool needs_expansion_history = true;
+
+  std::size_t maximum_degree() const { return 4; }
+  void prefetch(Node) const { ++number_of_prefetches; }
+
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    ++(labels.was_expanded(node) ? number_of_repetitions : number_of_expansions);
+    Implicit_square::for_each_arc(node, labels, f);
+  }
+
+  mutable std::size_t number_of_prefetches = 0, number_of_expansions = 0, number_of_repetitions = 0;
 };
 
 template <typename Queue>
@@ -149,7 +165,7 @@ TYPED_TEST(Queues, search_a_graph_of_implicit_arcs)
   Propagation<Implicit_square, TypeParam> search(graph);
   for(const std::uint32_t source : {0u, 61u, 1830u})
   {
-    search.run(source);
+    search.run_from(source);
     for(std::uint32_t n = 0; n < 3600; ++n)
     {
       const double x = std::abs(double(n % 60) - double(source % 60));
@@ -194,35 +210,7 @@ TYPED_TEST(Queues, give_the_same_distances)
   }
 }
 
-// So do the class and the functions.
-TYPED_TEST(Queues, serve_the_class_and_the_functions)
-{
-  Mesh mesh = to_mesh(flat_grid(20, 30));
-  AG::Surface_mesh_shortest_path<Mesh> expected(mesh);
-  AG::Surface_mesh_shortest_path<Mesh, Graph, TypeParam> shortest_paths(mesh);
-  const auto distance = mesh.add_property_map<Vertex, double>("distance").first;
-  for(const Vertex source : {Vertex(0), Vertex(333)})
-  {
-    expected.remove_all_source_points();
-    shortest_paths.remove_all_source_points();
-    expected.add_source_point(source);
-    shortest_paths.add_source_point(source);
-    CGAL::approximate_geodesic_distances<TypeParam>(mesh, distance, source);
-    for(const Vertex v : mesh.vertices())
-    {
-      const double d = expected.shortest_distance_to_source_points(v).first;
-      EXPECT_EQ(shortest_paths.shortest_distance_to_source_points(v).first, d);
-      EXPECT_EQ(distance[v], d);
-    }
-    std::vector<Point> path;
-    EXPECT_EQ(CGAL::approximate_geodesic_path<TypeParam>(mesh, source, Vertex(77),
-                                                         std::back_inserter(path)),
-              distance[Vertex(77)]);
-    EXPECT_GT(path.size(), 1u);
-  }
-}
-
-TYPED_TEST(Queues, end_early_with_certain_distances_only)
+TYPED_TEST(Queues, end_early_with_final_distances_only)
 {
   const Implicit_square graph(60);
   using Square_search = Propagation<Implicit_square, TypeParam>;
@@ -241,6 +229,92 @@ TYPED_TEST(Queues, end_early_with_certain_distances_only)
   EXPECT_EQ(part.distance(1810), 20 * Implicit_square::dx);
   EXPECT_LT(number_reached, 1000u);
   EXPECT_GT(number_reached, 30u);
+}
+
+// The class takes any of them, too.
+template <typename Queue>
+class Queues_of_the_class : public testing::Test
+{
+};
+using Two_queues = testing::Types<Set_queue, AG::Binary_heap_queue>;
+TYPED_TEST_SUITE(Queues_of_the_class, Two_queues, );
+
+TYPED_TEST(Queues_of_the_class, give_the_same_distances)
+{
+  Mesh mesh = to_mesh(flat_grid(20, 30));
+  AG::Surface_mesh_shortest_path<Mesh> expected(mesh);
+  AG::Surface_mesh_shortest_path<Mesh, Graph, TypeParam> shortest_paths(mesh);
+  const auto distance = mesh.add_property_map<Vertex, double>("distance").first;
+  for(const Vertex source : {Vertex(0), Vertex(333)})
+  {
+    expected.remove_all_source_points();
+    shortest_paths.remove_all_source_points();
+    expected.add_source_point(source);
+    shortest_paths.add_source_point(source);
+    CGAL::approximate_geodesic_distances(mesh, distance, source);
+    for(const Vertex v : mesh.vertices())
+    {
+      const double d = expected.shortest_distance_to_source_points(v).first;
+      EXPECT_EQ(shortest_paths.shortest_distance_to_source_points(v).first, d);
+      EXPECT_EQ(distance[v], d);
+    }
+    std::vector<Point> path;
+    EXPECT_EQ(CGAL::approximate_geodesic_path(mesh, source, Vertex(77), std::back_inserter(path)),
+              distance[Vertex(77)]);
+    EXPECT_GT(path.size(), 1u);
+  }
+}
+
+// Buckets as wide as all arcs are long together: nodes come out in the order in which they came in.
+class One_bucket
+{
+public:
+  explicit One_bucket(const Arc_lengths&) {}
+
+  double width() const { return 1e6; }
+  void update(const AG::Bucket_statistics&) {}
+};
+
+TEST(Options_of_graphs, are_used)
+{
+  const Square_with_options graph(60);
+  Propagation<Square_with_options, Basic_adaptive_bucket_queue<One_bucket>> search(graph);
+  search.collect_statistics(true);
+  search.run_from(1830);
+  const AG::Propagation_statistics& s = search.statistics();
+  EXPECT_EQ(graph.number_of_expansions, 3600u);
+  EXPECT_EQ(graph.number_of_repetitions, s.repeated_pops());
+  EXPECT_GT(graph.number_of_repetitions, 0u); // or nothing was tested
+  EXPECT_EQ(graph.number_of_prefetches, s.pops);
+
+  const Implicit_square plain_graph(60);
+  Propagation<Implicit_square> plain(plain_graph);
+  plain.run_from(1830);
+  for(std::uint32_t n = 0; n < 3600; ++n)
+    ASSERT_EQ(search.distance(n), plain.distance(n));
+}
+
+// Says what it is told of earlier expansions, although it does not ask for it.
+class Square_without_history : public Implicit_square
+{
+public:
+  using Implicit_square::Implicit_square;
+
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    EXPECT_FALSE(labels.was_expanded(node));
+    Implicit_square::for_each_arc(node, labels, f);
+  }
+};
+
+TEST(Options_of_graphs, are_independent)
+{
+  const Square_without_history graph(60);
+  Propagation<Square_without_history, Basic_adaptive_bucket_queue<One_bucket>> search(graph);
+  search.collect_statistics(true);
+  search.run_from(1830);
+  EXPECT_GT(search.statistics().repeated_pops(), 0u); // or nothing was tested
 }
 
 } // namespace

@@ -167,7 +167,7 @@ TEST(Seeds, must_not_start_beyond_all_units)
   const Mesh mesh = to_mesh(flat_grid(4, 4).transformed(
       [](const Point& p) { return Point(p.x() * 1e-300, p.y() * 1e-300, 0); }));
   Mesh_search search(mesh);
-  search.search().run(Node(3));
+  search.search().run_from(Node(3));
   EXPECT_EQ(search.search().source(0), 0u);
   EXPECT_THROW(search.search().run({{0, 0, 5}, {3, 1e300, 6}}), std::invalid_argument);
   search.search().run({{0, 0, 5}});

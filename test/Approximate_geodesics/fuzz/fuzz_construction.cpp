@@ -130,7 +130,7 @@ template <typename Queue, typename Graph>
 std::vector<double> distances(const Graph& graph, const Node source)
 {
   AG::Propagation<Graph, Queue> search(graph);
-  search.run(source);
+  search.run_from(source);
   std::vector<double> result;
   for(Node n = 0; n < graph.triangulation().number_of_vertices(); ++n)
     result.push_back(search.distance(n));
@@ -154,7 +154,7 @@ std::vector<double> check_searches(const Graph& graph, const Node source, Fuzzed
   if(graph.number_of_nodes() > 5000)
     return {};
   AG::Propagation<Graph> search(graph);
-  search.run(source);
+  search.run_from(source);
   check_paths(search);
   const std::vector<double> result = distances<AG::Adaptive_bucket_queue>(graph, source);
   if constexpr(!std::is_same_v<Graph, AG::Lazy_discrete_geodesic_graph>)

@@ -102,7 +102,7 @@ void use(const Discrete_geodesic_graph& graph, const std::string& file)
   if(graph.number_of_nodes() == 0)
     return;
   AG::Propagation<Discrete_geodesic_graph> search(graph);
-  search.run(0);
+  search.run_from(0);
   for(Triangulation::Index v = 0; v < graph.number_of_nodes(); ++v)
     require(search.distance(v) >= 0, "a distance is negative or not a number");
   try

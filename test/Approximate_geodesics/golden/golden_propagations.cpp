@@ -94,7 +94,7 @@ void add_runs(const std::string& subject, const GeodesicGraph& graph, Golden_res
   };
   const double unit = graph.unit() * graph.arc_lengths().mean;
 
-  search.run(node(n / 2));
+  search.run_from(node(n / 2));
   add();
   search.collect_statistics(true);
   search.run({{node(0), 0, 0}, {node(n / 3), unit, 1}, {node(2 * n / 3), 2.5 * unit, 2}});

@@ -21,8 +21,8 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * What a priority queue is told of the arcs of a graph, to set itself up: the shortest, the mean
- * and the longest length, in units of the graph. All are `0` for a graph without arcs.
+ * What a priority queue knows about the arcs of a graph when it is made: their shortest, mean and
+ * longest length, in units of the graph. All are `0` for a graph without arcs.
  */
 struct Arc_lengths
 {

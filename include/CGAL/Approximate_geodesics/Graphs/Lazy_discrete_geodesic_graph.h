@@ -118,6 +118,9 @@ public:
   /// returns the bound that holds in the graph.
   double epsilon() const { return m_rules.epsilon; }
 
+  /// a graph whose arcs depend on which nodes were expanded before.
+  static constexpr bool needs_expansion_history = true;
+
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
 

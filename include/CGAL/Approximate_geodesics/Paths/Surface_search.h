@@ -218,7 +218,7 @@ public:
     if(result.node != Search::null_node)
       result.source = m_search.source(result.node);
     const bool is_known =
-        result.distance <= m_maximum_distance && m_search.is_certain(result.distance);
+        result.distance <= m_maximum_distance && m_search.is_final(result.distance);
     return is_known ? result : Answer();
   }
 
@@ -321,9 +321,9 @@ private:
         result.targets.push_back(target.vertex);
       else
       {
-        result.places.emplace_back();
+        result.points.emplace_back();
         m_graph->attach(target).for_each_node([&](const Node node, const double length) {
-          result.places.back().push_back({node, length * m_graph->unit()});
+          result.points.back().push_back({node, length * m_graph->unit()});
         });
       }
     return result;

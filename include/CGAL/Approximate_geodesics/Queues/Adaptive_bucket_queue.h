@@ -31,30 +31,28 @@ namespace Approximate_geodesics {
  * \ingroup PkgApproximateGeodesicsClasses
  *
  * A monotone priority queue that sorts its entries into buckets by their keys, and does not sort
- * them further: the bucket of the smallest keys is drained in rounds. A round is what the bucket
- * held when it started, and comes out in batches; what enters the bucket meanwhile makes the next
- * round. A node whose key is lowered is entered again; the search skips the stale entry when it
- * comes out. The width of the buckets is chosen anew for every run from the figures of the last
- * one.
+ * them further. The bucket of the smallest keys is drained in rounds: a round is what the bucket
+ * held when the round started, and comes out in batches; what enters the bucket meanwhile makes the
+ * next round. A node whose key is lowered is entered again; the search skips the stale entry when
+ * it comes out. After each run, its figures determine the width of the buckets for the next one.
  *
  * All keys in the queue lie within one longest arc of the current bucket, so a small circle of
- * buckets is enough, and few enough entries share a bucket for their order not to matter: on
- * scanned models a node is expanded 1.00 to 1.04 times on average. Two fallbacks bound the cost
- * where arc lengths differ by many orders of magnitude:
- * - keys beyond the circle, whose length is limited, wait in a heap until the circle reaches them;
- * - a bucket that keeps growing while it is drained moves to the heap, and comes out smallest
- *   first; so does every bucket after several times as many entries came out, or while several
- *   times as many wait, as there are nodes. A run therefore expands \cgalBigO{n} nodes, for `n` of
+ * buckets is enough. So few entries share a bucket that their order hardly matters: on scanned
+ * models a node is expanded 1.00 to 1.04 times on average. Two fallbacks bound the cost where arc
+ * lengths differ by many orders of magnitude:
+ * - Keys beyond the circle, whose length is limited, wait in a heap until the circle reaches them.
+ * - A bucket that keeps growing while it is drained moves to the heap, and comes out smallest key
+ *   first. So does every bucket once the number of entries extracted, or of those that wait, is
+ *   several times the number of nodes. A run therefore expands \cgalBigO{n} nodes, for `n` of
  *   them, whatever the lengths.
  *
  * `push()` and `extract_min()` take constant time per entry, and \cgalBigO{\log m} for the `m`
- * entries on the heap. Memory is that of the largest number of entries that each bucket of the
- * circle had at a time; it is kept from run to run.
+ * entries on the heap. Each bucket of the circle keeps the memory of the largest number of entries
+ * that it held, also from run to run.
  *
- * The idea of adapting the buckets to the mesh from run to run is that of Schwartz, de Rezende and
- * Pedrini \cgalCite{srp-fasgp-15}; the circle, draining in any order and the fallbacks are
- * additions of this package. Buckets drained in any order were introduced by Denardo and Fox
- * \cgalCite{df-spmrp-79}.
+ * Adapting the buckets to the mesh from run to run is an idea of Schwartz, de Rezende and Pedrini
+ * \cgalCite{srp-fasgp-15}; the circle, draining in any order and the fallbacks are additions of
+ * this package. Denardo and Fox introduced buckets drained in any order \cgalCite{df-spmrp-79}.
  *
  * \tparam WidthPolicy a model of `BucketWidthPolicy`
  *
@@ -73,10 +71,10 @@ public:
   /// what comes out of the queue.
   using Entry = Queue_entry;
 
-  /// several of them.
+  /// a range of entries.
   using Batch = Iterator_range<const Entry*>;
 
-  /// an empty queue for a graph with the given arcs.
+  /// makes an empty queue for a graph with `number_of_nodes` nodes and the given arcs.
   explicit Basic_adaptive_bucket_queue(const std::size_t number_of_nodes = 0,
                                        const Arc_lengths& arcs = Arc_lengths())
     : m_number_of_nodes(number_of_nodes), m_longest_arc(arcs.longest), m_policy(arcs)
@@ -89,7 +87,7 @@ public:
 
   /*!
    * enters `node` with `key`.
-   * \pre `key` is not below the start of the bucket that was drained last, nor a NaN.
+   * \pre `key` is not a NaN, and not below the bucket that is being drained.
    */
   void push(const Node node, const Key key)
   {
@@ -104,8 +102,8 @@ public:
 
   /*!
    * removes up to `LARGEST_BATCH` entries of the first bucket that is not empty, and returns them.
-   * They may be stale: entered with a key larger than the node has by now. The range is valid until
-   * the next call of `extract_min()` or `clear()`.
+   * They may be stale: the node may have been entered with a smaller key since. The range is valid
+   * until the next call of `extract_min()` or `clear()`.
    * \pre `!is_empty()`
    */
   Batch extract_min()
@@ -120,13 +118,13 @@ public:
     return Batch(first, first + size);
   }
 
-  /// the largest number of entries that come out at a time.
+  /// the largest number of entries in a batch.
   static constexpr std::size_t LARGEST_BATCH = 32;
 
-  /// returns whether `key` is smaller than any key in the queue and any that may still be pushed.
+  /// returns whether `key` is smaller than all keys in the queue and all that may still be pushed.
   bool is_final(const Key key) const { return bucket_index(key) < m_current; }
 
-  /// calls `f(node)` for the nodes of all entries; for some of them more than once.
+  /// calls `f(node)` for the nodes of all entries, for some of them more than once.
   template <typename F>
   void for_each_node(F f) const
   {
@@ -138,7 +136,7 @@ public:
         f(e.node);
   }
 
-  /// removes all entries, and prepares for the next run with what was learnt from the last one.
+  /// removes all entries, and adapts the width of the buckets to the last run.
   void clear()
   {
     for(Bucket& b : m_buckets)
@@ -152,7 +150,8 @@ public:
   Bucket_statistics statistics() const
   {
     Bucket_statistics result = m_statistics;
-    add_current_bucket(result);
+    if(number_drained() > 0)
+      add_current_bucket(result);
     return result;
   }
 
@@ -205,15 +204,14 @@ private:
     m_size = 0;
     m_statistics = Bucket_statistics();
     m_statistics.width = width;
-    m_trust = waiting_room();
+    m_unordered_budget = unordered_limit();
     m_round.clear();
     m_next = 0;
     open_bucket(0);
   }
 
-  // As many entries may wait, and come out in the order in which they came in, as a sensible run
-  // never needs.
-  std::size_t waiting_room() const { return 8 * m_number_of_nodes + 1024; }
+  // Limit on unordered entries, in the queue and extracted; ordinary runs stay far below.
+  std::size_t unordered_limit() const { return 8 * m_number_of_nodes + 1024; }
 
   void open_bucket(const Index index)
   {
@@ -228,7 +226,8 @@ private:
   // Entries of the current bucket, none of which is in the last round.
   Bucket& current_bucket() { return bucket(m_current); }
 
-  // A round is what the current bucket holds. What is pushed into it meanwhile makes the next one.
+  // A round is what the current bucket holds. What is pushed into it meanwhile makes the next
+  // round.
   BOOST_NOINLINE void start_next_round()
   {
     m_round.clear();
@@ -253,10 +252,9 @@ private:
   void open_next_bucket()
   {
     add_current_bucket(m_statistics);
-    m_statistics.visited_buckets += m_drained == 0 ? 1 : 0;
     if(m_round.capacity() > current_bucket().capacity())
       std::swap(m_round, current_bucket()); // or each bucket would get the memory of the largest
-    m_trust -= (std::min)(m_trust, m_drained);
+    m_unordered_budget -= (std::min)(m_unordered_budget, m_drained);
 
     const bool circle_is_empty = m_size == m_heap.size();
     open_bucket(circle_is_empty ? nearest_index() : m_current + 1);
@@ -264,27 +262,23 @@ private:
       move_nearest_into_circle();
   }
 
+  // the number of entries of the current bucket that were extracted
+  std::size_t number_drained() const { return m_drained - (m_round.size() - m_next); }
+
   void add_current_bucket(Bucket_statistics& statistics) const
   {
-    const std::size_t drained = m_drained - (m_round.size() - m_next);
-    if(drained == 0)
-      return;
-    const double occupancy = static_cast<double>(drained);
-    statistics.visited_buckets += 1;
-    statistics.entries += drained;
-    statistics.late_entries += drained - (std::min)(drained, m_first_round);
-    statistics.used_buckets += 1;
-    statistics.sum_of_squared_occupancies += occupancy * occupancy;
+    const std::size_t drained = number_drained();
+    statistics.add_bucket(drained, drained - (std::min)(drained, m_first_round));
   }
 
-  // Whether draining the bucket round by round cannot be hoped to end soon.
+  // Whether the bucket refills faster than it drains, and is to be emptied in order.
   bool shall_be_put_in_order() const
   {
-    const std::size_t patience = (std::min)(4 * m_first_round + 256, m_trust);
-    return m_drained >= patience || m_size > waiting_room();
+    const std::size_t limit = (std::min)(4 * m_first_round + 256, m_unordered_budget);
+    return m_drained >= limit || m_size > unordered_limit();
   }
 
-  // From here on, entries of the current bucket wait in the heap.
+  // From now on, entries of the current bucket wait in the heap.
   void put_in_order()
   {
     m_is_in_order = true;
@@ -328,14 +322,14 @@ private:
   }
 
   std::vector<Bucket> m_buckets; // a circle; their number is a power of two
-  Bucket m_heap;                 // what is beyond the circle, or shall come out in order
-  Bucket m_round;                // what was in the current bucket
-  std::size_t m_next = 0;        // the entry of the round that comes out next
-  std::size_t m_size = 0;        // the number of entries that did not come out
+  Bucket m_heap;                 // entries beyond the circle, or to be extracted in order
+  Bucket m_round;                // entries of the current bucket
+  std::size_t m_next = 0;        // the first of the round that is left
+  std::size_t m_size = 0;        // the number of entries left
   Index m_mask = 0;              // reduces an index to the circle
   double m_buckets_per_unit = 1;
 
-  // which buckets are in the circle; all others' entries go to the heap
+  // the buckets in the circle; entries of all others go to the heap
   Index m_first_in_circle = 0;
   Index m_number_in_circle = 0;
 
@@ -343,9 +337,9 @@ private:
   Index m_current = 0;
   bool m_is_in_order = false;
   std::size_t m_drained = 0;     // the number of entries of its rounds
-  std::size_t m_first_round = 0; // that of the first round; further ones are late
+  std::size_t m_first_round = 0; // that of the first round; entries of further rounds are late
 
-  std::size_t m_trust = 0; // how many more entries may come out before order is imposed
+  std::size_t m_unordered_budget = 0; // how many more entries may be extracted in any order
 
   std::size_t m_number_of_nodes;
   double m_longest_arc;
@@ -356,7 +350,7 @@ private:
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * The package's default queue: an adaptive bucket queue with balanced widths.
+ * The default queue of this package: an adaptive bucket queue with balanced widths.
  */
 using Adaptive_bucket_queue = Basic_adaptive_bucket_queue<Balanced_bucket_width>;
 

@@ -25,7 +25,7 @@ namespace Approximate_geodesics {
  *
  * Wide buckets lead to late entries: nodes that enter a bucket while it is being drained, and may
  * have to be expanded again. Narrow buckets have to be visited, and many are empty; a visit costs
- * as much as a few late entries. The width is changed by a factor of \f$\sqrt 2\f$ after every run
+ * as much as a few late entries. After every run, the width changes by a factor of \f$\sqrt 2\f$
  * until neither overhead is much larger than the other. The first width is half the mean arc
  * length, which is close to balanced on scanned models.
  *
@@ -62,7 +62,7 @@ private:
   static constexpr std::size_t SLACK = 2; // further apart: a step must not lead to its opposite
   static constexpr double NARROWEST_PART = 1e-9; // of the longest arc: bucket indices stay small
   static constexpr double SMALLEST_INVERTIBLE = 4 / (std::numeric_limits<double>::max)();
-  static constexpr std::size_t SMALLEST_SAMPLE = 1000; // smaller runs say little of the mesh
+  static constexpr std::size_t SMALLEST_SAMPLE = 1000; // smaller runs say little about the mesh
 
   double m_narrowest;
   double m_widest;

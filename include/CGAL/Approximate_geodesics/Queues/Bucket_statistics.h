@@ -18,25 +18,38 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * What a run of a bucket queue met with. All of it is counted per bucket, not per entry, and costs
+ * The figures of a run of a bucket queue. They are counted per bucket, not per entry, which costs
  * next to nothing.
  */
 struct Bucket_statistics
 {
   /// the width of the buckets, in units of the graph.
   double width = 0;
-  /// the number of buckets looked into, empty ones included.
+  /// the number of buckets visited, empty ones included.
   std::size_t visited_buckets = 0;
   /// the number of buckets that were not empty.
   std::size_t used_buckets = 0;
-  /// the number of entries that were extracted.
+  /// the number of entries extracted.
   std::size_t entries = 0;
-  /// the number of entries among them that came into a bucket while it was being drained.
+  /// the number of these that entered a bucket while it was being drained.
   std::size_t late_entries = 0;
-  /// the number of comparisons between entries, of one bucket or beyond the circle.
+  /// the number of comparisons between entries.
   std::size_t comparisons = 0;
   /// the sum of the squared numbers of entries of the buckets.
   double sum_of_squared_occupancies = 0;
+
+  /// adds a bucket that was visited, the number of entries extracted from it, and of those among
+  /// them that entered it while it was being drained.
+  void add_bucket(const std::size_t occupancy, const std::size_t late = 0)
+  {
+    ++visited_buckets;
+    if(occupancy == 0)
+      return;
+    ++used_buckets;
+    entries += occupancy;
+    late_entries += late;
+    sum_of_squared_occupancies += static_cast<double>(occupancy) * static_cast<double>(occupancy);
+  }
 
   /// returns the mean number of entries of the buckets that were not empty.
   double mean_occupancy() const

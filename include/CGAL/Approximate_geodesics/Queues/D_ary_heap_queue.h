@@ -18,10 +18,21 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 
+namespace internal {
+
+template <unsigned D>
+using Boost_d_ary_heap_queue =
+    Boost_heap_queue<boost::heap::d_ary_heap<Queue_entry,
+                                             boost::heap::arity<D>,
+                                             boost::heap::mutable_<true>,
+                                             boost::heap::compare<Has_larger_key>>>;
+
+} // namespace internal
+
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * A priority queue on an implicit heap, whose nodes have `D` children each, from the library
+ * A priority queue on an implicit heap whose nodes have `D` children each, from the library
  * Boost.Heap. Keys are lowered in place.
  *
  * `push()` takes time \cgalBigO{\log_D m}, `extract_min()` takes \cgalBigO{D \log_D m} for `m`
@@ -36,27 +47,26 @@ namespace Approximate_geodesics {
 template <unsigned D = 4>
 class D_ary_heap_queue
 #ifndef DOXYGEN_RUNNING
-  : public internal::Boost_heap_queue<
-        boost::heap::d_ary_heap<Queue_entry,
-                                boost::heap::arity<D>,
-                                boost::heap::mutable_<true>,
-                                boost::heap::compare<internal::Has_larger_key>>>
+  : public internal::Boost_d_ary_heap_queue<D>
 #endif
 {
-  using Base = internal::Boost_heap_queue<
-      boost::heap::d_ary_heap<Queue_entry,
-                              boost::heap::arity<D>,
-                              boost::heap::mutable_<true>,
-                              boost::heap::compare<internal::Has_larger_key>>>;
-
 public:
-  /// an empty queue for a graph with so many nodes.
+  /// makes an empty queue for a graph with `number_of_nodes` nodes.
   explicit D_ary_heap_queue(const std::size_t number_of_nodes = 0,
                             const Arc_lengths& arcs = Arc_lengths())
-    : Base(number_of_nodes, arcs)
+    : internal::Boost_d_ary_heap_queue<D>(number_of_nodes, arcs)
   {
   }
 };
+
+/*!
+ * \ingroup PkgApproximateGeodesicsClasses
+ *
+ * An implicit binary heap.
+ *
+ * \cgalModels{GeodesicPriorityQueue}
+ */
+using Binary_heap_queue = D_ary_heap_queue<2>;
 
 } // namespace Approximate_geodesics
 } // namespace CGAL

@@ -18,11 +18,18 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 
+namespace internal {
+
+using Boost_fibonacci_heap_queue = Boost_heap_queue<
+    boost::heap::fibonacci_heap<Queue_entry, boost::heap::compare<Has_larger_key>>>;
+
+} // namespace internal
+
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * A priority queue on a Fibonacci heap \cgalCite{ft-fhtui-87}, from the library Boost.Heap. It has
- * the best bounds of all heaps that are used in practice, and large constants. Keys are lowered in
+ * A priority queue on a Fibonacci heap \cgalCite{ft-fhtui-87}, from the library Boost.Heap. Its
+ * bounds are the best of all heaps in practical use, its constants are large. Keys are lowered in
  * place.
  *
  * `push()` takes amortized constant time, `extract_min()` amortized time \cgalBigO{\log m} for `m`
@@ -34,18 +41,14 @@ namespace Approximate_geodesics {
  */
 class Fibonacci_heap_queue
 #ifndef DOXYGEN_RUNNING
-  : public internal::Boost_heap_queue<
-        boost::heap::fibonacci_heap<Queue_entry, boost::heap::compare<internal::Has_larger_key>>>
+  : public internal::Boost_fibonacci_heap_queue
 #endif
 {
-  using Base = internal::Boost_heap_queue<
-      boost::heap::fibonacci_heap<Queue_entry, boost::heap::compare<internal::Has_larger_key>>>;
-
 public:
-  /// an empty queue for a graph with so many nodes.
+  /// makes an empty queue for a graph with `number_of_nodes` nodes.
   explicit Fibonacci_heap_queue(const std::size_t number_of_nodes = 0,
                                 const Arc_lengths& arcs = Arc_lengths())
-    : Base(number_of_nodes, arcs)
+    : internal::Boost_fibonacci_heap_queue(number_of_nodes, arcs)
   {
   }
 };

@@ -18,15 +18,22 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 
+namespace internal {
+
+using Boost_pairing_heap_queue =
+    Boost_heap_queue<boost::heap::pairing_heap<Queue_entry, boost::heap::compare<Has_larger_key>>>;
+
+} // namespace internal
+
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
  * A priority queue on a pairing heap \cgalCite{fsst-phnfs-86}, from the library Boost.Heap: simpler
  * than a Fibonacci heap, and often faster. Keys are lowered in place.
  *
- * `push()` takes constant time where it enters a node, and amortized \cgalBigO{\log m}, as Boost
- * states, where it lowers a key, as `extract_min()` does, for `m` entries. Memory is \cgalBigO{n}
- * for `n` nodes.
+ * `push()` takes constant time if it enters a node, and amortized time \cgalBigO{\log m}, as Boost
+ * states, if it lowers a key; `extract_min()` takes amortized time \cgalBigO{\log m} for `m`
+ * entries. Memory is \cgalBigO{n} for `n` nodes.
  *
  * Objects can be moved, but not copied.
  *
@@ -34,18 +41,14 @@ namespace Approximate_geodesics {
  */
 class Pairing_heap_queue
 #ifndef DOXYGEN_RUNNING
-  : public internal::Boost_heap_queue<
-        boost::heap::pairing_heap<Queue_entry, boost::heap::compare<internal::Has_larger_key>>>
+  : public internal::Boost_pairing_heap_queue
 #endif
 {
-  using Base = internal::Boost_heap_queue<
-      boost::heap::pairing_heap<Queue_entry, boost::heap::compare<internal::Has_larger_key>>>;
-
 public:
-  /// an empty queue for a graph with so many nodes.
+  /// makes an empty queue for a graph with `number_of_nodes` nodes.
   explicit Pairing_heap_queue(const std::size_t number_of_nodes = 0,
                               const Arc_lengths& arcs = Arc_lengths())
-    : Base(number_of_nodes, arcs)
+    : internal::Boost_pairing_heap_queue(number_of_nodes, arcs)
   {
   }
 };

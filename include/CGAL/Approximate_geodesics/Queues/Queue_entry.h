@@ -16,7 +16,7 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * What comes out of a queue: a node, and the key that it was entered with.
+ * An entry of a queue: a node, and the key that it was entered with.
  */
 struct Queue_entry
 {

@@ -27,16 +27,16 @@ namespace Approximate_geodesics {
  * \ingroup PkgApproximateGeodesicsClasses
  *
  * A monotone priority queue that puts an entry into one of 65 buckets, by the first bit in which
- * its key differs from a key that none is below \cgalCite{amot-faspp-90}. Doubles that are not
- * negative have the order of their bit patterns, so that no unit and no range of keys has to be
+ * its key differs from a lower bound of all keys \cgalCite{amot-faspp-90}. Doubles that are not
+ * negative have the order of their bit patterns, so neither a unit nor a range of keys has to be
  * known.
  *
- * When the first bucket is empty, the entries of the first one that is not are distributed to those
- * before it. An entry moves at most 64 times, and a few times in practice. A node whose key is
- * lowered is entered again; the search skips the stale entry when it comes out.
+ * When the first bucket is empty, the entries of the first bucket that is not are distributed to
+ * the buckets before it. An entry moves at most 64 times, and a few times in practice. A node whose
+ * key is lowered is entered again; the search skips the stale entry when it comes out.
  *
  * `push()` takes constant time, and `extract_min()` amortized time \cgalBigO{B} for keys of `B`
- * bits. Memory is that of the largest number of entries each bucket had.
+ * bits. Memory is that of the largest number of entries that each bucket held.
  *
  * \cgalModels{GeodesicPriorityQueue}
  */
@@ -46,7 +46,7 @@ class Radix_heap_queue
 #endif
 {
 public:
-  /// an empty queue.
+  /// makes an empty queue.
   explicit Radix_heap_queue(std::size_t /* number_of_nodes */ = 0,
                             const Arc_lengths& = Arc_lengths())
   {
@@ -123,8 +123,8 @@ private:
     return m_buckets[internal::bit_width(bits_of(key) ^ m_least)];
   }
 
-  // The keys in a bucket have the bit that it stands for in common, and so differ from the smallest
-  // of them in a later one.
+  // The keys in a bucket have the bit in common that it stands for, so each differs from the
+  // smallest of them in a later bit.
   void distribute(Bucket& bucket)
   {
     const auto smallest = std::min_element(
@@ -137,7 +137,7 @@ private:
 
   std::array<Bucket, 65> m_buckets;
   std::size_t m_size = 0; // the number of entries
-  Bits m_least = 0;       // of the key that no key in the queue is below
+  Bits m_least = 0;       // a lower bound of the keys in the queue
 };
 
 } // namespace Approximate_geodesics

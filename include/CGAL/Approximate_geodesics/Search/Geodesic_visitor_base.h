@@ -16,8 +16,8 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * A visitor that does nothing. Derive from it to write only the functions that you need; they hide
- * the ones below, which are not virtual.
+ * A visitor that does nothing. A class derived from it has to define only the functions that it
+ * needs; these hide those below, which are not virtual.
  *
  * \cgalModels{GeodesicVisitor}
  */

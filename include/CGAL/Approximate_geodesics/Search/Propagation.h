@@ -8,48 +8,86 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_rules.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Goal.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Input_check.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Nearest_sources.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Progress_watch.h>
+#include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
 #include <CGAL/Approximate_geodesics/Search/internal/counters.h>
-#include <CGAL/Approximate_geodesics/Search/internal/has_maximum_degree.h>
 #include <CGAL/Approximate_geodesics/Search/internal/heuristics.h>
-#include <CGAL/assertions.h>
+#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
+#include <CGAL/Approximate_geodesics/Search/internal/watches.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 
+/*
+ * The algorithm
+ *
+ * Dijkstra's algorithm [1] labels each node with the length of the shortest path to it found so
+ * far, and takes nodes out of a priority queue, smallest label first, to expand them: it looks at
+ * all arcs from the node, and lowers the labels of their ends where the path along the arc is
+ * shorter. This search does the same in batches. The queue hands out several entries with small
+ * keys at a time, in any order [2], and three loops work through them (Batch_relaxation.h):
+ *
+ * 1. Skip stale entries: their nodes have smaller labels by now, and were or will be expanded with
+ *    those. Prefetch the arcs of all other nodes.
+ * 2. Look at the arcs of these nodes. Write the path along each arc to the end of a list of
+ *    candidates; the end moves on only if the path is shorter than the label says.
+ * 3. Go through the candidates, and lower labels and enter nodes into the queue. A candidate may
+ *    have become useless by an earlier one, but few are.
+ *
+ * Whether an entry is stale and whether an arc shortens a path cannot be predicted on a mesh. In
+ * the usual single loop, a processor spends most of its time on wrong predictions; the first two of
+ * these loops have no branch that depends on a label.
+ *
+ * A node whose label falls after it was expanded is entered again, so that any order leads to the
+ * same labels: the smallest sum of arc lengths from a source, over all paths, added up in the order
+ * of the path. Rounding is monotone, so they are the same to the last bit. A good order saves
+ * repeated expansions.
+ *
+ * A label is final when it is smaller than all keys that are in the queue or will be, which the
+ * queue knows. Between the first and the second loop, a watch may tell a visitor of nodes that have
+ * become final, and may end the run: at targets, or if the visitor wishes. Then labels that are not
+ * final are taken back.
+ *
+ * With a heuristic, this is the A* algorithm [3]: the key of a node is its label plus a lower bound
+ * of the distance from there to the goal.
+ *
+ * [1] E. W. Dijkstra. A note on two problems in connexion with graphs. 1959.
+ * [2] E. V. Denardo, B. L. Fox. Shortest-route methods: 1. Reaching, pruning, and buckets. 1979.
+ * [3] P. E. Hart, N. J. Nilsson, B. Raphael. A formal basis for the heuristic determination of
+ *     minimum cost paths. 1968.
+ */
+
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
  * Dijkstra's algorithm \cgalCite{d-ntpcg-59} on a geodesic graph, and the shortest-path tree that
- * it leaves: distance, predecessor and nearest source of every node that was reached.
+ * it finds: distance, predecessor and nearest source of every node that was reached.
  *
  * An object of this class is a workspace. It is made once and used for any number of runs, one
  * after the other; the cost of a run is proportional to what it reaches, not to the size of the
- * graph. One graph may be searched by several threads at the same time, each with a workspace of
- * its own.
+ * graph. Several threads may search one graph at the same time, each with a workspace of its own.
+ * Member functions that are `const` only read, with one exception: `source()`.
  *
- * Distances are in the unit of the mesh and `double`. They are the minimum, over all paths in the
- * graph, of the lengths of the arcs added up from the source on; so they do not depend on the
- * queue. A distance beyond the largest `double` is given as infinity.
+ * Distances are `double`, in the unit of the mesh. Each is the minimum, over all paths in the
+ * graph, of the arc lengths added up from the source on, and so does not depend on the queue. A
+ * distance beyond the largest `double` is given as infinity.
  *
- * If an exception leaves `run()`, thrown by a visitor or for want of memory, the object is as
- * if nothing had been reached, and may be used again.
+ * If an exception leaves `run()`, thrown by a visitor or because memory is exhausted, nothing
+ * counts as reached, and the object may be used again.
  *
  * \tparam GeodesicGraph a model of `GeodesicGraph`
  * \tparam PriorityQueue a model of `GeodesicPriorityQueue`
@@ -57,6 +95,9 @@ namespace Approximate_geodesics {
 template <typename GeodesicGraph, typename PriorityQueue = Adaptive_bucket_queue>
 class Propagation
 {
+  static_assert(internal::Check_graph<GeodesicGraph>::is_done);
+  static_assert(internal::Check_queue<PriorityQueue>::is_done);
+
 public:
   /// \name Types
   /// @{
@@ -67,40 +108,17 @@ public:
   /// the queue used.
   using Queue = PriorityQueue;
 
-  /// the number of a node.
-  using Node = typename Graph::Node;
+  /// the number of a node: `std::uint32_t`.
+  using Node = internal::Labels::Node;
 
-  /// where a run starts: a node, its initial distance, and the index of the source it belongs to.
-  struct Seed
-  {
-    /// the node.
-    Node node;
-    /// its initial distance, in the unit of the mesh: finite and not negative.
-    double distance = 0;
-    /// the index of its source: what `source()` returns for the nodes nearest to this seed.
-    std::size_t source = 0;
-  };
+  /// where a run starts.
+  using Seed = Approximate_geodesics::Seed;
 
-  /// an arc from a node to a place that is not a node.
-  struct Last_arc
-  {
-    /// the node.
-    Node node;
-    /// the length of the arc, in the unit of the mesh: not negative.
-    double length;
-  };
+  /// an arc from a node to a point.
+  using Last_arc = Approximate_geodesics::Last_arc;
 
   /// when a run may end early.
-  struct Stop_rule
-  {
-    /// nodes farther than this are not reached.
-    double maximum_distance = std::numeric_limits<double>::infinity();
-    /// the run ends as soon as all of these are settled, if there are any, ...
-    std::vector<Node> targets = {};
-    /// ... and the distances of all these places are certain, too. A place is given by the arcs
-    /// that lead there.
-    std::vector<std::vector<Last_arc>> places = {};
-  };
+  using Stop_rule = Approximate_geodesics::Stop_rule;
 
   /// @}
 
@@ -108,7 +126,7 @@ public:
   static constexpr Node null_node = internal::Labels::null_node;
 
   /// what `source()` returns if there is none.
-  static constexpr std::size_t null_source = (std::numeric_limits<std::size_t>::max)();
+  static constexpr std::size_t null_source = internal::Nearest_sources::null_source;
 
   /// \name Creation
   /// @{
@@ -136,14 +154,14 @@ public:
    * forgets the last run, and finds the distance from the nearest of the seeds to all nodes that
    * the rule allows to be reached.
    *
-   * When a run ends early, nodes whose distance is not certain yet count as not reached.
+   * If a run ends early, nodes whose distance is not final count as not reached.
    *
-   * \param seeds where to start; a node may occur more than once. Nothing is reached from none.
-   * \param stop when the run may end early
-   * \param visitor a model of `GeodesicVisitor` for vertices of type `Node`
+   * \param seeds where to start; a node may occur more than once. Without seeds, nothing is
+   * reached. \param stop when the run may end early \param visitor a model of `GeodesicVisitor` for
+   * vertices of type `Node`
    *
-   * \throws std::invalid_argument if a node does not exist, or a seed's distance or the maximum
-   *         distance is negative or not a number.
+   * \throws std::invalid_argument if a node does not exist, or if the distance of a seed or the
+   *         maximum distance is negative or not a number.
    *
    * Run time is \cgalBigO{m} in practice for `m` arcs of the nodes reached, times the cost of an
    * operation of the queue.
@@ -160,31 +178,31 @@ public:
   void run(const std::vector<Seed>& seeds) { run(seeds, Stop_rule()); }
 
   /// finds the distances from `node` to all nodes.
-  template <typename Integer>
-  std::enable_if_t<std::is_integral_v<Integer>> run(const Integer node)
-  {
-    run(std::vector<Seed>{Seed{static_cast<Node>(node)}});
-  }
+  void run_from(const Node node) { run(std::vector<Seed>{Seed{node}}); }
 
   /*!
-   * does the same in another order, which leads to a goal: nodes from where the rest of the way is
-   * short come first. This is the A* algorithm \cgalCite{hnr-fbhdm-68}. If the run ends early, it
-   * has reached fewer nodes than another one would; distances of others than the goal and the nodes
-   * on the path there are then not certain.
+   * runs the A* algorithm \cgalCite{hnr-fbhdm-68}: as `run()` does, but expands nodes in the order
+   * of their distance plus a lower bound of the remaining distance to a goal, and so reaches fewer
+   * nodes before it gets there. The goal is the only target, or the only point, of the rule. If the
+   * run ends early, only the distances of the goal and of the nodes on the path to it are final.
    *
    * \param seeds where to start
    * \param stop when the run may end early
-   * \param estimate a function object: `estimate(node)` is a lower bound of the distance from
-   *        `node` to the goal, in units of the graph, and not more than the length of an arc from
-   *        `node` and the estimate at its end together, but for rounding. The goal is the target,
-   *        or the place.
+   * \param heuristic a consistent heuristic: a model of the concept `AStarHeuristic` of the Boost
+   *        Graph Library, which is a function object called with a `Node`. It returns a lower bound
+   *        of the distance from this node to the goal, in units of the graph. Consistent means that
+   *        for each arc, the value at its start is at most the length of the arc plus the value at
+   *        its end. Rounding errors are tolerated.
+   *
+   * \throws std::invalid_argument as `run()` does.
    */
-  template <typename Estimate>
-  void run_toward(const std::vector<Seed>& seeds, const Stop_rule& stop, const Estimate& estimate)
+  template <typename AStarHeuristic>
+  void
+  run_toward(const std::vector<Seed>& seeds, const Stop_rule& stop, const AStarHeuristic& heuristic)
   {
     check(seeds, stop);
     forget();
-    search(seeds, stop, Geodesic_visitor_base(), estimate);
+    search(seeds, stop, Geodesic_visitor_base(), heuristic);
     if(reopens_too_often())
     {
       forget();
@@ -194,8 +212,8 @@ public:
 
   /*!
    * adds seeds to those of the last run, and lowers the distances of the nodes that are nearer to
-   * the new ones. Results are those of a run from all seeds; but only the nodes whose distances
-   * fall are expanded, which `reached_nodes()` then has again.
+   * the new ones. Results are those of a run from all seeds; but only nodes whose distances fall
+   * are expanded, and occur again in `reached_nodes()`.
    *
    * \pre The last run did not end early.
    *
@@ -208,10 +226,10 @@ public:
     search(seeds, Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic());
   }
 
-  /// says whether the runs to come shall count what they do; this makes them a bit slower.
+  /// enables or disables statistics for subsequent runs, which they slow down slightly.
   void collect_statistics(const bool counts) { m_counts = counts; }
 
-  /// returns whether they shall.
+  /// returns whether statistics are enabled.
   bool collects_statistics() const { return m_counts; }
 
   /// @}
@@ -222,9 +240,9 @@ public:
   /// returns the distance to `node`, or infinity if it was not reached.
   double distance(const Node node) const { return m_labels.distance(node) * m_graph->unit(); }
 
-  /// returns whether all nodes nearer than `distance` were reached: always, unless the run ended
-  /// early.
-  bool is_certain(const double distance) const
+  /// returns whether `distance` is final: whether all nodes nearer than this were reached. This is
+  /// so for every distance unless the run ended early.
+  bool is_final(const double distance) const
   {
     // the next smaller number, as a distance may have been rounded up to this one
     return !m_ended_early || m_queue.is_final(to_graph_unit(std::nextafter(distance, 0.)));
@@ -234,24 +252,31 @@ public:
   bool is_reached(const Node node) const { return m_labels.is_reached(node); }
 
   /// returns the node before `node` on a shortest path to it, or `null_node` if the path starts
-  /// with `node`, or it was not reached.
+  /// with `node`, or `node` was not reached.
   Node predecessor(const Node node) const
   {
     return is_reached(node) ? m_labels.predecessor(node) : null_node;
   }
 
-  /// returns the index of the source nearest to `node`, or `null_source` if it was not reached.
-  /// Run time is \cgalBigO{1}, amortized over the nodes that were reached.
+  /*!
+   * returns the index of the source nearest to `node`, or `null_source` if `node` was not reached.
+   *
+   * The first call after a run makes room for an index per node, and each call keeps what it finds
+   * along its path. So run time is \cgalBigO{1}, amortized over the nodes that were reached.
+   *
+   * \warning Although this member function is `const`, it writes to the object: two threads must
+   * not call it for the same object at the same time.
+   */
   std::size_t source(const Node node) const { return m_sources.source(node, m_labels, m_seeds); }
 
-  /// returns the nodes that were reached, in the order in which they were first expanded or, if
-  /// the run was watched by a visitor, of their distances. Nodes may occur more than once.
+  /// returns the nodes that were reached, in the order in which they were first expanded or, if a
+  /// visitor watched the run, of their distances. Nodes may occur more than once.
   const std::vector<Node>& reached_nodes() const { return m_labels.order(); }
 
-  /// returns the figures of the last run, if it was asked to count.
+  /// returns the figures of the last run, if statistics were enabled.
   const Propagation_statistics& statistics() const { return m_statistics; }
 
-  /// returns the queue, which has figures of its own.
+  /// returns the queue, which may have figures of its own.
   const Queue& queue() const { return m_queue; }
 
   /// @}
@@ -263,75 +288,75 @@ public:
   std::size_t memory() const
   {
     return m_labels.memory() + m_queue.memory() + m_sources.memory() +
-           m_seeds.capacity() * sizeof(Seed) + m_candidates.capacity() * sizeof(Candidate);
+           m_seeds.capacity() * sizeof(Seed) +
+           m_candidates.capacity() * sizeof(internal::Candidate);
   }
 
 private:
-  // A path that ends with an arc just looked at.
-  struct Candidate
+  // The algorithm.
+  template <typename Watch, typename Heuristic, typename Counter>
+  void
+  propagate(const Stop_rule& stop, Watch watch, const Heuristic& heuristic, const Counter& counter)
   {
-    double distance;
-    Node node;
-    Node predecessor;
-  };
-
-  void check(const std::vector<Seed>& seeds, const Stop_rule& stop) const
-  {
-    for(const Seed& seed : seeds)
+    internal::Batch_relaxation<Graph, Queue, Heuristic, Counter> batch(
+        *m_graph, m_queue, m_labels, m_candidates, heuristic, to_graph_unit(stop.maximum_distance),
+        counter);
+    while(!m_queue.is_empty() && !(internal::is_heuristic<Heuristic> && reopens_too_often()))
     {
-      check(seed.node, "source");
-      const double distance = to_graph_unit(seed.distance); // overflows if the mesh is tiny
-      if(!(distance >= 0) || std::isinf(distance))
-        internal::reject("the distance that source node " + std::to_string(seed.node) +
-                         " starts with is " + internal::text_of(seed.distance) +
-                         "; it must be a finite number that is not negative, nor out of proportion "
-                         "to the mesh");
+      batch.extract();
+      if(!watch.go_further(batch.size()))
+        return end_early<Heuristic>(batch.size());
+      batch.find_candidates();
+      batch.take_candidates();
     }
-    for(const Node target : stop.targets)
-      check(target, "target");
-    for(const std::vector<Last_arc>& arcs : stop.places)
-      for(const Last_arc& arc : arcs)
-        check(arc.node, "target");
-    if(!(stop.maximum_distance >= 0))
-      internal::reject("the maximum distance is " + internal::text_of(stop.maximum_distance) +
-                       "; it must be a number that is not negative");
+    watch.finish();
   }
 
-  void check(const Node node, const char* role) const
+  // What is still in the queue, or was extracted last, is not final, and is taken back. After A*,
+  // nothing but the goal is asked for, and nodes on the path to it may still be in the queue, as
+  // their keys were rounded up; so everything stays.
+  template <typename Heuristic>
+  void end_early(const std::size_t size_of_batch)
   {
-    if(node >= m_graph->number_of_nodes())
-      internal::reject(std::string(role) + " node " + std::to_string(node) +
-                       " does not exist: there are " + std::to_string(m_graph->number_of_nodes()) +
-                       " nodes");
+    m_ended_early = true;
+    if constexpr(internal::is_heuristic<Heuristic>)
+      m_queue.for_each_node([this](const Node node) { m_labels.order().push_back(node); });
+    else
+    {
+      m_labels.discard_last_of_order(size_of_batch);
+      m_queue.for_each_node([this](const Node node) {
+        if(m_labels.is_reached(node) && !m_queue.is_final(m_labels.distance(node)))
+          m_labels.discard(node);
+      });
+    }
   }
 
-  double to_graph_unit(const double distance) const { return distance / m_graph->unit(); }
-
-  void forget()
+  // Whether nodes are expanded again too often, which a rounded heuristic can cause: beside it,
+  // very short arcs vanish, so that keys no longer order their nodes.
+  bool reopens_too_often() const
   {
-    m_sources.forget(m_labels);
-    m_labels.forget();
-    m_seeds.clear();
+    constexpr std::size_t most_expansions_per_node = 3;
+    return m_labels.order().size() / most_expansions_per_node > m_graph->number_of_nodes();
   }
 
-  template <typename Visitor, typename Estimate>
+  template <typename Visitor, typename Heuristic>
   void search(const std::vector<Seed>& seeds,
               const Stop_rule& stop,
               Visitor&& visitor,
-              const Estimate& estimate)
+              const Heuristic& heuristic)
   {
     try
     {
-      prepare(seeds, stop, estimate);
+      prepare(seeds, stop, heuristic);
       if(m_counts)
-        count_and_propagate(stop, visitor, estimate);
+        count_and_propagate(stop, visitor, heuristic);
       else if(!internal::is_idle_visitor<Visitor>)
-        propagate(stop, watch(stop, visitor, estimate), estimate, internal::No_counter());
-      else if(!stop.targets.empty() || !stop.places.empty())
-        propagate(stop, internal::Goal_watch(m_labels, goal(stop, estimate)), estimate,
+        propagate(stop, watch(stop, visitor, heuristic), heuristic, internal::No_counter());
+      else if(!stop.targets.empty() || !stop.points.empty())
+        propagate(stop, internal::Goal_watch(m_labels, goal(stop, heuristic)), heuristic,
                   internal::No_counter());
       else
-        propagate(stop, internal::No_watch(), estimate, internal::No_counter());
+        propagate(stop, internal::No_watch(), heuristic, internal::No_counter());
       m_sources.forget_all(); // a visitor may have asked, too early
     }
     catch(...)
@@ -343,8 +368,8 @@ private:
     }
   }
 
-  template <typename Estimate>
-  void prepare(const std::vector<Seed>& seeds, const Stop_rule& stop, const Estimate& estimate)
+  template <typename Heuristic>
+  void prepare(const std::vector<Seed>& seeds, const Stop_rule& stop, const Heuristic& heuristic)
   {
     m_queue.clear();
     m_statistics = Propagation_statistics();
@@ -357,228 +382,60 @@ private:
       if(seed.distance < m_labels.distance(seed.node) && seed.distance <= limit)
       {
         m_labels.set(seed.node, seed.distance, null_node);
-        m_queue.push(seed.node, seed.distance + estimate(seed.node));
+        m_queue.push(seed.node, seed.distance + heuristic(seed.node));
       }
     }
   }
 
-  template <typename Estimate>
-  auto goal(const Stop_rule& stop, const Estimate& estimate) const
+  template <typename Heuristic>
+  auto goal(const Stop_rule& stop, const Heuristic& heuristic) const
   {
-    std::vector<std::vector<Last_arc>> places = stop.places;
-    for(std::vector<Last_arc>& arcs : places)
+    std::vector<std::vector<Last_arc>> points = stop.points;
+    for(std::vector<Last_arc>& arcs : points)
       for(Last_arc& arc : arcs)
         arc.length = to_graph_unit(arc.length);
-    return internal::Goal<Queue, Estimate, Last_arc>(m_labels, m_queue, estimate, stop.targets,
-                                                     std::move(places));
+    return internal::Goal<Queue, Heuristic>(m_labels, m_queue, heuristic, stop.targets,
+                                            std::move(points));
   }
 
-  template <typename Visitor, typename Estimate>
-  auto watch(const Stop_rule& stop, Visitor& visitor, const Estimate& estimate)
+  template <typename Visitor, typename Heuristic>
+  auto watch(const Stop_rule& stop, Visitor& visitor, const Heuristic& heuristic)
   {
-    using Goal = decltype(goal(stop, estimate));
-    return internal::Progress_watch<Graph, Goal, Visitor>(*m_graph, m_labels, goal(stop, estimate),
+    using Goal = decltype(goal(stop, heuristic));
+    return internal::Progress_watch<Graph, Goal, Visitor>(*m_graph, m_labels, goal(stop, heuristic),
                                                           visitor);
   }
 
-  template <typename Visitor, typename Estimate>
-  void count_and_propagate(const Stop_rule& stop, Visitor& visitor, const Estimate& estimate)
+  template <typename Visitor, typename Heuristic>
+  void count_and_propagate(const Stop_rule& stop, Visitor& visitor, const Heuristic& heuristic)
   {
-    propagate(stop, watch(stop, visitor, estimate), estimate, internal::Counter{m_statistics});
+    propagate(stop, watch(stop, visitor, heuristic), heuristic, internal::Counter{m_statistics});
     m_statistics.settled_nodes = m_labels.order().size(); // a watched order has no repetitions
     if constexpr(internal::counts_comparisons<Queue>)
       m_statistics.queue_comparisons =
           m_queue.statistics().visited_buckets + m_queue.statistics().comparisons;
   }
 
-  // The algorithm. A batch of entries is worked through in three loops, the longest of which has no
-  // branch that depends on a distance. Such branches are hard to predict, and in one loop most of
-  // the time would go into wrong predictions.
-  template <typename Watch, typename Estimate, typename Counter>
-  void propagate(const Stop_rule& stop, Watch watch, const Estimate& estimate, Counter counter)
+  void forget()
   {
-    const double limit = to_graph_unit(stop.maximum_distance);
-    while(!m_queue.is_empty() && !(internal::is_heuristic<Estimate> && reopens_too_often()))
-    {
-      const std::size_t size = append_to_order(m_queue.extract_min(), estimate, counter);
-      if(!watch.go_further(size))
-        return discard_uncertain(size, estimate);
-      find_candidates(size, counter);
-      take_candidates(limit, estimate, counter);
-    }
-    watch.finish();
+    m_sources.forget(m_labels);
+    m_labels.forget();
+    m_seeds.clear();
   }
 
-  // Whether nodes are expanded again and again. An estimate can bring that about: beside it, very
-  // short arcs vanish by rounding, so that keys do not order their nodes any more.
-  bool reopens_too_often() const
+  double to_graph_unit(const double distance) const { return distance / m_graph->unit(); }
+
+  void check(const std::vector<Seed>& seeds, const Stop_rule& stop) const
   {
-    constexpr std::size_t most_expansions_per_node = 3;
-    return m_labels.order().size() / most_expansions_per_node > m_graph->number_of_nodes();
-  }
-
-  // An entry whose node has got a smaller distance since has been expanded with that, or will be.
-  // Returns the number of the others, whose nodes are now the last of the order.
-  template <typename Estimate, typename Counter>
-  std::size_t
-  append_to_order(const typename Queue::Batch& batch, const Estimate& estimate, Counter& counter)
-  {
-    auto& order = m_labels.order();
-    const std::size_t first = order.size();
-    order.resize(first + batch.size());
-    Node* end = order.data() + first;
-    if constexpr(internal::is_heuristic<Estimate>)
-      m_smallest_key = std::numeric_limits<double>::infinity();
-    for(const auto& [key, node] : batch)
-    {
-      if constexpr(internal::is_heuristic<Estimate>)
-        m_smallest_key = (std::min)(m_smallest_key, key);
-      m_graph->prefetch(node);
-      *end = node;
-      const bool is_stale = internal::is_larger(key, m_labels.distance(node), node, estimate);
-      end += static_cast<std::ptrdiff_t>(!is_stale);
-      counter.on_stale_pops(is_stale ? 1 : 0);
-    }
-    order.resize(static_cast<std::size_t>(end - order.data()));
-    return order.size() - first;
-  }
-
-  // Looks at the arcs of the last so many nodes of the order. Every arc is noted down; if it does
-  // not lead to a shorter path, the next one overwrites it.
-  template <typename Counter>
-  void find_candidates(const std::size_t number_of_nodes, Counter& counter)
-  {
-    const auto& order = m_labels.order();
-    const double* const distances = m_labels.distances(); // kept in a register
-    m_number_of_candidates = 0;
-    for(std::size_t i = order.size() - number_of_nodes; i < order.size(); ++i)
-    {
-      counter.on_expansion();
-      const Node node = order[i];
-      const double distance = distances[node];
-      Candidate* end = end_of_candidates();
-      m_graph->for_each_arc(node, m_labels,
-                            Arc_visitor<Counter>{*this, distances, distance, node, end, counter});
-      m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
-      if constexpr(!internal::has_maximum_degree<Graph>)
-        m_labels.set_expanded(node);
-    }
-  }
-
-  // Notes down where the arcs of a node lead.
-  template <typename Counter>
-  struct Arc_visitor
-  {
-    void operator()(const Node target, const double length) const
-    {
-      if constexpr(!internal::has_maximum_degree<Graph>)
-        end = propagation.with_room_at(end);
-      end = append(end, target, length);
-    }
-
-    // arcs to consecutive nodes
-    void operator()(const Node first, const double* const lengths, const std::size_t number) const
-    {
-      if constexpr(!internal::has_maximum_degree<Graph>)
-        for(std::size_t i = 0; i < number; ++i)
-          (*this)(first + static_cast<Node>(i), lengths[i]);
-      else
-      {
-        Candidate* beyond = end; // kept in a register
-        for(std::size_t i = 0; i < number; ++i)
-          beyond = append(beyond, first + static_cast<Node>(i), lengths[i]);
-        end = beyond;
-      }
-    }
-
-    Candidate* append(Candidate* const place, const Node target, const double length) const
-    {
-      counter.on_relaxation();
-      CGAL_assertion(place < propagation.m_candidates.data() + propagation.m_candidates.size());
-      *place = {distance + length, target, node};
-      return place + static_cast<std::ptrdiff_t>(place->distance < distances[target]);
-    }
-
-    Propagation& propagation;
-    const double* distances; // labels
-    double distance;
-    Node node;
-    Candidate*& end;
-    Counter& counter;
-  };
-
-  // Returns where the next candidates go. There is room for those of a node, if the graph says how
-  // many these may be.
-  Candidate* end_of_candidates()
-  {
-    std::size_t room = 1;
-    if constexpr(internal::has_maximum_degree<Graph>)
-      room = m_graph->maximum_degree();
-    if(m_candidates.size() < m_number_of_candidates + room)
-      m_candidates.resize(2 * (m_number_of_candidates + room));
-    return m_candidates.data() + m_number_of_candidates;
-  }
-
-  // Makes room for one more, which may move those that are there.
-  Candidate* with_room_at(const Candidate* end)
-  {
-    m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
-    return end_of_candidates();
-  }
-
-  template <typename Estimate, typename Counter>
-  void take_candidates(const double limit, const Estimate& estimate, Counter& counter)
-  {
-    for(std::size_t i = 0; i < m_number_of_candidates; ++i)
-    {
-      const Candidate c = m_candidates[i];
-      if(c.distance < m_labels.distance(c.node) && c.distance <= limit) // still, after the earlier
-      {
-        counter.on_improvement();
-        m_labels.set(c.node, c.distance, c.predecessor);
-        m_queue.push(c.node, key(c, estimate));
-      }
-    }
-  }
-
-  // An estimate falls along an arc by no more than the length of that, but for rounding; and keys
-  // must not fall.
-  template <typename Estimate>
-  double key(const Candidate& c, const Estimate& estimate) const
-  {
-    if constexpr(internal::is_heuristic<Estimate>)
-      return (std::max)(c.distance + estimate(c.node), m_smallest_key);
-    else
-      return c.distance;
-  }
-
-  // The run ends before the queue is empty: what is still in it, or came out last, is not final. If
-  // the run was led to its goal, nothing else is asked for, and the path there may have nodes whose
-  // keys were rounded up and are still in the queue; so everything stays.
-  template <typename Estimate>
-  void discard_uncertain(const std::size_t size_of_batch, const Estimate& /* estimate */)
-  {
-    m_ended_early = true;
-    if constexpr(internal::is_heuristic<Estimate>)
-      m_queue.for_each_node([this](const Node node) { m_labels.order().push_back(node); });
-    else
-    {
-      m_labels.discard_last_of_order(size_of_batch);
-      m_queue.for_each_node([this](const Node node) {
-        if(m_labels.is_reached(node) && !m_queue.is_final(m_labels.distance(node)))
-          m_labels.discard(node);
-      });
-    }
+    internal::Input_check(m_graph->number_of_nodes(), m_graph->unit()).check(seeds, stop);
   }
 
   const Graph* m_graph;
   internal::Labels m_labels;
   Queue m_queue;
-  std::vector<Candidate> m_candidates; // of the current batch
-  std::size_t m_number_of_candidates = 0;
-  mutable internal::Nearest_sources<Seed> m_sources; // found when first asked for
-  std::vector<Seed> m_seeds; // of the last run, distances in units of the graph
-  double m_smallest_key = 0; // of the current batch, if there is an estimate
+  std::vector<internal::Candidate> m_candidates; // memory for a batch
+  mutable internal::Nearest_sources m_sources;   // found when first asked for
+  std::vector<Seed> m_seeds;                     // of the last run, distances in units of the graph
   Propagation_statistics m_statistics;
   bool m_counts = false;
   bool m_ended_early = false;

@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -17,22 +16,22 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * What a run of `Propagation` did, if it was asked to count.
+ * The figures of a run of `Propagation`, if statistics were enabled.
  */
 struct Propagation_statistics
 {
-  /// the number of nodes whose distance was found.
+  /// the number of nodes that were settled.
   std::size_t settled_nodes = 0;
-  /// the number of entries taken out of the queue and expanded or found stale.
+  /// the number of entries extracted from the queue, and either expanded or skipped as stale.
   std::size_t pops = 0;
-  /// the number of pops of a node that had been lowered since it was entered, which cost nothing.
+  /// the number of stale entries among them, which cost next to nothing.
   std::size_t stale_pops = 0;
   /// the number of arcs looked at.
   std::size_t relaxations = 0;
   /// the number of arcs that lowered the distance of their target.
   std::size_t improvements = 0;
-  /// the number of comparisons inside the queue: of keys, and of the ends of buckets, one for each
-  /// bucket that was looked into. It is 0 if the queue does not count them.
+  /// the number of comparisons inside the queue: of keys, and one for each bucket visited. It is 0
+  /// if the queue does not count them.
   std::size_t queue_comparisons = 0;
 
   /// returns the number of pops that expanded a node for the second time or later.
@@ -42,20 +41,9 @@ struct Propagation_statistics
   std::size_t edges() const { return relaxations / 2; }
 
   /// returns the number of comparisons, as Schwartz, de Rezende and Pedrini count them
-  /// \cgalCite{srp-fasgp-15}: one for each entry that came out of the queue (for each vertex, if
-  /// none comes out twice), one for each edge, and those inside the queue. It says nothing if the
-  /// queue does not count them.
+  /// \cgalCite{srp-fasgp-15}: one for each entry extracted from the queue, one for each edge, and
+  /// those inside the queue. It is meaningless if the queue does not count them.
   std::size_t comparisons() const { return pops + edges() + queue_comparisons; }
-
-  /// returns what that number is at least, `E + V`.
-  std::size_t fewest_comparisons() const { return settled_nodes + edges(); }
-
-  /// returns the bound that a Fibonacci heap is given, \f$E + V \log_2 V\f$.
-  double heap_comparisons() const
-  {
-    const double v = static_cast<double>(settled_nodes);
-    return static_cast<double>(edges()) + (v > 0 ? v * std::log2(v) : 0);
-  }
 };
 
 } // namespace Approximate_geodesics

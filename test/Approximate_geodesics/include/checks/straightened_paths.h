@@ -237,7 +237,7 @@ template <typename GeodesicGraph>
 std::vector<Path> paths_from(const GeodesicGraph& graph, const Index source, const Index step)
 {
   AG::Propagation<GeodesicGraph> search(graph);
-  search.run(source);
+  search.run_from(source);
   std::vector<Path> result;
   for(Index v = 0; v < graph.number_of_nodes(); v += step)
     if(v != source && search.is_reached(v))

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// a number in digits enough to recognize it, whatever its size
+// a number with enough digits to recognize it, whatever its size
 inline std::string text_of(const double number)
 {
   std::ostringstream text;
@@ -26,7 +26,7 @@ inline std::string text_of(const double number)
   return text.str();
 }
 
-// says what is wrong with the caller's input
+// tells the caller what is wrong with the input
 [[noreturn]] inline void reject(const std::string& reason)
 {
   throw std::invalid_argument("Approximate_geodesics: " + reason);

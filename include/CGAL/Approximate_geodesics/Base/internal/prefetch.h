@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Asks for the cache line of an entry of an array, which need not have one there: an address as
-// such may be any number, while a pointer must not leave its array.
+// Prefetches the cache line of entry `i` of an array, which may lie beyond its end: an address, as
+// a number, may be any, while a pointer must not leave its array.
 template <typename T>
 void prefetch(const T* const array, const std::size_t i)
 {

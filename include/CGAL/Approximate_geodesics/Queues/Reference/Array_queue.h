@@ -23,9 +23,9 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * A priority queue that keeps its entries in an array, in no order, and looks through all of them
- * for the smallest key. It is the queue that Dijkstra's algorithm was published with
- * \cgalCite{d-ntpcg-59}, and is here to be compared with.
+ * A priority queue that keeps its entries in an unordered array, and searches all of them for the
+ * smallest key. Dijkstra's algorithm was published with this queue \cgalCite{d-ntpcg-59}; it is
+ * provided for comparison.
  *
  * `push()` takes constant time and lowers keys in place; `extract_min()` takes time
  * \cgalBigO{m} for `m` entries. Memory is \cgalBigO{n} for `n` nodes.
@@ -38,7 +38,7 @@ class Array_queue
 #endif
 {
 public:
-  /// an empty queue for a graph with so many nodes.
+  /// makes an empty queue for a graph with `number_of_nodes` nodes.
   explicit Array_queue(const std::size_t number_of_nodes = 0, const Arc_lengths& = Arc_lengths())
     : m_position(number_of_nodes, absent)
   {

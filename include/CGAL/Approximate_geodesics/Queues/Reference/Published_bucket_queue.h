@@ -26,18 +26,18 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * The adaptive bucket queue as it was published by Schwartz, de Rezende and Pedrini
- * \cgalCite{srp-fasgp-15}, to be compared with the package's own: buckets follow each other from
- * key 0 up to the largest key; the first one that is not empty is searched for its smallest key;
- * and a node whose key is lowered moves from one bucket to the other.
+ * The adaptive bucket queue as Schwartz, de Rezende and Pedrini published it
+ * \cgalCite{srp-fasgp-15}, provided for comparison with `Basic_adaptive_bucket_queue`. Buckets
+ * follow each other from key 0 to the largest key. `extract_min()` searches the first bucket that
+ * is not empty for its smallest key. A node whose key is lowered moves from one bucket to another.
  *
- * There are 5000 buckets at first, and more when a key lies beyond the last one. Unlike there,
- * their number is limited, to 5000 and 16 times the number of nodes; the last one takes what lies
- * beyond, so that a key of any size does no harm but to the time.
+ * There are 5000 buckets at first, and more when a key lies beyond the last one. Unlike in the
+ * publication, their number is limited to 5000 plus 16 times the number of nodes; the last bucket
+ * takes all larger keys, so that a huge key costs time, not memory.
  *
  * `push()` takes constant time; `extract_min()` takes time in proportion to the number of entries
- * of the bucket, and of empty buckets passed. Memory is that of the
- * buckets, of the largest number of entries each of them had, and of a slot for each node.
+ * of the bucket, and of empty buckets passed. Memory is that of the buckets, of the largest number
+ * of entries that each of them held, and of a slot for each node.
  *
  * \tparam WidthPolicy a model of `BucketWidthPolicy`
  *
@@ -50,7 +50,7 @@ class Basic_published_bucket_queue
 #endif
 {
 public:
-  /// an empty queue for a graph with so many nodes, and with the given arcs.
+  /// makes an empty queue for a graph with `number_of_nodes` nodes and the given arcs.
   explicit Basic_published_bucket_queue(const std::size_t number_of_nodes = 0,
                                         const Arc_lengths& arcs = Arc_lengths())
     : m_largest_number((std::min)(16 * number_of_nodes + FIRST_NUMBER, LARGEST_NUMBER)),
@@ -108,7 +108,7 @@ public:
         f(e.node);
   }
 
-  /// removes all entries, and prepares for the next run with what was learnt from the last one.
+  /// removes all entries, and adapts the width of the buckets to the last run.
   void clear()
   {
     for(std::size_t i = m_current; i < m_beyond_used; ++i)
@@ -126,7 +126,8 @@ public:
   Bucket_statistics statistics() const
   {
     Bucket_statistics result = m_statistics;
-    add_current_bucket(result);
+    if(m_extracted_here > 0)
+      result.add_bucket(m_extracted_here);
     return result;
   }
 
@@ -198,21 +199,9 @@ private:
 
   void go_to_next_bucket()
   {
-    add_current_bucket(m_statistics);
-    m_statistics.visited_buckets += m_extracted_here == 0 ? 1 : 0;
+    m_statistics.add_bucket(m_extracted_here);
     m_extracted_here = 0;
     ++m_current;
-  }
-
-  void add_current_bucket(Bucket_statistics& statistics) const
-  {
-    if(m_extracted_here == 0)
-      return;
-    const double occupancy = static_cast<double>(m_extracted_here);
-    statistics.visited_buckets += 1;
-    statistics.used_buckets += 1;
-    statistics.entries += m_extracted_here;
-    statistics.sum_of_squared_occupancies += occupancy * occupancy;
   }
 
   std::size_t m_largest_number; // of buckets
@@ -223,14 +212,14 @@ private:
   std::size_t m_current = 0;        // the bucket that is searched
   std::size_t m_beyond_used = 0;    // all buckets from here on are empty
   std::size_t m_size = 0;           // the number of entries
-  std::size_t m_extracted_here = 0; // the number of entries that came out of the current bucket
+  std::size_t m_extracted_here = 0; // the number of entries extracted from the current bucket
   Bucket_statistics m_statistics;
 };
 
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * The adaptive bucket queue as published, with the published widths.
+ * The published adaptive bucket queue with the published widths.
  */
 using Published_bucket_queue = Basic_published_bucket_queue<Published_bucket_width>;
 

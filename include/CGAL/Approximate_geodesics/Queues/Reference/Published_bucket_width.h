@@ -21,12 +21,13 @@ namespace Approximate_geodesics {
  * \ingroup PkgApproximateGeodesicsClasses
  *
  * The policy of Schwartz, de Rezende and Pedrini for the width of buckets
- * \cgalCite{srp-fasgp-15}: the longest arc divided by a number, which is 100 at first, and grows by
- * 100 after every run whose buckets held more than 64 entries on average, empty ones not counted.
+ * \cgalCite{srp-fasgp-15}: the longest arc divided by a number. This number is 100 at first, and
+ * grows by 100 after every run whose buckets held more than 64 entries on average, empty ones not
+ * counted.
  *
- * The width has a lower bound that depends on the mesh, which the publication leaves open. Here it
- * is a hundredth of the shortest arc, and at least a millionth of the longest one: on scanned
- * models it is never reached.
+ * The publication leaves open the lower bound of the width, which depends on the mesh. Here it is a
+ * hundredth of the shortest arc, and at least a millionth of the longest one; scanned models never
+ * reach it.
  *
  * \cgalModels{BucketWidthPolicy}
  */

@@ -27,8 +27,8 @@ struct Has_larger_key
 };
 
 /*
- * A priority queue that finds the entry of every node in a heap, and so lowers its key. The handles
- * of a copied heap would be those of the original: such a queue can only be moved.
+ * A priority queue that keeps a handle to the entry of each node, and so lowers keys in place. The
+ * handles of a copied heap would be those of the original, so such a queue can only be moved.
  */
 template <typename Heap>
 class Boost_heap_queue : public Ordered_queue_base
@@ -87,7 +87,7 @@ public:
       f(e.node);
   }
 
-  // Boost would follow chains of nodes recursively, which may be too long for the stack.
+  // Boost would follow chains of nodes recursively, and they may be too long for the stack.
   void clear()
   {
     while(!is_empty())
@@ -96,7 +96,7 @@ public:
     restart();
   }
 
-  // An estimate: of the heap, what its nodes hold besides an entry is four pointers.
+  // An estimate: besides an entry, a node of the heap holds about four pointers.
   std::size_t memory() const
   {
     return m_size * (sizeof(Entry) + 4 * sizeof(void*)) +
@@ -123,7 +123,7 @@ private:
   Heap m_heap;
   std::vector<typename Heap::handle_type> m_handle; // of each node
   std::vector<char> m_is_present;
-  std::size_t m_size = 0; // Boost counts an entry, too, for which there was no memory
+  std::size_t m_size = 0; // Boost also counts an entry for which there was no memory
 };
 
 } // namespace internal

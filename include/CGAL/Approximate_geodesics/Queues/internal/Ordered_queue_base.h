@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// What all queues have in common that give their entries one by one and in order.
+// The common part of queues that hand out their entries one by one and in order.
 class Ordered_queue_base
 {
 public:
@@ -38,7 +38,7 @@ protected:
   void restart() { m_extracted = Entry{0, 0}; }
 
 private:
-  Entry m_extracted{0, 0}; // the last one
+  Entry m_extracted{0, 0}; // last
 };
 
 } // namespace internal

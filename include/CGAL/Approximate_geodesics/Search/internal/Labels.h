@@ -19,9 +19,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The labels of a search: per node the smallest distance found so far and the node it was found
- * from, and the order in which nodes were expanded. What a run did not reach is never touched:
- * the order tells which labels to take back before the next one.
+ * The labels of a search: for each node, the smallest distance found so far and the predecessor on
+ * that path; and the order in which nodes were expanded, which tells which labels to take back
+ * before the next run. A run does not touch what it does not reach.
  */
 class Labels
 {
@@ -52,7 +52,7 @@ public:
     m_predecessor[node] = predecessor;
   }
 
-  // whether a node was expanded before in this run; only for graphs that make the search say so
+  // whether a node was expanded before in this run; only for graphs that need this
   bool was_expanded(const Node node) const { return !m_is_expanded.empty() && m_is_expanded[node]; }
 
   void set_expanded(const Node node)
@@ -81,10 +81,10 @@ public:
     }
   }
 
-  // Takes back the labels of a run that ended normally.
+  // Takes back the labels of a run that no exception has left.
   void forget()
   {
-    if(m_order.size() > m_distance.size() / 4) // streaming beats jumping about
+    if(m_order.size() > m_distance.size() / 4) // streaming beats jumping
       return forget_all();
     for(const Node node : m_order)
       discard(node);
@@ -110,7 +110,7 @@ private:
   std::vector<double> m_distance;
   std::vector<Node> m_predecessor; // meaningful where the distance is finite
   std::vector<Node> m_order;
-  std::vector<bool> m_is_expanded; // empty unless asked for
+  std::vector<bool> m_is_expanded; // empty unless the graph needs it
 };
 
 } // namespace internal

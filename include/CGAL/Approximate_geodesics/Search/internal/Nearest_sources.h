@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Search/Propagation_rules.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
 #include <algorithm>
@@ -21,11 +22,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * For every node, which seed its shortest path starts from. This follows from the predecessors, so
- * a search does not write it; it is found when asked for, and kept along the path that was
- * followed.
+ * The seed that the shortest path to each node starts from. It follows from the predecessors, so a
+ * search does not write it; it is found when asked for, and kept along the path that was followed.
  */
-template <typename Seed>
 class Nearest_sources
 {
 public:
@@ -58,7 +57,7 @@ public:
     m_has_roots = false;
   }
 
-  // To be called when the labels have changed in any other way.
+  // To be called after the labels have changed in any other way.
   void forget_all()
   {
     if(m_has_roots)

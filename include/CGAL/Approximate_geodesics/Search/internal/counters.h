@@ -8,12 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
 
 #include <cstddef>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -28,6 +25,7 @@ struct No_counter
   void on_improvement() const {}
 };
 
+// Counts for statistics.
 struct Counter
 {
   void on_stale_pops(const std::size_t number) const
@@ -41,15 +39,6 @@ struct Counter
 
   Propagation_statistics& statistics;
 };
-
-template <typename Queue, typename = void>
-constexpr bool counts_comparisons = false;
-
-template <typename Queue>
-constexpr bool counts_comparisons<
-    Queue,
-    std::enable_if_t<std::is_convertible_v<decltype(std::declval<const Queue&>().statistics()),
-                                           Bucket_statistics>>> = true;
 
 } // namespace internal
 } // namespace Approximate_geodesics

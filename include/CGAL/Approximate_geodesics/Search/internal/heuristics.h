@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// For searches that do not lead to a goal: nothing is known of the rest of the way.
+// The heuristic of Dijkstra's algorithm: nothing is known about the rest of the way.
 struct No_heuristic
 {
   template <typename Node>
@@ -24,19 +24,19 @@ struct No_heuristic
   }
 };
 
-template <typename Estimate>
-constexpr bool is_heuristic = !std::is_same_v<Estimate, No_heuristic>;
+template <typename Heuristic>
+constexpr bool is_heuristic = !std::is_same_v<Heuristic, No_heuristic>;
 
-// Whether the key that a node was entered with is larger than the one that it would be entered with
-// at this distance. Those that lead to a goal were computed twice, and rounded, or raised where an
-// estimate fell too much by rounding. It is no harm to take a stale entry for a new one.
-template <typename Node, typename Estimate>
-bool is_larger(const double key, const double distance, const Node node, const Estimate& estimate)
+// Whether an entry is stale: its key is larger than the one that its node would be entered with
+// now, at this distance. With a heuristic, both keys were rounded, and the first one may have been
+// raised; then small differences do not count, as it does no harm to expand a stale entry.
+template <typename Node, typename Heuristic>
+bool is_stale(const double key, const double distance, const Node node, const Heuristic& heuristic)
 {
-  if constexpr(is_heuristic<Estimate>)
+  if constexpr(is_heuristic<Heuristic>)
   {
     constexpr double rounding = 1e-6;
-    return distance + estimate(node) < key * (1 - rounding);
+    return distance + heuristic(node) < key * (1 - rounding);
   }
   else
     return distance < key;

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_PROGRESS_WATCH_H
-#define CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_PROGRESS_WATCH_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_WATCHES_H
+#define CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_WATCHES_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -20,23 +20,52 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-template <typename Visitor>
-constexpr bool is_idle_visitor = std::is_same_v<std::decay_t<Visitor>, Geodesic_visitor_base>;
+/*
+ * Who watches a run, between the loops that work through a batch of entries:
+ * - `go_further(n)` is called after `n` nodes were appended to the order, and returns whether these
+ *   shall be expanded, or else the run ends;
+ * - `finish()` is called when the queue is empty.
+ *
+ * The nodes expanded since the last time become final all at once: as soon as the queue goes on to
+ * larger keys. So it is enough to ask for the first of them.
+ */
 
-// For runs that nobody watches and that have no targets.
+// For runs without targets that nobody watches.
 struct No_watch
 {
   bool go_further(std::size_t /* number_appended */) const { return true; }
   void finish() const {}
 };
 
-/*
- * Tells the visitor which nodes are settled, and ends a run when the goal is reached.
- *
- * A node that came out of the queue is settled when the queue says that its distance is final, not
- * before. The nodes expanded since the last time are final all at once: as soon as the queue
- * goes on to larger keys. The last ones in the order are those that just came out.
- */
+// Ends a run when its goal is met.
+template <typename Goal>
+class Goal_watch
+{
+public:
+  Goal_watch(const Labels& labels, Goal goal) : m_labels(labels), m_goal(std::move(goal)) {}
+
+  bool go_further(const std::size_t number_appended)
+  {
+    const std::size_t number_of_earlier = m_labels.order().size() - number_appended;
+    if(m_number_final == number_of_earlier || !m_goal.is_final(m_labels.order()[m_number_final]))
+      return true;
+    m_number_final = number_of_earlier;
+    return !m_goal.is_met();
+  }
+
+  void finish() const {}
+
+private:
+  const Labels& m_labels;
+  Goal m_goal;
+  std::size_t m_number_final = 0;
+};
+
+template <typename Visitor>
+constexpr bool is_idle_visitor = std::is_same_v<std::decay_t<Visitor>, Geodesic_visitor_base>;
+
+// Tells a visitor which nodes are settled, as soon as they are final, and ends a run when its goal
+// is met or the visitor wishes so.
 template <typename Graph, typename Goal, typename Visitor>
 class Progress_watch
 {
@@ -48,18 +77,16 @@ public:
   {
   }
 
-  // To be called after nodes were appended to the order; returns whether they shall be expanded.
   bool go_further(const std::size_t number_appended)
   {
     const std::size_t number_of_earlier = m_labels.order().size() - number_appended;
     if(m_number_settled == number_of_earlier ||
-       !m_goal.is_settled(m_labels.order()[m_number_settled]))
+       !m_goal.is_final(m_labels.order()[m_number_settled]))
       return true;
     settle(number_of_earlier);
-    return !m_goal.is_reached() && m_visitor.go_further();
+    return !m_goal.is_met() && m_visitor.go_further();
   }
 
-  // To be called when the queue is empty.
   void finish() { settle(m_labels.order().size()); }
 
 private:
@@ -97,4 +124,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_PROGRESS_WATCH_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_WATCHES_H

@@ -1,0 +1,217 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_BATCH_RELAXATION_H
+#define CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_BATCH_RELAXATION_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
+#include <CGAL/Approximate_geodesics/Search/internal/heuristics.h>
+#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
+#include <CGAL/assertions.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// A path that ends with an arc just looked at.
+struct Candidate
+{
+  double distance;
+  Labels::Node node;
+  Labels::Node predecessor;
+};
+
+/*
+ * The three loops that a search works through a batch of entries in. They are described where the
+ * algorithm is, in `Propagation.h`. In the first and the second one, no branch depends on a
+ * distance.
+ */
+template <typename Graph, typename Queue, typename Heuristic, typename Counter>
+class Batch_relaxation
+{
+  using Node = Labels::Node;
+
+public:
+  // `candidates` is memory to work in, and `limit` the largest distance, in units of the graph.
+  Batch_relaxation(const Graph& graph,
+                   Queue& queue,
+                   Labels& labels,
+                   std::vector<Candidate>& candidates,
+                   const Heuristic& heuristic,
+                   const double limit,
+                   const Counter& counter)
+    : m_graph(graph),
+      m_queue(queue),
+      m_labels(labels),
+      m_candidates(candidates),
+      m_heuristic(heuristic),
+      m_limit(limit),
+      m_counter(counter)
+  {
+  }
+
+  // The first loop: appends the nodes of a batch to the order, but for those of stale entries.
+  // Where batches have a single entry, a call would cost as much.
+  BOOST_FORCEINLINE void extract()
+  {
+    const auto& batch = m_queue.extract_min();
+    const double* const distances = m_labels.distances(); // kept in a register
+    auto& order = m_labels.order();
+    const std::size_t first = order.size();
+    order.resize(first + batch.size());
+    Node* end = order.data() + first;
+    if constexpr(is_heuristic<Heuristic>)
+      m_smallest_key = std::numeric_limits<double>::infinity();
+    for(const auto& [key, node] : batch)
+    {
+      if constexpr(is_heuristic<Heuristic>)
+        m_smallest_key = (std::min)(m_smallest_key, key);
+      if constexpr(has_prefetch<Graph>)
+        m_graph.prefetch(node);
+      *end = node;
+      const bool is_skipped = is_stale(key, distances[node], node, m_heuristic);
+      end += static_cast<std::ptrdiff_t>(!is_skipped);
+      m_counter.on_stale_pops(is_skipped ? 1 : 0);
+    }
+    order.resize(static_cast<std::size_t>(end - order.data()));
+    m_size = order.size() - first;
+  }
+
+  // the number of nodes that the first loop has appended
+  std::size_t size() const { return m_size; }
+
+  // The second loop: looks at the arcs of these nodes. Each arc is written down as a candidate; if
+  // it does not lower the label of its end, the next one overwrites it.
+  void find_candidates()
+  {
+    const auto& order = m_labels.order();
+    const double* const distances = m_labels.distances(); // kept in a register
+    m_number_of_candidates = 0;
+    for(std::size_t i = order.size() - m_size; i < order.size(); ++i)
+    {
+      m_counter.on_expansion();
+      const Node node = order[i];
+      const double distance = distances[node];
+      Candidate* end = end_of_candidates();
+      m_graph.for_each_arc(node, m_labels, Arc_visitor{*this, distances, distance, node, end});
+      m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
+      if constexpr(needs_expansion_history<Graph>)
+        m_labels.set_expanded(node);
+    }
+  }
+
+  // The third loop: lowers labels, and enters their nodes.
+  void take_candidates()
+  {
+    const double* const distances = m_labels.distances(); // kept in a register
+    for(std::size_t i = 0; i < m_number_of_candidates; ++i)
+    {
+      const Candidate c = m_candidates[i];
+      // still, after the earlier ones
+      if(c.distance < distances[c.node] && c.distance <= m_limit)
+      {
+        m_counter.on_improvement();
+        m_labels.set(c.node, c.distance, c.predecessor);
+        m_queue.push(c.node, key(c));
+      }
+    }
+  }
+
+private:
+  // Writes down where the arcs of a node lead.
+  struct Arc_visitor
+  {
+    void operator()(const Node target, const double length) const
+    {
+      if constexpr(!has_maximum_degree<Graph>)
+        end = batch.with_room_at(end);
+      end = append(end, target, length);
+    }
+
+    // arcs to consecutive nodes
+    void operator()(const Node first, const double* const lengths, const std::size_t number) const
+    {
+      if constexpr(!has_maximum_degree<Graph>)
+        for(std::size_t i = 0; i < number; ++i)
+          (*this)(first + static_cast<Node>(i), lengths[i]);
+      else
+      {
+        Candidate* beyond = end; // kept in a register
+        for(std::size_t i = 0; i < number; ++i)
+          beyond = append(beyond, first + static_cast<Node>(i), lengths[i]);
+        end = beyond;
+      }
+    }
+
+    Candidate* append(Candidate* const position, const Node target, const double length) const
+    {
+      batch.m_counter.on_relaxation();
+      CGAL_assertion(position < batch.m_candidates.data() + batch.m_candidates.size());
+      *position = {distance + length, target, node};
+      return position + static_cast<std::ptrdiff_t>(position->distance < distances[target]);
+    }
+
+    Batch_relaxation& batch;
+    const double* distances; // labels
+    double distance;
+    Node node;
+    Candidate*& end;
+  };
+
+  // Returns where the next candidates go. There is room for those of a node if the graph knows how
+  // many these may be, or for one.
+  Candidate* end_of_candidates()
+  {
+    std::size_t room = 1;
+    if constexpr(has_maximum_degree<Graph>)
+      room = m_graph.maximum_degree();
+    if(m_candidates.size() < m_number_of_candidates + room)
+      m_candidates.resize(2 * (m_number_of_candidates + room));
+    return m_candidates.data() + m_number_of_candidates;
+  }
+
+  // Makes room for one more, which may move those that are there.
+  Candidate* with_room_at(const Candidate* end)
+  {
+    m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
+    return end_of_candidates();
+  }
+
+  // Along an arc, a consistent heuristic falls by no more than the length of the arc, but for
+  // rounding; and keys must not fall.
+  double key(const Candidate& c) const
+  {
+    if constexpr(is_heuristic<Heuristic>)
+      return (std::max)(c.distance + m_heuristic(c.node), m_smallest_key);
+    else
+      return c.distance;
+  }
+
+  const Graph& m_graph;
+  Queue& m_queue;
+  Labels& m_labels;
+  std::vector<Candidate>& m_candidates;
+  std::size_t m_number_of_candidates = 0;
+  const Heuristic& m_heuristic;
+  double m_limit;
+  double m_smallest_key = 0; // of the batch, if there is a heuristic
+  std::size_t m_size = 0;
+  Counter m_counter;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_BATCH_RELAXATION_H
