@@ -196,6 +196,11 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
 {
   namespace AG = Approximate_geodesics;
   static_assert(
+      AG::internal::is_source<TriangleMesh, Sources>,
+      "approximate_geodesic_distances(tmesh, vertex_distance_map, sources): a source is a "
+      "vertex descriptor, a Face_location or a Surface_point, and sources are one of them "
+      "or a range");
+  static_assert(
       !AG::internal::ignores_any<
           NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,
           internal_np::edge_length_t, internal_np::face_weight_t,

@@ -165,6 +165,10 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
+  static_assert(AG::internal::is_surface_point<TriangleMesh, Source> &&
+                    AG::internal::is_surface_point<TriangleMesh, Target>,
+                "approximate_geodesic_path(tmesh, points, source, target): source and target are a "
+                "vertex descriptor, a Face_location or a Surface_point each");
   static_assert(
       !AG::internal::ignores_any<
           NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,

@@ -17,8 +17,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/epsilon.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/refuse_weights.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
@@ -112,7 +111,7 @@ public:
     using Concurrency_tag =
         typename internal_np::Lookup_named_param_def<internal_np::concurrency_tag_t,
                                                      NamedParameters, Sequential_tag>::type;
-    internal::refuse_weights(m_triangulation, np, "Discrete_geodesic_graph");
+    internal::reject_weights(m_triangulation, np, "Discrete_geodesic_graph");
     build<Concurrency_tag>();
   }
 

@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/refuse_weights.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
@@ -62,7 +62,7 @@ public:
   {
     static_assert(!internal::is_given<NamedParameters, internal_np::epsilon_t>,
                   "epsilon: the edge graph has no error bound; use Discrete_geodesic_graph");
-    internal::refuse_weights(m_triangulation, np, "Edge_graph");
+    internal::reject_weights(m_triangulation, np, "Edge_graph");
     for(Node v = 0; v < number_of_nodes(); ++v)
       m_maximum_degree = (std::max)(m_maximum_degree, std::size_t(m_triangulation.degree(v)));
   }

@@ -88,6 +88,10 @@ private:
   template <typename NamedParameters>
   static std::size_t checked_number(const NamedParameters& np)
   {
+    static_assert(!internal::is_any_given<NamedParameters, internal_np::epsilon_t,
+                                          internal_np::nb_points_per_distance_unit_t>,
+                  "Fixed_number_of_points reads number_of_points_per_edge, and gives no bound: for "
+                  "epsilon, use Geometric_points");
     constexpr double too_many = 4294967296; // for 32-bit numbers, on a single edge
     const double number = CGAL::to_double(parameters::choose_parameter(
         parameters::get_parameter(np, internal_np::number_of_points_per_edge), 3));

@@ -16,8 +16,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/epsilon.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/refuse_weights.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
@@ -102,7 +101,7 @@ public:
       m_edge_lengths(summarize_arc_lengths(m_triangulation.lengths())),
       m_unit(internal::unit_of_arcs(m_triangulation))
   {
-    internal::refuse_weights(m_triangulation, np, "Lazy_discrete_geodesic_graph");
+    internal::reject_weights(m_triangulation, np, "Lazy_discrete_geodesic_graph");
     if(arcs == Arcs::KEPT)
       m_arc_cache = internal::Arc_cache(number_of_nodes());
   }

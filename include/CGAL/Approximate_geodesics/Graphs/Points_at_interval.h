@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/number_utils.h>
 
@@ -97,12 +98,15 @@ private:
   {
     static_assert(internal::is_given<NamedParameters, internal_np::nb_points_per_distance_unit_t>,
                   "Points_at_interval: number_of_points_per_distance_unit has to be given");
-    const double density =
-        CGAL::to_double(parameters::get_parameter(np, internal_np::nb_points_per_distance_unit));
-    if(!(density > 0) || std::isinf(density))
-      internal::reject("the number of points per distance unit is " + internal::text_of(density) +
-                       "; it must be a finite number larger than 0");
-    return density;
+    static_assert(
+        !internal::is_any_given<NamedParameters, internal_np::epsilon_t,
+                                internal_np::number_of_points_per_edge_t>,
+        "Points_at_interval reads number_of_points_per_distance_unit, and gives no bound: "
+        "for epsilon, use Geometric_points; for number_of_points_per_edge, "
+        "Fixed_number_of_points");
+    return internal::checked_positive(
+        CGAL::to_double(parameters::get_parameter(np, internal_np::nb_points_per_distance_unit)),
+        "the number of points per distance unit");
   }
 
   double m_spacing;

@@ -79,6 +79,8 @@ struct Source_point
 template <typename SurfaceGraph, typename PriorityQueue = Adaptive_bucket_queue>
 class Surface_search
 {
+  static_assert(internal::Check_surface_graph<SurfaceGraph>::is_done);
+
 public:
   /// \name Types
   /// @{

@@ -54,7 +54,7 @@ class Triangulation_builder;
  *
  * <b>Weights</b> say what a path costs per unit of length, face by face, and <b>barriers</b> are
  * edges that paths do not cross. A triangulation has them if they were given when it was made; of
- * the graphs, `Steiner_graph` heeds them, and the others refuse such a triangulation.
+ * the graphs, `Steiner_graph` supports them, and the others reject such a triangulation.
  *
  * An object of this class never changes after its construction, but for its weights if they are
  * exchanged, and may be used by several threads. It takes about 91 bytes per vertex on a closed

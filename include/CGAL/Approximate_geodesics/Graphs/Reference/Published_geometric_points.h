@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/epsilon.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
@@ -70,6 +70,12 @@ public:
   explicit Published_geometric_points(const Named_function_parameters<T, Tag, Base>& np)
     : m_epsilon(internal::checked_epsilon(np))
   {
+    static_assert(!internal::is_any_given<Named_function_parameters<T, Tag, Base>,
+                                          internal_np::number_of_points_per_edge_t,
+                                          internal_np::nb_points_per_distance_unit_t>,
+                  "Published_geometric_points reads epsilon, which says how many points there are: "
+                  "for a number of your "
+                  "own, use Fixed_number_of_points or Points_at_interval");
   }
 
   /// computes where the progressions of every vertex start, and their factors.

@@ -13,6 +13,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -33,6 +34,18 @@ template <typename TriangleMesh, typename T>
 constexpr bool is_surface_point =
     std::is_convertible_v<T, typename boost::graph_traits<TriangleMesh>::vertex_descriptor> ||
     std::is_same_v<T, Surface_point<TriangleMesh>> || is_pair<T>;
+
+template <typename T>
+using Begin_of_range = decltype(*std::begin(std::declval<const T&>()));
+
+// Whether `T` is a point on the surface of a mesh, or a range of them.
+template <typename TriangleMesh, typename T, typename = void>
+constexpr bool is_source = is_surface_point<TriangleMesh, T>;
+
+template <typename TriangleMesh, typename T>
+constexpr bool is_source<TriangleMesh, T, std::void_t<Begin_of_range<T>>> =
+    is_surface_point<TriangleMesh, T> ||
+    is_surface_point<TriangleMesh, std::decay_t<Begin_of_range<T>>>;
 
 // Whether points are those of a kernel, which computes others from them.
 template <typename Point, typename = void>

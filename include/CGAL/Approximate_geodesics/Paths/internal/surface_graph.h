@@ -9,7 +9,14 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
 
+#include <boost/type_traits/detected_or.hpp>
+#include <boost/type_traits/is_detected.hpp>
+#include <boost/type_traits/is_detected_convertible.hpp>
+
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -19,23 +26,20 @@ namespace internal {
 
 // What models of `SurfaceGraph` may leave out.
 
-// Whether paths in a graph may have points other than vertices.
-template <typename SurfaceGraph, typename = void>
-constexpr bool has_crossing_arcs = true;
+template <typename Graph>
+using Arcs_are_edges = std::bool_constant<Graph::arcs_are_edges>;
 
+template <typename Graph>
+using Position_of_node = decltype(std::declval<const Graph&>().position(0));
+
+// Whether paths in a graph may have points other than vertices.
 template <typename SurfaceGraph>
-constexpr bool
-    has_crossing_arcs<SurfaceGraph, std::void_t<decltype(SurfaceGraph::arcs_are_edges)>> =
-        !SurfaceGraph::arcs_are_edges;
+constexpr bool has_crossing_arcs =
+    !boost::detected_or_t<std::false_type, Arcs_are_edges, SurfaceGraph>::value;
 
 // Whether a graph has nodes that are not vertices, and tells where they are.
-template <typename SurfaceGraph, typename = void>
-constexpr bool has_positions = false;
-
 template <typename SurfaceGraph>
-constexpr bool
-    has_positions<SurfaceGraph,
-                  std::void_t<decltype(std::declval<const SurfaceGraph&>().position(0))>> = true;
+constexpr bool has_positions = boost::is_detected_v<Position_of_node, SurfaceGraph>;
 
 // Where a node is.
 template <typename SurfaceGraph>
@@ -46,6 +50,57 @@ Intrinsic_point position(const SurfaceGraph& graph, const typename SurfaceGraph:
       return graph.position(node);
   return Intrinsic_point::at_vertex(node);
 }
+
+// Whoever searches a surface with a graph that lacks a member is told so in one line.
+template <typename Graph>
+struct Check_surface_graph
+{
+  using F = void (*)(Intrinsic_point::Index, double);
+  using End = Intrinsic_point::Index;
+
+  template <typename G>
+  using Triangulation = decltype(std::declval<const G&>().triangulation());
+  template <typename G>
+  using Crossing = decltype(std::declval<const G&>().for_each_crossing(
+      std::declval<End>(), std::declval<End>(), 1., std::declval<F>()));
+  template <typename G>
+  using Attachment = decltype(std::declval<const G&>().attach(std::declval<Intrinsic_point>()));
+  template <typename G>
+  using Nodes = decltype(std::declval<Attachment<G>>().for_each_node(std::declval<F>()));
+  template <typename G>
+  using Points = decltype(std::declval<Attachment<G>>().for_each_point(
+      std::declval<Points_by_face>(), std::declval<void (*)(std::size_t, double)>()));
+  template <typename G>
+  using Crossing_to_node = decltype(std::declval<Attachment<G>>().for_each_crossing(
+      std::declval<End>(), 1., std::declval<F>()));
+  template <typename G>
+  using Crossing_to_point = decltype(std::declval<Attachment<G>>().for_each_crossing(
+      std::declval<Intrinsic_point>(), 1., std::declval<F>()));
+
+  static_assert(
+      boost::is_detected_convertible_v<const Intrinsic_triangulation&, Triangulation, Graph>,
+      "A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation() "
+      "const`.");
+  static_assert(!has_crossing_arcs<Graph> ||
+                    boost::is_detected_convertible_v<double, Crossing, Graph>,
+                "A model of SurfaceGraph must have `double for_each_crossing(Node source, Node "
+                "target, double length, F f) const`, unless `arcs_are_edges` is `true`.");
+  static_assert(boost::is_detected_v<Attachment, Graph>,
+                "A model of SurfaceGraph must have `attach(const Intrinsic_point& point) const`.");
+  static_assert(
+      boost::is_detected_v<Nodes, Graph>,
+      "What `attach()` of a model of SurfaceGraph returns must have `for_each_node(F f)`.");
+  static_assert(
+      boost::is_detected_v<Points, Graph>,
+      "What `attach()` of a model of SurfaceGraph returns must have `for_each_point(const "
+      "Points_by_face& points, F f)`.");
+  static_assert(boost::is_detected_convertible_v<double, Crossing_to_node, Graph> &&
+                    boost::is_detected_convertible_v<double, Crossing_to_point, Graph>,
+                "What `attach()` of a model of SurfaceGraph returns must have `double "
+                "for_each_crossing(End end, double length, F f)`, for a node and for a point.");
+
+  static constexpr bool is_done = true;
+};
 
 // Calls `f(h, t)` for the edges that an arc crosses. Returns its length before it was rounded.
 template <typename SurfaceGraph, typename F>

@@ -1,0 +1,67 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_GRAPH_PARAMETERS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_GRAPH_PARAMETERS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+inline double checked_positive(const double number, const char* const name)
+{
+  if(!(number > 0) || std::isinf(number))
+    reject(std::string(name) + " is " + text_of(number) +
+           "; it must be a finite number larger than 0");
+  return number;
+}
+
+// Reads the named parameter `epsilon`. Above the largest bound that is of any use, it is that one,
+// since others would overflow when multiplied.
+template <typename NamedParameters>
+double checked_epsilon(const NamedParameters& np)
+{
+  constexpr double by_default = 0.1, largest = 1e6;
+  const double epsilon = CGAL::to_double(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::epsilon), by_default));
+  return (std::min)(checked_positive(epsilon, "epsilon"), largest);
+}
+
+// For graphs other than Steiner graphs, which do not support what these parameters say.
+template <typename NamedParameters>
+void reject_weights(const Intrinsic_triangulation& triangulation,
+                    const NamedParameters& /* np */,
+                    const char* const name)
+{
+  static_assert(!is_given<NamedParameters, internal_np::face_weight_t>,
+                "face_weight_map: this graph does not support weights; use Steiner_graph");
+  static_assert(!is_given<NamedParameters, internal_np::edge_is_constrained_t>,
+                "edge_is_constrained_map: this graph does not support barriers; use Steiner_graph");
+  static_assert(!is_any_given<NamedParameters, internal_np::number_of_points_per_edge_t,
+                              internal_np::nb_points_per_distance_unit_t>,
+                "number_of_points_per_edge, number_of_points_per_distance_unit: this graph has no "
+                "points on edges; use Steiner_graph");
+  if(triangulation.has_weights() || triangulation.has_barriers())
+    reject(std::string(name) + " does not support " +
+           (triangulation.has_weights() ? "weights" : "barriers") +
+           ", which the triangulation has; use Steiner_graph");
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_GRAPH_PARAMETERS_H
