@@ -259,7 +259,7 @@ TYPED_TEST(Queues_of_the_class, give_the_same_distances)
       EXPECT_EQ(distance[v], d);
     }
     std::vector<Point> path;
-    EXPECT_EQ(CGAL::approximate_geodesic_path(mesh, source, Vertex(77), std::back_inserter(path)),
+    EXPECT_EQ(CGAL::approximate_geodesic_path(mesh, std::back_inserter(path), source, Vertex(77)),
               distance[Vertex(77)]);
     EXPECT_GT(path.size(), 1u);
   }
