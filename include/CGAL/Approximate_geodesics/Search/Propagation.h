@@ -41,8 +41,8 @@ namespace Approximate_geodesics {
  * shorter. This search does the same in batches. The queue hands out several entries with small
  * keys at a time, in any order [2], and three loops work through them (Batch_relaxation.h):
  *
- * 1. Skip stale entries: their nodes have smaller labels by now, and were or will be expanded with
- *    those. Prefetch the arcs of all other nodes.
+ * 1. Prefetch the arcs of the nodes, and skip stale entries: their nodes have smaller labels by
+ *    now, and were or will be expanded with those.
  * 2. Look at the arcs of these nodes. Write the path along each arc to the end of a list of
  *    candidates; the end moves on only if the path is shorter than the label says.
  * 3. Go through the candidates, and lower labels and enter nodes into the queue. A candidate may
@@ -307,7 +307,7 @@ private:
       if(!watch.go_further(batch.size()))
         return end_early<Heuristic>(batch.size());
       batch.find_candidates();
-      batch.take_candidates();
+      batch.lower_labels();
     }
     watch.finish();
   }

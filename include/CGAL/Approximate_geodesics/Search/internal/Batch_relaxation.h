@@ -111,8 +111,8 @@ public:
     }
   }
 
-  // The third loop: lowers labels, and enters their nodes.
-  void take_candidates()
+  // The third loop: lowers the labels of the ends of candidates, and enters these nodes.
+  void lower_labels()
   {
     const double* const distances = m_labels.distances(); // kept in a register
     for(std::size_t i = 0; i < m_number_of_candidates; ++i)
