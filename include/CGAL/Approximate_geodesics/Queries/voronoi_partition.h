@@ -90,15 +90,6 @@ void voronoi_partition(const TriangleMesh& tmesh,
                        const Sources& sources,
                        const NamedParameters& np = parameters::default_values())
 {
-  static_assert(
-      !internal::ignores_any<NamedParameters, internal_np::edge_length_t, internal_np::epsilon_t,
-                             internal_np::number_of_points_per_edge_t, internal_np::face_weight_t,
-                             internal_np::edge_is_constrained_t, internal_np::initial_distances_t,
-                             internal_np::maximum_distance_t, internal_np::targets_t,
-                             internal_np::nearest_source_t, internal_np::geodesic_predecessor_t,
-                             internal_np::visitor_t>,
-      "voronoi_partition() reads the named parameters of approximate_geodesic_distances() only");
-
   const auto index_map = internal::vertex_index_map(tmesh, np);
   std::vector<double> distance_of(num_vertices(tmesh));
   std::vector<std::size_t> source_of(num_vertices(tmesh));

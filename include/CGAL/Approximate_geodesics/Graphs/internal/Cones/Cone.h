@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Approximate Geodesics authors.
 // All rights reserved.
 //
-// SPDCGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_H-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 
 #ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_H
 #define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_H
