@@ -88,8 +88,8 @@ private:
   static AG::Vertex_positions positions(const Mesh& mesh,
                                         const AG::Intrinsic_triangulation& triangulation)
   {
-    const AG::internal::Mesh_translation translation(mesh, get(boost::vertex_index, mesh),
-                                                     triangulation);
+    AG::internal::Mesh_translation translation(mesh, get(boost::vertex_index, mesh), triangulation);
+    translation.list_vertices();
     const auto points = mesh.points();
     return {triangulation, translation.position_of_vertex(points)};
   }

@@ -15,6 +15,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
@@ -37,6 +38,11 @@ class Node_counting_queue : public AG::Adaptive_bucket_queue
 public:
   Node_counting_queue(const std::size_t number_of_nodes, const AG::Arc_lengths& arc_lengths)
     : AG::Adaptive_bucket_queue(number_of_nodes, arc_lengths)
+  {
+    add(number_of_nodes);
+  }
+
+  static void add(const std::size_t number_of_nodes)
   {
     s_sum += number_of_nodes;
     ++s_count;
@@ -125,12 +131,16 @@ private:
 
   void add_full_graph(const std::size_t m)
   {
-    m_methods.push_back(
-        {"equally spaced", std::to_string(m), [this, m](const Vertex source, const Vertex target) {
-           return CGAL::approximate_geodesic_path<Node_counting_queue>(
-               m_expected.mesh(), source, target, CGAL::Emptyset_iterator(),
-               CGAL::parameters::number_of_points_per_edge(m));
-         }});
+    const AG::Steiner_graph graph(AG::Intrinsic_triangulation(m_expected.mesh()),
+                                  AG::Fixed_number_of_points(m));
+    m_methods.push_back({"equally spaced", std::to_string(m),
+                         [this, m, number_of_nodes = graph.number_of_nodes()](const Vertex source,
+                                                                              const Vertex target) {
+                           Node_counting_queue::add(number_of_nodes);
+                           return CGAL::approximate_geodesic_path(
+                               m_expected.mesh(), CGAL::Emptyset_iterator(), source, target,
+                               CGAL::parameters::number_of_points_per_edge(m));
+                         }});
   }
 
   void run(Method& method, const std::size_t round) const

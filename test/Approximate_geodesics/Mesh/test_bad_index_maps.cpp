@@ -99,7 +99,7 @@ TEST_F(Bad_index_map, vertex_index_out_of_range)
 TEST_F(Bad_index_map, vertex_index_used_twice)
 {
   expect_vertex_index_rejected<int>(5, "more than one vertex");
-  expect_vertex_index_rejected<int>(12, "more than one vertex"); // of a neighbour
+  expect_vertex_index_rejected<int>(12, "more than one vertex"); // of a neighbor
 }
 
 TEST_F(Bad_index_map, halfedge_index_out_of_range)

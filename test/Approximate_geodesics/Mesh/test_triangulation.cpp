@@ -140,7 +140,7 @@ TEST(Triangulation, skips_removed_elements)
   expect_same_connectivity(mesh, t);
 }
 
-// Neighbours are numbered in the order in which their own neighbours meet them.
+// Neighbors are numbered in the order in which their own neighbors meet them.
 TEST(Triangulation, numbers_breadth_first_by_components)
 {
   Random random(test_seed());
@@ -161,7 +161,7 @@ TEST(Triangulation, numbers_breadth_first_by_components)
 }
 
 // Large components are numbered patch by patch, from where earlier patches end.
-TEST(Triangulation, numbers_neighbours_of_what_is_numbered)
+TEST(Triangulation, numbers_neighbors_of_what_is_numbered)
 {
   const Mesh mesh = to_mesh(flat_grid(400, 300));
   const Triangulation t(mesh);

@@ -213,11 +213,12 @@ TEST(Surface_functions, find_a_path_from_several_places)
 }
 
 // A place in a face can be given from any of the three halfedges.
-TEST(Mesh_translation, give_the_same_point_as_a_face_location)
+TEST(Mesh_translation, gives_the_same_point_as_a_face_location)
 {
   const Mesh mesh = to_mesh(sphere(6, 5));
   const Triangulation triangulation(mesh);
-  const AG::internal::Mesh_translation places(mesh, get(boost::vertex_index, mesh), triangulation);
+  AG::internal::Mesh_translation places(mesh, get(boost::vertex_index, mesh), triangulation);
+  places.list_vertices();
   for(Triangulation::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
   {
     const AG::Intrinsic_point place = AG::Intrinsic_point::in_face(h, 0.5, 0.125);

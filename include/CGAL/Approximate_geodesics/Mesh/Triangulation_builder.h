@@ -36,7 +36,7 @@ namespace internal {
  * lengths, and weights.
  *
  * One traversal numbers the vertices and writes the halfedge groups at the same time: the group of
- * a vertex is read off the mesh when its turn comes, and numbers its new neighbours. Numbers follow
+ * a vertex is read when its turn comes, and numbers its new neighbors. Numbers follow
  * a breadth-first order; on large meshes, one patch of the surface after the other, so that
  * vertices that are close to each other have close numbers in all directions, and a search from any
  * source finds more of what it needs in the cache lines and pages that it used last.
@@ -157,7 +157,7 @@ private:
       copy_patch(m_frontier[i]);
   }
 
-  // Copies vertices around `center`, and notes down those that they are left by.
+  // Copies the vertices around `center`; those beyond the patch go to the frontier.
   void copy_patch(const vertex_descriptor center)
   {
     if(is_numbered(center))
@@ -274,7 +274,7 @@ private:
     }
   }
 
-  // A halfedge has a face without being one of those that go round it.
+  // Names a halfedge that has a face, but is not one of those that go round it.
   [[noreturn]] void reject_false_side() const
   {
     for(Index h = 0; h < m_halfedges.size(); ++h)

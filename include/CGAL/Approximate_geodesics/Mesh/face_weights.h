@@ -27,9 +27,9 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Expresses weights in a power of two, without rounding, in which the largest finite one is from 1
-// to 2, or smaller if costs would have too small a unit: products with lengths neither overflow nor
-// vanish.
+// Expresses weights in a power of two, without rounding, so that products with lengths neither
+// overflow nor vanish: the largest finite one is from 1 to 2 then, or smaller if costs would have
+// too small a unit.
 inline void normalize(Face_weights& weights, const double unit_of_lengths)
 {
   double largest = 0;
@@ -47,8 +47,8 @@ inline void normalize(Face_weights& weights, const double unit_of_lengths)
       w = (std::max)(std::ldexp(w, -exponent), smallest);
 }
 
-// No path costs more, unless it goes nowhere: with either face of each edge, there is enough also
-// for the ends of a path inside faces. In units of the lengths and the weights.
+// Upper bound of the cost of any path that revisits nothing, in units of the lengths and the
+// weights. Each edge counts once per face, which covers the ends of a path inside faces, too.
 inline double cost_of_all_edges(const Face_weights& weights,
                                 const Intrinsic_triangulation& triangulation)
 {

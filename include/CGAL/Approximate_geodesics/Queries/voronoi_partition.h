@@ -53,9 +53,8 @@ inline std::size_t source_of_face(const std::array<Corner_source, 3>& corners)
  * divides the surface among several sources: finds the nearest one for every face.
  *
  * The nearest source of a face is that of most of its corners, or, if all three have different
- * ones, that of the corner with the smallest distance. So the cells are unions of faces. The
- * nearest sources of the vertices can be had in addition, by the named parameter
- * `nearest_source_map`.
+ * ones, that of the corner with the smallest distance. So the cells are unions of faces. The named
+ * parameter `nearest_source_map` gives the nearest sources of the vertices in addition.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam FaceSourceMap a model of `WritablePropertyMap` with
@@ -69,7 +68,7 @@ inline std::size_t source_of_face(const std::array<Corner_source, 3>& corners)
  * \param face_source_map receives, for each face, the position of its nearest source in `sources`;
  *        `-1`, converted to the value type, for faces that have two or three corners that no source
  *        reaches
- * \param sources the sources, vertices of `tmesh`; of equal ones, all but the first get nothing
+ * \param sources the sources, vertices of `tmesh`; of duplicates, only the first gets faces
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": all those of
  *           `approximate_geodesic_distances()`
  *
@@ -91,15 +90,6 @@ void voronoi_partition(const TriangleMesh& tmesh,
                        const Sources& sources,
                        const NamedParameters& np = parameters::default_values())
 {
-  static_assert(
-      !internal::ignores_any<NamedParameters, internal_np::edge_length_t, internal_np::epsilon_t,
-                             internal_np::number_of_points_per_edge_t, internal_np::face_weight_t,
-                             internal_np::edge_is_constrained_t, internal_np::initial_distances_t,
-                             internal_np::maximum_distance_t, internal_np::targets_t,
-                             internal_np::nearest_source_t, internal_np::geodesic_predecessor_t,
-                             internal_np::visitor_t>,
-      "voronoi_partition() reads the named parameters of approximate_geodesic_distances() only");
-
   const auto index_map = internal::vertex_index_map(tmesh, np);
   std::vector<double> distance_of(num_vertices(tmesh));
   std::vector<std::size_t> source_of(num_vertices(tmesh));

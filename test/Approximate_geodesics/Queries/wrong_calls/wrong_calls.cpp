@@ -10,8 +10,11 @@
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/approximate_geodesic_path.h>
 
 #include <iterator>
 #include <vector>
@@ -35,6 +38,13 @@ void call_wrongly(const Mesh& mesh,
   std::vector<Vertex> samples;
   std::vector<Point> points;
 
+  // approximate_geodesic_distances() does not read one of these named parameters
+  CGAL::approximate_geodesic_distances(mesh, distances, Vertex(0), parameters::straighten(true));
+
+  // approximate_geodesic_path() does not read one of these named parameters
+  CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
+                                  parameters::targets(vertices));
+
   // isolines() reads vertex_point_map and geom_traits only
   AG::isolines(mesh, distances, isovalues, std::back_inserter(lines), parameters::epsilon(0.1));
 
@@ -44,7 +54,7 @@ void call_wrongly(const Mesh& mesh,
   // farthest_point_sampling() reads epsilon
   AG::farthest_point_sampling(mesh, std::back_inserter(samples), 3, parameters::targets(vertices));
 
-  // voronoi_partition() reads the named parameters of approximate_geodesic_distances() only
+  // approximate_geodesic_distances() does not read one of these named parameters
   AG::voronoi_partition(mesh, cells, vertices, parameters::straighten(true));
 
   // epsilon: selective refinement gives no bound
@@ -54,4 +64,8 @@ void call_wrongly(const Mesh& mesh,
   // refined_path() reads relative_tolerance
   AG::refined_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
                    parameters::relative_tolerance(0.1).straighten(true));
+
+  // build_sequence_tree() reads maximum_distance, targets and visitor
+  AG::Surface_mesh_shortest_path<Mesh> shortest_paths(mesh);
+  shortest_paths.build_sequence_tree(parameters::epsilon(0.1));
 }

@@ -21,8 +21,8 @@
 
 namespace CGAL {
 
-// Who calls `locate()` has a tree, and so its header, which would be a quarter of all that others
-// have to compile.
+// Only declared: programs that call `locate()` include its header, which would be more than a
+// quarter of what all others have to compile.
 template <typename AABBTraits>
 class AABB_tree;
 
@@ -30,8 +30,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Between points in space, locations in faces, and descriptors: what the exact class has as static
- * functions. Nothing here knows of paths.
+ * Translates between points in space, locations in faces, and descriptors, as the static functions
+ * of the exact class do. Unlike CGAL's `construct_point()` and `locate_vertex()`, these functions
+ * accept isolated vertices, and need no AABB tree's header.
  */
 template <typename TriangleMesh>
 class Location_functions

@@ -20,6 +20,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cmath>
@@ -37,9 +38,8 @@ namespace internal {
 /*
  * Translates between points on the surface of a mesh and points of its triangulation.
  *
- * Functions that are `const` write nothing, so that several threads can call them. For those that
- * return something of the mesh, `list_vertices()` has to be called before: the others can do
- * without that list.
+ * Members that are `const` write nothing, so that several threads can call them. Those that return
+ * elements or points of the mesh need a list of its vertices: call `list_vertices()` before.
  */
 template <typename TriangleMesh, typename VertexIndexMap>
 class Mesh_translation
@@ -77,6 +77,9 @@ public:
       reject("vertex " + std::to_string(index) + " is not one of the mesh");
     return result;
   }
+
+  // whether a node is a vertex, and not a point that a graph has added
+  bool is_vertex(const Index node) const { return node < m_triangulation->number_of_vertices(); }
 
   Intrinsic_point intrinsic_point(const vertex_descriptor v) const
   {
@@ -133,6 +136,7 @@ public:
 
   // ----- from the triangulation to the mesh
 
+  // has to be called before all that follow
   void list_vertices()
   {
     std::vector<vertex_descriptor> result(m_triangulation->number_of_vertices(),
@@ -141,9 +145,6 @@ public:
       result[node(v)] = v;
     m_vertices = std::move(result);
   }
-
-  // whether a node is a vertex, and not a point that a graph has added
-  bool is_vertex(const Index node) const { return node < m_triangulation->number_of_vertices(); }
 
   vertex_descriptor vertex(const Index node) const
   {

@@ -75,7 +75,7 @@ inline double accurate_distance(const Space_vector& p, const Space_vector& q)
   return std::sqrt(dot(scaled, scaled)) * scale.unit();
 }
 
-// Per halfedge that of its edge, in a unit that is a power of two.
+// The length of the edge of each halfedge, in a unit that is a power of two.
 struct Edge_lengths
 {
   std::vector<double> of_halfedge;

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// `f` has a halfedge.
+// Precondition: `f` has a halfedge.
 template <typename TriangleMesh>
 bool is_linked_triangle(const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
                         const TriangleMesh& tmesh)
@@ -45,8 +45,8 @@ inline std::string name_of_face(const std::size_t i)
   return "face " + std::to_string(i) + " (in the order of faces())";
 }
 
-// Returns the number of faces, and refuses a mesh that has others than triangles. `place_of(v)`
-// tells where a vertex of such a face is.
+// Returns the number of faces, and rejects a mesh with other faces than triangles. `place_of(v)` is
+// the text that names a vertex of such a face.
 template <typename TriangleMesh, typename PlaceOf>
 std::size_t number_of_triangles(const TriangleMesh& tmesh, const PlaceOf place_of)
 {
@@ -69,7 +69,7 @@ void check_triangles(const TriangleMesh& tmesh)
   number_of_triangles(tmesh, [](const auto&) { return ""; });
 }
 
-// `h` has a face.
+// Precondition: `h` has a face.
 template <typename TriangleMesh>
 bool is_on_cycle_of_face(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                          const TriangleMesh& tmesh)
