@@ -32,8 +32,9 @@ namespace CGAL {
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
  * \tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
- *         `Approximate_geodesics::Face_location` or `Approximate_geodesics::Surface_point`
- * \tparam Target the same
+ *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`, or a
+ *         model of `ConstRange` with one of these as value type
+ * \tparam Target one of the first three
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
@@ -41,10 +42,9 @@ namespace CGAL {
  *               crosses edges, and its ends; a single one if `source` and `target` are the same,
  *               and none if there is no path
  * \param source where the path starts: a vertex, an `Approximate_geodesics::Face_location`, or an
- *               `Approximate_geodesics::Surface_point`
- * \param target where the path ends, likewise
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
- *           listed below
+ *               `Approximate_geodesics::Surface_point`; or a range of these, of which the nearest
+ * to `target` is taken \param target where the path ends, likewise \param np an optional sequence
+ * of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
@@ -165,10 +165,11 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
-  static_assert(AG::internal::is_surface_point<TriangleMesh, Source> &&
-                    AG::internal::is_surface_point<TriangleMesh, Target>,
-                "approximate_geodesic_path(tmesh, points, source, target): source and target are a "
-                "vertex descriptor, a Face_location or a Surface_point each");
+  static_assert(
+      AG::internal::is_source<TriangleMesh, Source> &&
+          AG::internal::is_surface_point<TriangleMesh, Target>,
+      "approximate_geodesic_path(tmesh, points, source, target): source and target are a "
+      "vertex descriptor, a Face_location or a Surface_point each; source can be a range");
   static_assert(
       !AG::internal::ignores_any<
           NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,

@@ -304,7 +304,7 @@ TEST(Discrete_geodesic_graph, does_not_depend_on_the_order_of_the_mesh)
 // Counts windows, and loses patience.
 struct Window_counter : AG::internal::Leave_out_detours
 {
-  bool operator()(const AG::internal::Window&) const { return ++windows > 100000; }
+  bool prune(const AG::internal::Window&) const { return ++windows > 100000; }
   std::size_t& windows;
 };
 
@@ -330,7 +330,8 @@ TEST(Discrete_geodesic_graph, does_not_follow_lines_that_wind_round_a_spike)
   const AG::internal::Unfolding unfolding(t);
   for(const double e : {0.2, 0.01})
   {
-    const AG::internal::Cone_expansion<AG::internal::Unfolding> expansion(t, unfolding, e);
+    const AG::internal::Cone_expansion<AG::internal::Unfolding> expansion(
+        t, unfolding, AG::internal::Cone_rules(e));
     for(Node v = 0; v < t.number_of_vertices(); ++v)
     {
       std::size_t windows = 0;

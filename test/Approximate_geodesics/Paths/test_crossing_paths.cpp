@@ -94,7 +94,8 @@ TEST(Paths_across_faces, are_found_again_in_doubt)
     for(Node source = 0; source < graph.number_of_nodes(); source += 11)
       graph.for_each_arc(source, nullptr, [&](const Node target, const double length) {
         Line_search search{length};
-        AG::internal::search_in_doubt(graph.triangulation(), graph.epsilon(), source, target,
+        AG::internal::search_in_doubt(graph.triangulation(),
+                                      AG::internal::Cone_rules(graph.epsilon()), source, target,
                                       search);
         EXPECT_TRUE(search.is_found());
         EXPECT_EQ(search.found.target, target);

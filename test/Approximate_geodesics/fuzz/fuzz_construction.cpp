@@ -9,7 +9,7 @@
 #include <CGAL/Approximate_geodesics.h>
 #include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
 #include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 
 #include <algorithm>

@@ -67,12 +67,7 @@ public:
   template <typename Sources, typename NamedParameters>
   void run_from(const Sources& sources, const NamedParameters& np)
   {
-    std::vector<Source_point> points;
-    if constexpr(is_surface_point<Triangle_mesh, Sources>)
-      points.push_back({m_translation.intrinsic_point(sources)});
-    else
-      for(const auto& source : sources)
-        points.push_back({m_translation.intrinsic_point(source)});
+    std::vector<Source_point> points = source_points(sources);
     set_initial_distances(np, points);
     run(std::move(points), np);
   }
@@ -85,22 +80,22 @@ public:
 
   // Until the distance of `target` is final. Straight lines lead the search there, unless a visitor
   // is given, who would not learn of nodes in the order of their distances.
-  template <typename Source, typename Target, typename NamedParameters>
-  void run_to(const Source& source,
+  template <typename Sources, typename Target, typename NamedParameters>
+  void run_to(const Sources& sources,
               const Target& target,
               const Vertex_positions& positions,
               const NamedParameters& np)
   {
-    const Intrinsic_point start = m_translation.intrinsic_point(source),
-                          end = m_translation.intrinsic_point(target);
+    std::vector<Source_point> points = source_points(sources);
+    const Intrinsic_point end = m_translation.intrinsic_point(target);
     auto stop = stop_rule(np);
     if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
     {
       stop.targets.push_back(end);
-      run({{start}}, stop, np);
+      run(std::move(points), stop, np);
     }
     else
-      m_search.run_to(end, {{start}}, stop, positions);
+      m_search.run_to(end, std::move(points), stop, positions);
   }
 
   // The positions of the vertices, if they are those of a kernel.
@@ -147,6 +142,18 @@ public:
 
 private:
   using Stop_rule = typename Surface_search::Stop_rule;
+
+  template <typename Sources>
+  std::vector<Source_point> source_points(const Sources& sources) const
+  {
+    std::vector<Source_point> result;
+    if constexpr(is_surface_point<Triangle_mesh, Sources>)
+      result.push_back({m_translation.intrinsic_point(sources)});
+    else
+      for(const auto& source : sources)
+        result.push_back({m_translation.intrinsic_point(source)});
+    return result;
+  }
 
   template <typename NamedParameters>
   Stop_rule stop_rule(const NamedParameters& np) const
