@@ -8,37 +8,28 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Location_functions.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Pair_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Source_list.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Ray_3.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for programs
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <memory>
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -62,7 +53,7 @@ namespace Approximate_geodesics {
  * first query after that, or by `build_sequence_tree()`.
  *
  * An object of this class is to be used by one thread at a time. Several threads can share its
- * `graph()` and search it with a `Propagation` of their own.
+ * `graph()`, each with a `Surface_search` of its own.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` with an internal vertex
  *         point map
@@ -75,24 +66,14 @@ namespace Approximate_geodesics {
 template <typename TriangleMesh,
           typename SurfaceGraph = Edge_graph,
           typename PriorityQueue = Adaptive_bucket_queue>
-class Surface_mesh_shortest_path
-#ifndef DOXYGEN_RUNNING
-  : private internal::Location_functions<TriangleMesh>
-#endif
+class Surface_mesh_shortest_path : public Surface_locations<TriangleMesh>
 {
-  static_assert(!internal::is_traits_of_exact_class<TriangleMesh>,
-                "the first template argument is the mesh, not the traits of the exact class");
-
-  using Locations = internal::Location_functions<TriangleMesh>;
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using Locations = Surface_locations<TriangleMesh>;
   using Sources = internal::Source_list<TriangleMesh>;
 
 public:
   /// \name Types
   /// @{
-
-  /// the type of the mesh.
-  using Triangle_mesh = TriangleMesh;
 
   /// the type of the graph that is searched.
   using Graph = SurfaceGraph;
@@ -100,34 +81,16 @@ public:
   /// the search, with its results.
   using Search = Propagation<SurfaceGraph, PriorityQueue>;
 
-  /// a vertex of the mesh.
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-
-  /// a halfedge of the mesh.
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-
-  /// a face of the mesh.
-  using face_descriptor = typename Graph_traits::face_descriptor;
-
-  /// the number type of distances.
-  using FT = double;
-
-  /// the type of the mesh's points.
-  using Point_3 = typename boost::property_traits<
-      typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type;
-
-  /// the weights of a face's vertices, in the order in which `source(halfedge(f, tmesh), tmesh)` is
-  /// the first one.
-  using Barycentric_coordinates = std::array<FT, 3>;
-
-  /// a place on the surface: a face, and barycentric coordinates in it.
-  using Face_location = Approximate_geodesics::Face_location<TriangleMesh>;
-
-  /// a point of the surface: a vertex, a point on an edge, or a point in a face.
-  using Surface_point = Approximate_geodesics::Surface_point<TriangleMesh>;
-
-  /// the property map of the mesh's own points.
-  using Vertex_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
+#ifndef DOXYGEN_RUNNING
+  using typename Locations::Barycentric_coordinates;
+  using typename Locations::face_descriptor;
+  using typename Locations::Face_location;
+  using typename Locations::FT;
+  using typename Locations::Point_3;
+  using typename Locations::Surface_point;
+  using typename Locations::Triangle_mesh;
+  using typename Locations::vertex_descriptor;
+#endif
 
 #ifdef DOXYGEN_RUNNING
   /// a model of `BidirectionalIterator` with value type `Face_location`. It stays valid until its
@@ -168,13 +131,8 @@ public:
   }
 
   /*!
-   * takes a graph that was built before, or read from a file.
-   *
-   * \param tmesh the triangle mesh
-   * \param graph a graph of `tmesh`
-   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
-   *           `vertex_index_map`, if one was given for the triangulation of `graph`, and
-   *           `vertex_point_map`
+   * takes a graph of `tmesh` that was built before, or read from a file. Of the named parameters,
+   * `vertex_point_map` is read, and `vertex_index_map`, if one was given for the triangulation.
    *
    * \warning `tmesh` is referred to, and must neither change nor go away before this object does.
    *
@@ -184,25 +142,18 @@ public:
   Surface_mesh_shortest_path(const Triangle_mesh& tmesh,
                              Graph graph,
                              const NamedParameters& np = parameters::default_values())
-    : m_mesh(tmesh),
+    : Locations(tmesh,
+                internal::function_property_map<vertex_descriptor, Point_3>(
+                    internal::vertex_point_map(tmesh, np))),
       m_graph(std::move(graph)),
       m_translation(tmesh,
                     internal::function_property_map<vertex_descriptor, std::size_t>(
                         internal::vertex_index_map(tmesh, np)),
                     m_graph.triangulation()),
-      m_point_map(internal::function_property_map<vertex_descriptor, Point_3>(
-          internal::vertex_point_map(tmesh, np))),
-      m_search(m_graph, m_translation, m_point_map)
+      m_search(m_graph, m_translation, this->point_map())
   {
-    static_assert(
-        !internal::is_any_given<NamedParameters, internal_np::maximum_distance_t,
-                                internal_np::targets_t, internal_np::visitor_t,
-                                internal_np::initial_distances_t, internal_np::nearest_source_t,
-                                internal_np::geodesic_predecessor_t, internal_np::straighten_t>,
-        "the constructor does not run: maximum_distance, targets and visitor are for "
-        "build_sequence_tree(), straighten is for a path, initial distances go with "
-        "sources");
-    check_size();
+    internal::refuse_run_parameters<NamedParameters>();
+    m_translation.check_size();
     m_translation.list_vertices();
   }
 
@@ -227,11 +178,11 @@ public:
   Source_point_iterator add_source_point(const vertex_descriptor v, const FT initial_distance = 0)
   {
     const Intrinsic_point p =
-        m_translation.intrinsic_point(v); // which refuses what is not a vertex, first
-    return add_source(p, initial_distance, face_location(v));
+        m_translation.intrinsic_point(v); // a vertex of the mesh, from here on
+    return add_source(p, initial_distance, this->face_location(v));
   }
 
-  /// adds the point of the face `f` that has the given barycentric coordinates as a source.
+  /// adds a point of the face `f` as a source.
   /// \throws std::invalid_argument if `f` is not a face of the mesh, or the coordinates are not
   ///         those of a point in it, or as above.
   Source_point_iterator add_source_point(const face_descriptor f,
@@ -252,7 +203,7 @@ public:
   Source_point_iterator add_source_point(const Surface_point& point, const FT initial_distance = 0)
   {
     const Intrinsic_point p = m_translation.intrinsic_point(point);
-    return add_source(p, initial_distance, face_location(point));
+    return add_source(p, initial_distance, this->face_location(point));
   }
 
   /// adds the points of a range as sources, and returns an iterator to the first of them, or
@@ -308,32 +259,11 @@ public:
   /*!
    * searches the graph from the sources, under the given conditions.
    *
-   * Queries that follow are answered from this run until the sources change; what it did not
-   * reach counts as unreachable.
+   * Queries that follow are answered from this run until the sources change; what it did not reach
+   * counts as unreachable.
    *
-   * \param np a sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-   * below
-   *
-   * \cgalNamedParamsBegin
-   *   \cgalParamNBegin{maximum_distance}
-   *     \cgalParamDescription{the distance beyond which vertices are not reached}
-   *     \cgalParamType{a number type convertible to `double`}
-   *     \cgalParamDefault{infinity}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{targets}
-   *     \cgalParamDescription{points of the surface; the run ends as soon as the distances to all
-   *                           of them are certain}
-   *     \cgalParamType{a model of `ConstRange` with value type `vertex_descriptor`,
-   *                    `Face_location` or `Surface_point`}
-   *     \cgalParamDefault{none: the run goes on to the end, as it does if the range is empty}
-   *   \cgalParamNEnd
-   *   \cgalParamNBegin{visitor}
-   *     \cgalParamDescription{an object that is told of settled vertices and of progress, and
-   * that may end the run} \cgalParamType{a class model of `GeodesicVisitor`, or a
-   * `std::reference_wrapper` of one} \cgalParamDefault{`Geodesic_visitor_base`}
-   *     \cgalParamExtra{The visitor is copied unless it is given as `std::ref(visitor)`.}
-   *   \cgalParamNEnd
-   * \cgalNamedParamsEnd
+   * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `maximum_distance`,
+   *        `targets` and `visitor`, as for `approximate_geodesic_distances()`
    */
   template <typename NamedParameters>
   void build_sequence_tree(const NamedParameters& np)
@@ -377,7 +307,7 @@ public:
   template <typename FaceWeightMap>
   void set_face_weights(const FaceWeightMap& face_weight_map)
   {
-    m_graph.set_weights(read_face_weights(m_mesh, m_graph.triangulation(), face_weight_map,
+    m_graph.set_weights(read_face_weights(this->mesh(), m_graph.triangulation(), face_weight_map,
                                           parameters::vertex_index_map(m_translation.index_map())));
     m_has_changed = true;
     m_pair_search.reset();
@@ -416,6 +346,29 @@ public:
     return shortest_distance(m_translation.intrinsic_point(point));
   }
 
+  /*!
+   * writes the distances of all vertices to the nearest source to a property map: infinity where no
+   * source reaches a vertex. Asking for each of them would cost more than the search.
+   *
+   * \param vertex_distance_map a writable property map with `vertex_descriptor` as key type and a
+   *        value type that `double` converts to
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
+   *        `nearest_source_map`, which receives positions in the order of `source_points_begin()`,
+   *        and `predecessor_map`, as for `approximate_geodesic_distances()`
+   */
+  template <typename VertexDistanceMap,
+            typename NamedParameters = parameters::Default_named_parameters>
+  void shortest_distances_to_source_points(VertexDistanceMap vertex_distance_map,
+                                           const NamedParameters& np = parameters::default_values())
+  {
+    static_assert(!internal::ignores_any<NamedParameters, internal_np::nearest_source_t,
+                                         internal_np::geodesic_predecessor_t>,
+                  "distances to sources read nearest_source_map and predecessor_map; "
+                  "maximum_distance, targets and visitor are for build_sequence_tree()");
+    build_sequence_tree();
+    m_search.write_results(vertex_distance_map, np);
+  }
+
   /// @}
 
   /*!
@@ -426,18 +379,8 @@ public:
    * the iterator is `source_points_end()`. The initial distance of the source is part of the
    * length.
    *
-   * They have a last parameter `np`, which is a sequence of \ref bgl_namedparameters
-   * "Named Parameters":
-   *
-   * \cgalNamedParamsBegin
-   *   \cgalParamNBegin{straighten}
-   *     \cgalParamDescription{whether the path is shortened to a locally shortest one on the
-   *                           surface}
-   *     \cgalParamType{Boolean}
-   *     \cgalParamDefault{`false`}
-   *     \cgalParamExtra{It cannot be asked for if faces have weights.}
-   *   \cgalParamNEnd
-   * \cgalNamedParamsEnd
+   * Their last parameter is a sequence of \ref bgl_namedparameters "Named Parameters" with
+   * `straighten`, as for `approximate_geodesic_path()`.
    */
   /// @{
 
@@ -455,10 +398,10 @@ public:
                                         const NamedParameters& np = parameters::default_values())
   {
     return for_each_point(m_translation.intrinsic_point(v), np,
-                          [&](const Intrinsic_point& p) { *points++ = point(p); });
+                          [&](const Intrinsic_point& p) { *points++ = point_of(p); });
   }
 
-  /// writes those of a shortest path from a point in the face `f`.
+  /// writes the points of a shortest path from a point in the face `f`.
   template <typename OutputIterator,
             typename NamedParameters = parameters::Default_named_parameters>
   Shortest_path_result
@@ -468,12 +411,12 @@ public:
                                         const NamedParameters& np = parameters::default_values())
   {
     return for_each_point(m_translation.intrinsic_point(f, location), np,
-                          [&](const Intrinsic_point& p) { *points++ = point(p); });
+                          [&](const Intrinsic_point& p) { *points++ = point_of(p); });
   }
 
   /*!
-   * tells `visitor` the sequence of vertices, edges and faces that a shortest path from `v` to
-   * the nearest source goes through. Only the ends of the path can lie inside faces.
+   * reports to `visitor` the vertices, edges and faces that a shortest path from `v` to the nearest
+   * source goes through. Only the ends of the path can lie inside faces.
    *
    * \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
    */
@@ -484,10 +427,10 @@ public:
                                           const NamedParameters& np = parameters::default_values())
   {
     return for_each_point(m_translation.intrinsic_point(v), np,
-                          [&](const Intrinsic_point& p) { visit(p, visitor); });
+                          [&](const Intrinsic_point& p) { m_translation.visit(p, visitor); });
   }
 
-  /// tells `visitor` that of a shortest path from a point in the face `f`.
+  /// reports to `visitor` the sequence of a shortest path from a point in the face `f`.
   template <typename Visitor, typename NamedParameters = parameters::Default_named_parameters>
   Shortest_path_result
   shortest_path_sequence_to_source_points(const face_descriptor f,
@@ -496,7 +439,7 @@ public:
                                           const NamedParameters& np = parameters::default_values())
   {
     return for_each_point(m_translation.intrinsic_point(f, location), np,
-                          [&](const Intrinsic_point& p) { visit(p, visitor); });
+                          [&](const Intrinsic_point& p) { m_translation.visit(p, visitor); });
   }
 
   /*!
@@ -523,12 +466,12 @@ public:
    * \name Single Pairs
    *
    * These functions find paths between any two points of the surface, whatever the sources are.
-   * The search ends as soon as the distance is certain, and is led to the target by the straight
-   * line through space, unless faces have weights or lengths are not those of the mesh's points.
-   * It works in memory of its own, which takes 24 bytes per vertex more than that of the sources.
+   * The search ends as soon as the distance is final, and is led to the target by the straight line
+   * through space, unless faces have weights, lengths are not those of the mesh's points, or there
+   * is a visitor. It works in memory of its own: 24 bytes per vertex more than that of the sources.
    *
    * They return the length of the path; it is negative, and nothing is written, if there is none.
-   * The named parameters are those above and `maximum_distance`.
+   * The named parameters are `straighten`, `maximum_distance` and `visitor`, as above.
    *
    * \tparam Source `vertex_descriptor`, `Face_location` or `Surface_point`
    * \tparam Target the same
@@ -543,14 +486,7 @@ public:
                        const Target& target,
                        const NamedParameters& np = parameters::default_values())
   {
-    if constexpr(internal::is_given<NamedParameters, internal_np::straighten_t>)
-      return for_each_point_between(source, target, np, [](const Intrinsic_point&) {});
-    else
-    {
-      const double result =
-          search_pair(source, target, np).search().distance(m_translation.intrinsic_point(target));
-      return std::isinf(result) ? -1 : result;
-    }
+    return m_pair_search.distance(m_search, source, target, np);
   }
 
   /// writes the points of a shortest path from `source` to `target` to `points`, in this order.
@@ -563,154 +499,21 @@ public:
                           OutputIterator points,
                           const NamedParameters& np = parameters::default_values())
   {
-    return for_each_point_between(source, target, np,
-                                  [&](const Intrinsic_point& p) { *points++ = point(p); });
+    return m_pair_search.for_each_point(m_search, source, target, np,
+                                        [&](const Intrinsic_point& p) { *points++ = point_of(p); });
   }
-
-  /// @}
-
-#ifndef DOXYGEN_RUNNING
-  // the static versions of the functions that follow
-  using Locations::build_aabb_tree;
-  using Locations::face_location;
-  using Locations::locate;
-  using Locations::point;
-#endif
-
-  /*!
-   * \name Points
-   *
-   * There are static versions of these functions, which take the mesh as a further argument, and
-   * may be given a vertex point map after that.
-   */
-  /// @{
-
-  /// returns the point with the given barycentric coordinates in the face `f`.
-  Point_3 point(const face_descriptor f, const Barycentric_coordinates& location) const
-  {
-    return point(f, location, m_mesh, m_point_map);
-  }
-
-  /// returns the point at the part `t` of the way along `h`, from its source.
-  Point_3 point(const halfedge_descriptor h, const FT t) const
-  {
-    return point(h, t, m_mesh, m_point_map);
-  }
-
-  /// returns the point of `v`.
-  Point_3 point(const vertex_descriptor v) const { return get(m_point_map, v); }
-
-  /// returns a point of the surface.
-  Point_3 point(const Surface_point& p) const { return point(m_translation.intrinsic_point(p)); }
-
-  /// @}
-
-  /*!
-   * \name Face Locations
-   *
-   * There are static versions of these functions, too.
-   */
-  /// @{
-
-  /// returns a place of `v` in one of its faces. If it has none, the face is
-  /// `boost::graph_traits<Triangle_mesh>::%null_face()`.
-  Face_location face_location(const vertex_descriptor v) const { return face_location(v, m_mesh); }
-
-  /// returns the place at the part `t` of the way along `h` in the face to its left, or, at the
-  /// border, to its right.
-  Face_location face_location(const halfedge_descriptor h, const FT t) const
-  {
-    return face_location(h, t, m_mesh);
-  }
-
-  /// returns a place of a point of the surface in one of its faces.
-  Face_location face_location(const Surface_point& point) const
-  {
-    if(const auto* v = std::get_if<vertex_descriptor>(&point))
-      return face_location(*v);
-    if(const auto* p = std::get_if<std::pair<halfedge_descriptor, double>>(&point))
-      return face_location(p->first, p->second);
-    return std::get<Face_location>(point);
-  }
-
-  /// @}
-
-  /*!
-   * \name Nearest Face Locations
-   *
-   * A location next to a corner or a side of its face is moved onto that: barycentric coordinates
-   * of at most `tolerance` are set to zero. What is returned is where paths from there start, to
-   * the last bit. The face is `boost::graph_traits<Triangle_mesh>::%null_face()` if the mesh has
-   * no faces, or the ray does not meet any.
-   *
-   * Those functions that are given no tree build one, of the mesh's own points. There are static
-   * versions, which take the mesh and a vertex point map as arguments before the tolerance. Where
-   * faces have no area, \cgal's tree may refuse a ray; and where squared coordinates do not fit a
-   * `double`, it cannot find nearest points.
-   *
-   * Programs that call these functions include `CGAL/AABB_tree.h`, which this header does not.
-   *
-   * \tparam AABBTraits a model of `AABBTraits` for the faces of the mesh
-   */
-  /// @{
-
-  /// returns the location on the mesh that is nearest to `p`.
-  template <typename AABBTraits>
-  Face_location locate(const Point_3& p, const FT tolerance = default_tolerance) const
-  {
-    AABB_tree<AABBTraits> tree;
-    build_aabb_tree(tree);
-    return locate(p, tree, tolerance);
-  }
-
-  /// does the same with a tree that was built before.
-  template <typename AABBTraits>
-  Face_location locate(const Point_3& p,
-                       const AABB_tree<AABBTraits>& tree,
-                       const FT tolerance = default_tolerance) const
-  {
-    return locate(p, tree, m_mesh, m_point_map, tolerance);
-  }
-
-  /// returns the location on the mesh where `ray` meets it first.
-  template <typename AABBTraits, typename Kernel>
-  Face_location locate(const Ray_3<Kernel>& ray, const FT tolerance = default_tolerance) const
-  {
-    AABB_tree<AABBTraits> tree;
-    build_aabb_tree(tree);
-    return locate(ray, tree, tolerance);
-  }
-
-  /// does the same with a tree that was built before.
-  template <typename AABBTraits, typename Kernel>
-  Face_location locate(const Ray_3<Kernel>& ray,
-                       const AABB_tree<AABBTraits>& tree,
-                       const FT tolerance = default_tolerance) const
-  {
-    return locate(ray, tree, m_mesh, m_point_map, tolerance);
-  }
-
-  /// builds a tree of the mesh's faces for `locate()`, with the mesh's own points.
-  template <typename AABBTraits>
-  void build_aabb_tree(AABB_tree<AABBTraits>& tree) const
-  {
-    build_aabb_tree(m_mesh, tree);
-  }
-
-  /// builds a tree with other points.
-  template <typename AABBTraits, typename VertexPointMap>
-  void build_aabb_tree(AABB_tree<AABBTraits>& tree, const VertexPointMap& point_map) const
-  {
-    build_aabb_tree(m_mesh, tree, point_map);
-  }
-
-  /// the weight in barycentric coordinates that a location may be moved by.
-  static constexpr FT default_tolerance = Locations::default_tolerance;
 
   /// @}
 
   /// \name Access
   /// @{
+
+#ifndef DOXYGEN_RUNNING
+  using Locations::point;
+#endif
+
+  /// returns a point of the surface.
+  Point_3 point(const Surface_point& p) const { return point_of(m_translation.intrinsic_point(p)); }
 
   /// returns the graph that is searched.
   const Graph& graph() const { return m_graph; }
@@ -718,7 +521,7 @@ public:
   /// returns the search, with its results and figures.
   const Search& search() const { return m_search.search().search(); }
 
-  /// says whether the searches to come shall count what they do: see `search().statistics()`.
+  /// enables or disables statistics for subsequent runs: see `search().statistics()`.
   void collect_statistics(const bool counts)
   {
     m_search.search().search().collect_statistics(counts);
@@ -733,7 +536,7 @@ public:
 private:
   using Node = typename Search::Node;
   using Index_function = internal::Function_property_map<vertex_descriptor, std::size_t>;
-  using Point_function = internal::Function_property_map<vertex_descriptor, Point_3>;
+  using Point_function = typename Locations::Point_function;
   using Translation = internal::Mesh_translation<Triangle_mesh, Index_function>;
   using Mesh_search = internal::Mesh_search<Graph, PriorityQueue, Translation, Point_function>;
 
@@ -770,80 +573,15 @@ private:
     return result;
   }
 
-  // A search that is not that of the sources.
-  struct Pair_search
-  {
-    Mesh_search search;
-    Vertex_positions positions;
-  };
-
-  template <typename Source, typename Target, typename NamedParameters>
-  const Mesh_search&
-  search_pair(const Source& source, const Target& target, const NamedParameters& np)
-  {
-    static_assert(!internal::ignores_any<NamedParameters, internal_np::straighten_t,
-                                         internal_np::maximum_distance_t, internal_np::visitor_t>,
-                  "single pairs read straighten, maximum_distance and visitor");
-    if(!m_pair_search)
-      m_pair_search = std::make_unique<Pair_search>(
-          Pair_search{Mesh_search(m_graph, m_translation, m_point_map), m_search.positions()});
-    m_pair_search->search.run_to(source, target, m_pair_search->positions, np);
-    return m_pair_search->search;
-  }
-
-  // Calls `f(point)` for the points of the path between two points of the surface.
-  template <typename Source, typename Target, typename NamedParameters, typename F>
-  FT for_each_point_between(const Source& source,
-                            const Target& target,
-                            const NamedParameters& np,
-                            F f)
-  {
-    const Path path =
-        search_pair(source, target, np).find_path(m_translation.intrinsic_point(target), np);
-    std::for_each(path.points.rbegin(), path.points.rend(), f);
-    return path.points.empty() ? -1 : path.length;
-  }
-
-  template <typename Visitor>
-  void visit(const Intrinsic_point& p, Visitor& visitor) const
-  {
-    if(p.is_vertex())
-      visitor(m_translation.vertex(p.vertex));
-    else if(p.is_on_edge())
-      visitor(m_translation.mesh_halfedge(p.halfedge), p.t);
-    else
-    {
-      const Face_location location = m_translation.face_location(p);
-      visitor(location.first, location.second);
-    }
-  }
-
-  Point_3 point(const Intrinsic_point& p) const
+  Point_3 point_of(const Intrinsic_point& p) const
   {
     return m_search.point(p, parameters::default_values());
   }
 
-  // Counts what is there: some meshes' numbers include what was removed.
-  void check_size() const
-  {
-    const Intrinsic_triangulation& t = m_graph.triangulation();
-    const auto count = [](const auto& range) {
-      return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
-    };
-    const std::size_t v = count(vertices(m_mesh)), h = count(halfedges(m_mesh));
-    if(v != t.number_of_vertices() || h != t.number_of_halfedges())
-      internal::reject("the graph is that of another mesh: it has " +
-                       std::to_string(t.number_of_vertices()) + " vertices and " +
-                       std::to_string(t.number_of_halfedges()) + " halfedges, and the mesh has " +
-                       std::to_string(v) + " and " + std::to_string(h));
-  }
-
-  const Triangle_mesh& m_mesh;
   Graph m_graph;
   Translation m_translation;
-  const Point_function m_point_map;
   Mesh_search m_search;
-  std::unique_ptr<Pair_search> m_pair_search; // made when first needed
+  internal::Pair_search<Mesh_search> m_pair_search;
   Sources m_sources;
   std::vector<Source_point_iterator> m_source_points; // of the last search
   bool m_has_changed = true;

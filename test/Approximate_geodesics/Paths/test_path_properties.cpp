@@ -119,7 +119,7 @@ protected:
   std::vector<double> distances(const GeodesicGraph& graph, const std::size_t source)
   {
     AG::Propagation<GeodesicGraph, Queue> search(graph);
-    search.run_from(source);
+    search.run_from(static_cast<std::uint32_t>(source));
     return distances_of_nodes(search);
   }
 

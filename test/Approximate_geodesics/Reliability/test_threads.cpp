@@ -65,7 +65,7 @@ Values distances(const GeodesicGraph& graph, const std::size_t thread)
   for(const std::size_t source : {3 * thread, std::size_t(77), 13 + 20 * thread})
   {
     AG::Propagation<GeodesicGraph> search(graph);
-    search.run_from(source);
+    search.run_from(static_cast<typename GeodesicGraph::Node>(source));
     const Values found = distances_of_nodes(search);
     result.insert(result.end(), found.begin(), found.end());
     result.push_back(static_cast<double>(search.source(7)));

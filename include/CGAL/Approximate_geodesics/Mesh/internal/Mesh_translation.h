@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -64,6 +65,20 @@ public:
 
   const TriangleMesh& mesh() const { return *m_mesh; }
   const VertexIndexMap& index_map() const { return m_vertex_index_map; }
+
+  // Counts what is there: some meshes' numbers include what was removed.
+  void check_size() const
+  {
+    const Intrinsic_triangulation& t = *m_triangulation;
+    const auto count = [](const auto& range) {
+      return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
+    };
+    const std::size_t v = count(vertices(*m_mesh)), h = count(halfedges(*m_mesh));
+    if(v != t.number_of_vertices() || h != t.number_of_halfedges())
+      reject("the graph is that of another mesh: it has " + std::to_string(t.number_of_vertices()) +
+             " vertices and " + std::to_string(t.number_of_halfedges()) +
+             " halfedges, and the mesh has " + std::to_string(v) + " and " + std::to_string(h));
+  }
 
   // ----- from the mesh to its triangulation
 
@@ -182,6 +197,21 @@ public:
     if(p.is_on_edge())
       return std::make_pair(mesh_halfedge(p.halfedge), p.t);
     return face_location(p);
+  }
+
+  // Tells a visitor of the exact class's kind where a point is.
+  template <typename Visitor>
+  void visit(const Intrinsic_point& p, Visitor& visitor) const
+  {
+    if(p.is_vertex())
+      visitor(vertex(p.vertex));
+    else if(p.is_on_edge())
+      visitor(mesh_halfedge(p.halfedge), p.t);
+    else
+    {
+      const Face_location<TriangleMesh> location = face_location(p);
+      visitor(location.first, location.second);
+    }
   }
 
   template <typename VertexPointMap>

@@ -58,6 +58,7 @@ public:
   }
 
   const Translation& translation() const { return m_translation; }
+  const VertexPointMap& point_map() const { return m_point_map; }
   const Surface_search& search() const { return m_search; }
   Surface_search& search() { return m_search; }
 

@@ -21,6 +21,19 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
+// For constructors, which do not run.
+template <typename NamedParameters>
+constexpr void refuse_run_parameters()
+{
+  static_assert(
+      !is_any_given<NamedParameters, internal_np::maximum_distance_t, internal_np::targets_t,
+                    internal_np::visitor_t, internal_np::initial_distances_t,
+                    internal_np::nearest_source_t, internal_np::geodesic_predecessor_t,
+                    internal_np::straighten_t>,
+      "the constructor does not run: maximum_distance, targets and visitor are for "
+      "build_sequence_tree(), straighten is for a path, initial distances go with sources");
+}
+
 // Reads the named parameters that say how far a run goes.
 template <typename StopRule, typename Translation, typename NamedParameters>
 StopRule stop_rule(const Translation& translation, const NamedParameters& np)

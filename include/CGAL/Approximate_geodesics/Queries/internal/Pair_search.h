@@ -1,0 +1,96 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_PAIR_SEARCH_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_PAIR_SEARCH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * Searches from one point to another, in memory of their own, which is allocated when it is first
+ * needed.
+ */
+template <typename MeshSearch>
+class Pair_search
+{
+public:
+  // The graph and the mesh are those that `other` searches. Returns -1 if there is no path.
+  template <typename Source, typename Target, typename NamedParameters>
+  double distance(const MeshSearch& other,
+                  const Source& source,
+                  const Target& target,
+                  const NamedParameters& np)
+  {
+    if constexpr(is_given<NamedParameters, internal_np::straighten_t>)
+      return for_each_point(other, source, target, np, [](const Intrinsic_point&) {});
+    else
+    {
+      run(other, source, target, np);
+      const auto answer =
+          m_parts->search.search().nearest(other.translation().intrinsic_point(target));
+      return answer.is_reached() ? answer.distance : -1;
+    }
+  }
+
+  // Calls `f(point)` for the points of the path, and returns its length, or -1.
+  template <typename Source, typename Target, typename NamedParameters, typename F>
+  double for_each_point(const MeshSearch& other,
+                        const Source& source,
+                        const Target& target,
+                        const NamedParameters& np,
+                        F f)
+  {
+    run(other, source, target, np);
+    const Path path = m_parts->search.find_path(other.translation().intrinsic_point(target), np);
+    std::for_each(path.points.rbegin(), path.points.rend(), f);
+    return path.points.empty() ? -1 : path.length;
+  }
+
+  // To be called when the weights of the graph have changed.
+  void reset() { m_parts.reset(); }
+
+private:
+  template <typename Source, typename Target, typename NamedParameters>
+  void run(const MeshSearch& other,
+           const Source& source,
+           const Target& target,
+           const NamedParameters& np)
+  {
+    static_assert(!ignores_any<NamedParameters, internal_np::straighten_t,
+                               internal_np::maximum_distance_t, internal_np::visitor_t>,
+                  "single pairs read straighten, maximum_distance and visitor");
+    if(!m_parts)
+      m_parts = std::make_unique<Parts>(
+          Parts{MeshSearch(other.search().graph(), other.translation(), other.point_map()),
+                other.positions()});
+    m_parts->search.run_to(source, target, m_parts->positions, np);
+  }
+
+  struct Parts
+  {
+    MeshSearch search;
+    Vertex_positions positions;
+  };
+
+  std::unique_ptr<Parts> m_parts;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_PAIR_SEARCH_H

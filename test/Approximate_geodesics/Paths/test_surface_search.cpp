@@ -1,0 +1,223 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+
+#include "checks/expect_message.h"
+#include "checks/graphs_of_all_kinds.h"
+#include "checks/test_random.h"
+#include "meshes/surface_points.h"
+#include "oracles/test_oracles.h"
+
+#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
+
+// Distances and paths between any points, on a graph that several threads share.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+using namespace geodesics_test;
+
+class Surface_searches : public testing::Test
+{
+protected:
+  Surface_searches()
+  {
+    m_translation.list_vertices();
+    for(int i = 0; i < 12; ++i)
+      m_points.push_back(m_translation.intrinsic_point(random_surface_point(m_mesh, m_random)));
+  }
+
+  // The distances and the points of the paths from one point to all of them.
+  template <typename Graph>
+  std::vector<double> results(const Graph& graph, const std::size_t source) const
+  {
+    std::vector<double> result;
+    AG::Surface_search<Graph> search(graph);
+    search.run({{m_points[source]}});
+    for(const AG::Intrinsic_point& p : m_points)
+    {
+      const AG::Path path = search.find_path(p);
+      result.push_back(search.distance(p));
+      result.push_back(path.length);
+      for(const AG::Intrinsic_point& q : path.points)
+        result.insert(result.end(), {double(q.vertex), double(q.halfedge), q.t, q.s});
+    }
+    return result;
+  }
+
+  template <typename Graph>
+  void expect_same_in_all_threads(const Graph& graph) const
+  {
+    std::vector<std::vector<double>> found(m_points.size());
+    std::vector<std::thread> threads;
+    for(std::size_t t = 0; t < 4; ++t)
+      threads.emplace_back([&, t] {
+        for(std::size_t i = t; i < m_points.size(); i += 4)
+          found[i] = results(graph, i);
+      });
+    for(std::thread& thread : threads)
+      thread.join();
+    for(std::size_t i = 0; i < m_points.size(); ++i)
+      EXPECT_EQ(found[i], results(graph, i));
+  }
+
+  Random m_random{test_seed()};
+  const Mesh m_mesh = to_mesh(terrain(14, 12, m_random));
+  const Triangulation m_triangulation{m_mesh};
+  AG::internal::Mesh_translation<Mesh, decltype(get(boost::vertex_index, m_mesh))> m_translation{
+      m_mesh, get(boost::vertex_index, m_mesh), m_triangulation};
+  std::vector<AG::Intrinsic_point> m_points;
+};
+
+TEST_F(Surface_searches, give_every_thread_distances_and_paths)
+{
+  expect_same_in_all_threads(AG::Edge_graph(m_triangulation));
+  expect_same_in_all_threads(Discrete_geodesic_graph(m_triangulation));
+  expect_same_in_all_threads(Lazy_discrete_geodesic_graph(
+      m_triangulation, CGAL::parameters::epsilon(0.1), Lazy_discrete_geodesic_graph::Arcs::KEPT));
+  expect_same_in_all_threads(
+      Steiner_graph<Fixed_number_of_points>(m_triangulation, Fixed_number_of_points(2)));
+}
+
+// The length of a path is that of its points, wherever they are; along edges, it is the distance to
+// the last bit.
+TEST_F(Surface_searches, tell_the_length_of_the_points)
+{
+  const auto expect = [this](const auto& graph, const double rounding) {
+    AG::Surface_search search(graph);
+    search.run({{m_points[0], 2}, {m_points[1], 3.5}});
+    for(const AG::Intrinsic_point& p : m_points)
+    {
+      const AG::Path path = search.find_path(p);
+      const auto answer = search.nearest(p);
+      const double offset = search.sources()[answer.source].distance;
+      const double sum = AG::internal::length_of_segments(m_triangulation, path.points);
+      EXPECT_NEAR(path.length, sum * m_triangulation.unit(), 1e-12 * (1 + path.length));
+      EXPECT_NEAR(path.length + offset, answer.distance, rounding * answer.distance);
+      if(rounding == 0)
+      {
+        EXPECT_EQ(path.length, answer.distance - offset);
+      }
+    }
+  };
+  expect(AG::Edge_graph(m_triangulation), 0);
+  expect(Discrete_geodesic_graph(m_triangulation), 1e-6);
+}
+
+TEST_F(Surface_searches, are_led_by_positions_to_the_same_distance)
+{
+  const Discrete_geodesic_graph graph(m_triangulation);
+  const auto coordinates = m_mesh.points();
+  const AG::Vertex_positions positions(m_triangulation,
+                                       m_translation.position_of_vertex(coordinates));
+  ASSERT_TRUE(positions.are_known());
+  AG::Surface_search complete(graph), led(graph), ending(graph);
+  complete.run({{m_points[0]}});
+  for(const AG::Intrinsic_point& p : m_points)
+  {
+    led.run_to(p, {{m_points[0]}}, {}, positions);
+    ending.run_to(p, {{m_points[0]}});
+    EXPECT_NEAR(led.distance(p), complete.distance(p), 1e-12 * complete.distance(p));
+    EXPECT_EQ(ending.distance(p), complete.distance(p));
+  }
+}
+
+TEST_F(Surface_searches, keep_their_results_when_input_is_refused)
+{
+  const AG::Edge_graph graph(m_triangulation);
+  AG::Surface_search search(graph);
+  search.run({{m_points[0]}});
+  const double before = search.distance(m_points[3]);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for(const double wrong : {-1., infinity, std::nan("")})
+    expect_message<std::invalid_argument>(
+        [&] {
+          search.run({{m_points[1]}, {m_points[2], wrong}});
+        },
+        "source 1");
+  expect_message<std::invalid_argument>(
+      [&] {
+        search.run({{m_points[1]}}, {-1, {}});
+      },
+      "maximum distance");
+  EXPECT_EQ(search.distance(m_points[3]), before);
+  EXPECT_FALSE(search.find_path(m_points[3]).points.empty());
+}
+
+TEST_F(Surface_searches, end_at_a_distance_and_at_targets)
+{
+  const AG::Edge_graph graph(m_triangulation);
+  AG::Surface_search all(graph), near(graph), ending(graph);
+  all.run({{m_points[0]}});
+  const double limit = all.distance(m_points[5]);
+  near.run({{m_points[0]}}, {limit, {}});
+  ending.run({{m_points[0]}}, {limit * 1e6, {m_points[5], m_points[6]}});
+  for(const AG::Intrinsic_point& p : m_points)
+  {
+    const double distance = all.distance(p);
+    EXPECT_EQ(near.distance(p), distance <= limit ? distance : infinity);
+    EXPECT_EQ(near.find_path(p).points.empty(), distance > limit);
+  }
+  EXPECT_EQ(ending.distance(m_points[5]), all.distance(m_points[5]));
+  EXPECT_EQ(ending.distance(m_points[6]), all.distance(m_points[6]));
+}
+
+// One call gives what one question for each vertex does.
+TEST(Shortest_distances, are_written_to_a_map_at_once)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(9, 7, random));
+  AG::Surface_mesh_shortest_path<Mesh, Discrete_geodesic_graph> paths(mesh);
+  paths.add_source_point(random_surface_point(mesh, random));
+  paths.add_source_point(Vertex(5), 0.25);
+  std::vector<double> distances(mesh.number_of_vertices());
+  std::vector<std::size_t> sources(mesh.number_of_vertices());
+  const auto index = get(boost::vertex_index, mesh);
+  paths.shortest_distances_to_source_points(
+      boost::make_iterator_property_map(distances.begin(), index),
+      CGAL::parameters::nearest_source_map(
+          boost::make_iterator_property_map(sources.begin(), index)));
+  for(const Vertex v : mesh.vertices())
+  {
+    const auto [distance, source] = paths.shortest_distance_to_source_points(v);
+    EXPECT_EQ(distances[v], distance);
+    EXPECT_EQ(std::ptrdiff_t(sources[v]), std::distance(paths.source_points_begin(), source));
+  }
+}
+
+// A visitor of a single pair is heard, and may end the run.
+TEST(Single_pairs_with_a_visitor, notify_it)
+{
+  struct Visitor : AG::Geodesic_visitor_base
+  {
+    void on_settled(Vertex, double) { ++settled; }
+    bool go_further() const { return settled < limit; }
+    std::size_t settled = 0, limit;
+  };
+  const Mesh mesh = to_mesh(flat_grid(20, 20));
+  AG::Surface_mesh_shortest_path<Mesh> paths(mesh);
+  Visitor patient{{}, 0, 1000000}, hasty{{}, 0, 20};
+  const Vertex first(0), last(mesh.number_of_vertices() - 1);
+  EXPECT_GT(paths.shortest_distance(first, last, CGAL::parameters::visitor(std::ref(patient))), 0);
+  EXPECT_GT(patient.settled, 100u);
+  EXPECT_EQ(paths.shortest_distance(first, last, CGAL::parameters::visitor(std::ref(hasty))), -1);
+  EXPECT_LT(hasty.settled, 100u);
+}
+
+} // namespace
