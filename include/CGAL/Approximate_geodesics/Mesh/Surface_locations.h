@@ -37,9 +37,6 @@ class Surface_locations
   : private internal::Location_functions<TriangleMesh>
 #endif
 {
-  static_assert(!internal::is_traits_of_exact_class<TriangleMesh>,
-                "the first template argument is the mesh, not the traits of the exact class");
-
   using Base = internal::Location_functions<TriangleMesh>;
   using Graph_traits = boost::graph_traits<TriangleMesh>;
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -78,13 +79,6 @@ public:
     return result;
   }
 
-  /// returns the distance of two positions.
-  static double distance(const Position& p, const Position& q)
-  {
-    const double x = q[0] - p[0], y = q[1] - p[1], z = q[2] - p[2];
-    return std::sqrt(x * x + y * y + z * z);
-  }
-
   /// returns the number of bytes that the positions take.
   std::size_t memory() const { return m_positions.capacity() * sizeof(Position); }
 
@@ -98,7 +92,8 @@ private:
       for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
       {
         const double length = triangulation.length(h);
-        const double line = distance(m_positions[v], m_positions[triangulation.target(h)]);
+        const double line =
+            internal::distance(m_positions[v], m_positions[triangulation.target(h)]);
         if(!(std::abs(line - length) <= rounding * length))
           return false;
       }

@@ -5,6 +5,9 @@
 
 // Calls that must not compile, each below the message that the compiler has to print for it.
 
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
@@ -26,6 +29,16 @@ using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
+
+struct Graph_that_attaches_nothing : AG::Edge_graph
+{
+  void attach() const;
+};
+
+struct Graph_without_triangulation : AG::Edge_graph
+{
+  void triangulation() const;
+};
 
 void call_wrongly(const Mesh& mesh,
                   const Mesh::Property_map<Vertex, double> distances,
@@ -68,4 +81,26 @@ void call_wrongly(const Mesh& mesh,
   // build_sequence_tree() reads maximum_distance, targets and visitor
   AG::Surface_mesh_shortest_path<Mesh> shortest_paths(mesh);
   shortest_paths.build_sequence_tree(parameters::epsilon(0.1));
+
+  // the constructor does not run
+  AG::Surface_mesh_shortest_path<Mesh>(mesh, parameters::maximum_distance(3));
+
+  // paths to sources read straighten
+  shortest_paths.shortest_path_points_to_source_points(Vertex(0), std::back_inserter(points),
+                                                       parameters::maximum_distance(3));
+
+  // single pairs read straighten, maximum_distance and visitor
+  shortest_paths.shortest_distance(Vertex(0), Vertex(1), parameters::targets(vertices));
+
+  // Geometric_points reads epsilon, which says how many points there are
+  AG::Geometric_points(parameters::number_of_points_per_edge(3));
+
+  // Fixed_number_of_points reads number_of_points_per_edge, and gives no bound
+  AG::Fixed_number_of_points{parameters::epsilon(0.1)};
+
+  // A model of SurfaceGraph must have `attach(
+  static_cast<void>(sizeof(AG::Surface_search<Graph_that_attaches_nothing>));
+
+  // A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation()
+  static_cast<void>(sizeof(AG::Surface_search<Graph_without_triangulation>));
 }

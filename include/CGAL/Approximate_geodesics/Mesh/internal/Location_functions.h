@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/locate.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Ray_3.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -37,6 +38,9 @@ namespace internal {
 template <typename TriangleMesh>
 class Location_functions
 {
+  static_assert(!is_traits_of_exact_class<TriangleMesh>,
+                "the first template argument is the mesh, not the traits of the exact class");
+
   using Triangle_mesh = TriangleMesh;
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;

@@ -36,10 +36,9 @@ public:
   double operator()(const Node node) const
   {
     if constexpr(has_positions<SurfaceGraph>)
-      return Vertex_positions::distance(
-          m_positions(m_graph.triangulation(), position(m_graph, node)), m_goal);
+      return distance(m_positions(m_graph.triangulation(), position(m_graph, node)), m_goal);
     else
-      return Vertex_positions::distance(m_positions[node], m_goal);
+      return distance(m_positions[node], m_goal);
   }
 
 private:

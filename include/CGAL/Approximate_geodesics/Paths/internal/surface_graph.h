@@ -85,17 +85,18 @@ struct Check_surface_graph
                     boost::is_detected_convertible_v<double, Crossing, Graph>,
                 "A model of SurfaceGraph must have `double for_each_crossing(Node source, Node "
                 "target, double length, F f) const`, unless `arcs_are_edges` is `true`.");
-  static_assert(boost::is_detected_v<Attachment, Graph>,
+  static constexpr bool can_attach = boost::is_detected_v<Attachment, Graph>;
+  static_assert(can_attach,
                 "A model of SurfaceGraph must have `attach(const Intrinsic_point& point) const`.");
   static_assert(
-      boost::is_detected_v<Nodes, Graph>,
+      !can_attach || boost::is_detected_v<Nodes, Graph>,
       "What `attach()` of a model of SurfaceGraph returns must have `for_each_node(F f)`.");
   static_assert(
-      boost::is_detected_v<Points, Graph>,
+      !can_attach || boost::is_detected_v<Points, Graph>,
       "What `attach()` of a model of SurfaceGraph returns must have `for_each_point(const "
       "Points_by_face& points, F f)`.");
-  static_assert(boost::is_detected_convertible_v<double, Crossing_to_node, Graph> &&
-                    boost::is_detected_convertible_v<double, Crossing_to_point, Graph>,
+  static_assert(!can_attach || (boost::is_detected_convertible_v<double, Crossing_to_node, Graph> &&
+                                boost::is_detected_convertible_v<double, Crossing_to_point, Graph>),
                 "What `attach()` of a model of SurfaceGraph returns must have `double "
                 "for_each_crossing(End end, double length, F f)`, for a node and for a point.");
 
