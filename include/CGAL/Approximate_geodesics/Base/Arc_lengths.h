@@ -67,6 +67,45 @@ inline Arc_lengths summarize_arc_lengths(const std::vector<double>& lengths)
           *std::max_element(longest.begin(), longest.end())};
 }
 
+namespace internal {
+
+// Gathers what a queue wants to know of arcs, one after the other or many at once.
+class Arc_length_summary
+{
+public:
+  void add(const double length) { add(length, length, length, 1); }
+
+  void add(const Arc_length_summary& other)
+  {
+    add(other.m_shortest, other.m_sum, other.m_longest, other.m_number);
+  }
+
+  void add(const double shortest, const double sum, const double longest, const std::size_t number)
+  {
+    m_shortest = (std::min)(m_shortest, shortest);
+    m_sum += sum;
+    m_longest = (std::max)(m_longest, longest);
+    m_number += number;
+  }
+
+  std::size_t number_of_arcs() const { return m_number; }
+
+  // in another unit, a power of two
+  Arc_lengths result(const double unit = 1) const
+  {
+    if(m_number == 0)
+      return {};
+    return {m_shortest * unit, m_sum / static_cast<double>(m_number) * unit, m_longest * unit};
+  }
+
+private:
+  double m_shortest = std::numeric_limits<double>::infinity();
+  double m_sum = 0;
+  double m_longest = 0;
+  std::size_t m_number = 0;
+};
+
+} // namespace internal
 } // namespace Approximate_geodesics
 } // namespace CGAL
 

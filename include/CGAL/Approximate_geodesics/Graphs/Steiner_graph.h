@@ -212,22 +212,15 @@ private:
 
   void summarize_arcs()
   {
-    m_arc_lengths = Arc_lengths();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double shortest = infinity, sum = 0, longest = 0;
-    std::size_t number_of_arcs = 0;
+    internal::Arc_length_summary summary;
     points().for_each_first_halfedge([&](const Index h, const Index e) {
       const double cost = m_triangulation.weight_of_edge(h) * m_triangulation.length(h);
-      if(!(cost < infinity)) // nor a forbidden edge of length zero
+      if(!(cost < std::numeric_limits<double>::infinity())) // nor a forbidden edge of length zero
         return;
       const std::size_t number = points().number_of_points(e) + std::size_t(1);
-      shortest = (std::min)(shortest, cost / double(number));
-      sum += cost;
-      longest = (std::max)(longest, cost);
-      number_of_arcs += number;
+      summary.add(cost / double(number), cost, cost, number);
     });
-    if(number_of_arcs > 0)
-      m_arc_lengths = {shortest, sum / double(number_of_arcs), longest};
+    m_arc_lengths = summary.result();
   }
 
   void find_maximum_degree()

@@ -45,17 +45,11 @@ public:
   explicit Compressed_arcs(const double unit = 1) : m_first(1, 0), m_unit(unit) {}
 
   std::size_t number_of_rows() const { return m_first.size() - 1; }
-  std::size_t number_of_arcs() const { return m_number_of_arcs; }
+  std::size_t number_of_arcs() const { return m_summary.number_of_arcs(); }
   std::size_t maximum_degree() const { return m_maximum_degree; }
   double unit() const { return m_unit; }
 
-  Arc_lengths arc_lengths() const
-  {
-    if(m_number_of_arcs == 0)
-      return {};
-    return {m_shortest * m_unit, m_sum / static_cast<double>(m_number_of_arcs) * m_unit,
-            m_longest * m_unit};
-  }
+  Arc_lengths arc_lengths() const { return m_summary.result(m_unit); }
 
   void reserve(const std::size_t number_of_rows) { m_first.reserve(number_of_rows + 1); }
 
@@ -78,14 +72,9 @@ public:
     if(!arcs.empty())
       append_words(arcs);
     m_first.push_back(m_words.size());
-    m_number_of_arcs += arcs.size();
     m_maximum_degree = (std::max)(m_maximum_degree, arcs.size());
     for(const Stored_arc& arc : arcs)
-    {
-      m_shortest = (std::min)(m_shortest, static_cast<double>(arc.length));
-      m_longest = (std::max)(m_longest, static_cast<double>(arc.length));
-      m_sum += static_cast<double>(arc.length);
-    }
+      m_summary.add(static_cast<double>(arc.length));
   }
 
   // Appends the rows of the nodes that follow, in the same unit.
@@ -96,11 +85,8 @@ public:
     m_words.insert(m_words.end(), other.m_words.begin(), other.m_words.end());
     for(std::size_t i = 1; i < other.m_first.size(); ++i)
       m_first.push_back(shift + other.m_first[i]);
-    m_number_of_arcs += other.m_number_of_arcs;
     m_maximum_degree = (std::max)(m_maximum_degree, other.m_maximum_degree);
-    m_shortest = (std::min)(m_shortest, other.m_shortest);
-    m_longest = (std::max)(m_longest, other.m_longest);
-    m_sum += other.m_sum;
+    m_summary.add(other.m_summary);
   }
 
   // Calls `f(target, length)` for every arc of `node`.
@@ -208,11 +194,8 @@ private:
   std::vector<Word> m_words;
   std::vector<std::size_t> m_first; // per node, and one beyond
   double m_unit;
-  std::size_t m_number_of_arcs = 0;
+  Arc_length_summary m_summary; // in that unit
   std::size_t m_maximum_degree = 0;
-  double m_shortest = std::numeric_limits<double>::infinity(); // in units of the rows
-  double m_longest = 0;
-  double m_sum = 0;
 };
 
 } // namespace internal
