@@ -43,8 +43,10 @@ namespace CGAL {
  *               and none if there is no path
  * \param source where the path starts: a vertex, an `Approximate_geodesics::Face_location`, or an
  *               `Approximate_geodesics::Surface_point`; or a range of these, of which the nearest
- * to `target` is taken \param target where the path ends, likewise \param np an optional sequence
- * of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *               to `target` is taken
+ * \param target where the path ends: one of the three
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+ *           listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsBase
  *
  * What a priority queue knows about the arcs of a graph when it is made: their shortest, mean and
  * longest length, in units of the graph. All are `0` for a graph without arcs.
@@ -35,7 +35,7 @@ struct Arc_lengths
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsBase
  * \relates Arc_lengths
  *
  * computes the minimum, mean and maximum of `lengths`. Run time is \cgalBigO{n}.

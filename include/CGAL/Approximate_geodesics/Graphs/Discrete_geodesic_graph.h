@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsGraphs
  *
  * A graph whose shortest paths are longer than the shortest paths on the surface by a factor of at
  * most \f$1 + \varepsilon\f$.

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsGraphs
  *
  * The graph of the vertices and edges of a mesh.
  *

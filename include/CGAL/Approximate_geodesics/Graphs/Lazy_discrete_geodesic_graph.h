@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsGraphs
  *
  * A discrete geodesic graph whose arcs are not computed before a search asks for them.
  *

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsGraphs
  *
  * The graph of the vertices of a mesh and of points on its edges, so-called Steiner points. Two
  * nodes at the border of the same face are joined by a straight arc across the face, and

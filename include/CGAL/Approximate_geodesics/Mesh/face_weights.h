@@ -136,7 +136,7 @@ auto halfedges_in_groups(const TriangleMesh& tmesh,
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsMesh
  *
  * reads the weights of the faces of a mesh, for graphs whose weights are exchanged.
  *

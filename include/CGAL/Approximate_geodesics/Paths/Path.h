@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsPaths
  *
  * A path on a triangulated surface. Between two points that follow each other, it runs straight
  * through a face, or along an edge.

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsPaths
  *
  * Makes paths locally shortest: straight in the faces that they cross, and bent only at vertices
  * and where they have to get past a border or a barrier. It lays out the faces along a path in the

@@ -42,7 +42,7 @@ inline void check_initial_distance(const double distance, const std::size_t numb
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsPaths
  *
  * Where a search on a surface starts.
  */
@@ -56,7 +56,7 @@ struct Source_point
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsPaths
  *
  * Distances and paths between any points of a surface: a workspace for searches from one or more
  * sources, of which those that are not nodes of the graph are attached to it by straight lines.

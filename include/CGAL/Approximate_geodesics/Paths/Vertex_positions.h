@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsPaths
  *
  * The positions in space of the vertices of a triangulation, by which straight lines lead a search
  * to its target. They take 24 bytes per vertex.

@@ -119,7 +119,7 @@ std::vector<typename Search::Seed> seeds(const Sources& sources, const MeshTrans
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsFunctions
+ * \ingroup PkgApproximateGeodesicsQueries
  *
  * chooses vertices that are spread evenly over the surface: one after the other, each as far as
  * possible from the sources and from those chosen before.
@@ -214,7 +214,7 @@ farthest_point_sampling(const TriangleMesh& tmesh,
 }
 
 /*!
- * \ingroup PkgApproximateGeodesicsFunctions
+ * \ingroup PkgApproximateGeodesicsQueries
  *
  * chooses vertices likewise, without sources: the first point is the first vertex.
  */

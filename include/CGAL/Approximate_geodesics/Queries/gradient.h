@@ -71,7 +71,7 @@ typename Traits::Vector_3 gradient_of_face(const std::array<typename Traits::Poi
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsFunctions
+ * \ingroup PkgApproximateGeodesicsQueries
  *
  * computes the gradient of a function that is given at the vertices, and linear on each face.
  *

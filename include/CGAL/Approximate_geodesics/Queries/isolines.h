@@ -181,7 +181,7 @@ void check_isovalues(const Isovalues& isovalues)
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsFunctions
+ * \ingroup PkgApproximateGeodesicsQueries
  *
  * computes the lines on the surface where a function that is given at the vertices, and linear on
  * each face, has one of the given values.

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsFunctions
+ * \ingroup PkgApproximateGeodesicsQueries
  *
  * computes a short path on the mesh from `source` to `target` by selective refinement, and returns
  * its length.

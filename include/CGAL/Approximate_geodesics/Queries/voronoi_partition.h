@@ -48,7 +48,7 @@ inline std::size_t source_of_face(const std::array<Corner_source, 3>& corners)
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsFunctions
+ * \ingroup PkgApproximateGeodesicsQueries
  *
  * divides the surface among several sources: finds the nearest one for every face.
  *

@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsQueues
  *
  * A monotone priority queue that sorts its entries into buckets by their keys, and does not sort
  * them further. The bucket of the smallest keys is drained in rounds: a round is what the bucket
@@ -348,7 +348,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsQueues
  *
  * The default queue of this package: an adaptive bucket queue with balanced widths.
  */

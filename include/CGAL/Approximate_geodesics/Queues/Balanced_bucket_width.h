@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsQueues
  *
  * The default policy for the width of the buckets of an adaptive bucket queue.
  *

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsQueues
  *
  * The figures of a run of a bucket queue. They are counted per bucket, not per entry, which costs
  * next to nothing.

@@ -30,7 +30,7 @@ using Boost_d_ary_heap_queue =
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsQueues
  *
  * A priority queue on an implicit heap whose nodes have `D` children each, from the library
  * Boost.Heap. Keys are lowered in place.
@@ -60,7 +60,7 @@ public:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsQueues
  *
  * An implicit binary heap.
  *

@@ -26,7 +26,7 @@ using Boost_fibonacci_heap_queue = Boost_heap_queue<
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsQueues
  *
  * A priority queue on a Fibonacci heap \cgalCite{ft-fhtui-87}, from the library Boost.Heap. Its
  * bounds are the best of all heaps in practical use, its constants are large. Keys are lowered in

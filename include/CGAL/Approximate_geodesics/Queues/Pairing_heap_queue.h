@@ -26,7 +26,7 @@ using Boost_pairing_heap_queue =
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsQueues
  *
  * A priority queue on a pairing heap \cgalCite{fsst-phnfs-86}, from the library Boost.Heap: simpler
  * than a Fibonacci heap, and often faster. Keys are lowered in place.

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsQueues
  *
  * A monotone priority queue that puts an entry into one of 65 buckets, by the first bit in which
  * its key differs from a lower bound of all keys \cgalCite{amot-faspp-90}. Doubles that are not

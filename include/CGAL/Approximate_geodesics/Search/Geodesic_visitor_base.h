@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * A visitor that does nothing. A class derived from it has to define only the functions that it
  * needs; these hide those below, which are not virtual.

@@ -72,7 +72,7 @@ namespace Approximate_geodesics {
  */
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * Dijkstra's algorithm \cgalCite{d-ntpcg-59} on a geodesic graph, and the shortest-path tree that
  * it finds: distance, predecessor and nearest source of every node that was reached.
@@ -157,8 +157,9 @@ public:
    * If a run ends early, nodes whose distance is not final count as not reached.
    *
    * \param seeds where to start; a node may occur more than once. Without seeds, nothing is
-   * reached. \param stop when the run may end early \param visitor a model of `GeodesicVisitor` for
-   * vertices of type `Node`
+   *              reached.
+   * \param stop when the run may end early
+   * \param visitor a model of `GeodesicVisitor` for vertices of type `Node`
    *
    * \throws std::invalid_argument if a node does not exist, or if the distance of a seed or the
    *         maximum distance is negative or not a number.

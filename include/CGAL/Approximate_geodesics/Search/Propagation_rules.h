@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * Where a run of `Propagation` starts.
  */
@@ -33,7 +33,7 @@ struct Seed
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * An arc from a node to a point of the surface that need not be a node.
  */
@@ -46,7 +46,7 @@ struct Last_arc
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * When a run of `Propagation` may end early.
  */

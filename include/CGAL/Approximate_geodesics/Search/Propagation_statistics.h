@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * The figures of a run of `Propagation`, if statistics were enabled.
  */

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSurface
  *
  * What a path costs per unit of length in each face of an `Intrinsic_triangulation`.
  * `read_face_weights()` makes it from a property map.

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSurface
  *
  * A point of a triangulated surface: a vertex, a point inside an edge, or a point inside a face.
  *

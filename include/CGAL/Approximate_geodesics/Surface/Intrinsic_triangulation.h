@@ -35,7 +35,7 @@ class Triangulation_builder;
 }
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSurface
  *
  * A triangle mesh without coordinates: connectivity and edge lengths, checked, compact and in an
  * order that suits searches. Everything else in this package is built on it.

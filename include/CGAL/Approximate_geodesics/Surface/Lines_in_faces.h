@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSurface
  *
  * The straight lines from a point of the surface to others in the same face.
  *

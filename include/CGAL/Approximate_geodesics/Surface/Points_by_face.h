@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsSurface
  *
  * Points of a triangulated surface, and which of them lie in a face. Vertices may be among the
  * points, but are not listed by face.

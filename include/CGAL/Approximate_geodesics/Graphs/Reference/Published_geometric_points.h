@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsPlacements
+ * \ingroup PkgApproximateGeodesicsComparison
  *
  * The geometric progressions of Aleksandrov, Lanthier, Maheshwari and Sack
  * \cgalCite{alms-eawsp-98}, to compare with: `Geometric_points` gives the same bound with a small

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsComparison
  *
  * A priority queue that keeps its entries in an unordered array, and searches all of them for the
  * smallest key. Dijkstra's algorithm was published with this queue \cgalCite{d-ntpcg-59}; it is

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsComparison
  *
  * The adaptive bucket queue as Schwartz, de Rezende and Pedrini published it
  * \cgalCite{srp-fasgp-15}, provided for comparison with `Basic_adaptive_bucket_queue`. Buckets
@@ -217,7 +217,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsComparison
  *
  * The published adaptive bucket queue with the published widths.
  */

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsComparison
  *
  * The policy of Schwartz, de Rezende and Pedrini for the width of buckets
  * \cgalCite{srp-fasgp-15}: the longest arc divided by a number. This number is 100 at first, and
