@@ -26,7 +26,7 @@ LINES = {  # the file of each, its colour and radius, and what the legend says
     "cheapest": (RED, 0.024, "cheapest path"),
     "fence": (BROWN, 0.022, "fence"),
 }
-GROUNDS = [  # as in the example; the number is what a kilometre costs
+GROUNDS = [  # as in the example; the number is what a kilometer costs
     ((246, 232, 190), "road 0.3 per km"),
     ((150, 198, 104), "level 1"),
     ((102, 160, 76), "slope 2"),

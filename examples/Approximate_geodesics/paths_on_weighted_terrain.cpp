@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Cheapest paths through hills: what a kilometre costs depends on the ground, nobody crosses cliffs
+// Cheapest paths through hills: what a kilometer costs depends on the ground, nobody crosses cliffs
 // and the lake, and the fence has to be passed at its gate. draw_terrain.py draws the result.
 
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
@@ -57,7 +57,7 @@ enum Ground
 struct Kind
 {
   std::string name;
-  double weight; // what a kilometre costs
+  double weight; // what a kilometer costs
   CGAL::IO::Color color;
 };
 
@@ -200,7 +200,7 @@ double cost_of(const Lengths& lengths)
 
 void print_title()
 {
-  std::cout << "kilometres on:           ";
+  std::cout << "kilometers on:           ";
   for(const Kind& kind : KINDS)
     std::cout << std::setw(7) << kind.name;
   std::cout << std::setw(7) << "all" << std::setw(12) << "cost\n";

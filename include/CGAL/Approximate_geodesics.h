@@ -8,13 +8,15 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-// Includes the whole package, layer by layer, but for what is there to be compared with.
+// Includes the whole package, layer by layer, but for what is provided for comparison.
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
 
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Balanced_bucket_width.h>
@@ -37,6 +39,11 @@
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>

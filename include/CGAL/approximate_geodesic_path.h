@@ -64,7 +64,7 @@ namespace CGAL {
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a
  *                    number type convertible by `CGAL::to_double()` as value type}
  *     \cgalParamDefault{unused}
- *     \cgalParamExtra{The lengths need not fulfil the triangle inequality, unless paths run
+ *     \cgalParamExtra{The lengths need not fulfill the triangle inequality, unless paths run
  *                     across faces.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{epsilon}

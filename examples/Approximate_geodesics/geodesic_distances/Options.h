@@ -75,7 +75,7 @@ inline void print_help(const boost::program_options::options_description& descri
          "the\n"
          "size of the mesh, the time taken, what the search did, and the range of the distances.\n"
          "Written are\n"
-         "  NAME.ply            the mesh, with a distance (-1: not reached) and a colour for "
+         "  NAME.ply            the mesh, with a distance (-1: not reached) and a color for "
          "every\n"
          "                      vertex, from blue (near) over green to red (far),\n"
          "  NAME.polylines.txt  a path per line: the number of points, then their coordinates,\n"

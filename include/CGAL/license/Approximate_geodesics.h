@@ -6,7 +6,7 @@
 #ifndef CGAL_LICENSE_APPROXIMATE_GEODESICS_H
 #define CGAL_LICENSE_APPROXIMATE_GEODESICS_H
 
-// Inside CGAL this file is generated, and says under which licence the package is used.
+// Inside CGAL this file is generated, and says under which license the package is used.
 // Outside, the package is available under the GNU General Public License, version 3 or later.
 
 #endif // CGAL_LICENSE_APPROXIMATE_GEODESICS_H

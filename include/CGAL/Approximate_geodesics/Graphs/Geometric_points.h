@@ -184,7 +184,7 @@ private:
   // makes for about as few points as possible.
   static constexpr double SHARE_OF_CROSSINGS = 0.65;
 
-  // what positions are rounded by can bring two neighbours apart
+  // what positions are rounded by can bring two neighbors apart
   static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7;
 
   // Where progressions start, in proportion to the radius of the star.

@@ -31,7 +31,7 @@ namespace Approximate_geodesics {
  *
  * The graph of the vertices of a mesh and of points on its edges, so-called Steiner points. Two
  * nodes at the border of the same face are joined by a straight arc across the face, and
- * neighbours on an edge by an arc along it.
+ * neighbors on an edge by an arc along it.
  *
  * It is the graph for faces with weights. An arc across a face costs its length times the weight of
  * the face, and one along an edge its length times the smaller weight of the two faces. There are
@@ -44,7 +44,7 @@ namespace Approximate_geodesics {
  * Arcs are not stored: the graph takes 36 bytes per vertex, in addition to the triangulation, and 8
  * per point, or 4 if points divide edges into equal parts. They are not all looked at either. A
  * path that comes across a face is not continued into the same face again, and where edges have
- * many points, a point looks only at those of the opposite edges that neither of its two neighbours
+ * many points, a point looks only at those of the opposite edges that neither of its two neighbors
  * reaches on a shorter path.
  *
  * Nodes are the vertices, the points, and one more for every sector of those vertices whose

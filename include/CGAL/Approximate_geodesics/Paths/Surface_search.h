@@ -67,8 +67,9 @@ struct Source_point
  * or for a path after a run writes to a cache, so not even `const` member functions may be called
  * by several threads for the same object.
  *
- * Points are those of the graph's triangulation. `Mesh_translation` translates them from and to
- * those of a mesh.
+ * Points are those of the graph's triangulation: `Intrinsic_triangulation::vertex()` and `index()`
+ * translate its vertices from and to the indices of a mesh's vertices.
+ * `Surface_mesh_shortest_path` does the same in terms of a mesh, for one thread.
  *
  * If an exception leaves a run, the object is as if nothing had been reached, and may be used
  * again.

@@ -41,7 +41,7 @@ class Triangulation_builder;
  * order that suits searches. Everything else in this package is built on it.
  *
  * <b>Vertices</b> are numbered breadth first from `0`, one connected component after the other, and
- * large ones in patches, so that neighbours are close in memory; `vertex()` and `index()` translate
+ * large ones in patches, so that neighbors are close in memory; `vertex()` and `index()` translate
  * from and to the indices that the mesh's vertex index map gives.
  *
  * <b>Halfedges</b> are grouped by the vertex they start from, and within a group follow each other

@@ -24,7 +24,7 @@ class Geometric_progressions
 {
 public:
   // What is known of an end: where its progression starts, how close the other edges of the faces
-  // are (see `Face_shape`), and the logarithm of the largest ratio between neighbours.
+  // are (see `Face_shape`), and the logarithm of the largest ratio between neighbors.
   struct End
   {
     double start;

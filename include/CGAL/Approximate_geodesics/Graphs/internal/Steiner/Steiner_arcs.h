@@ -184,7 +184,7 @@ private:
     Index halfedge;
     Node node;
     double from_source, from_target;   // distances
-    Node toward_source, toward_target; // neighbours
+    Node toward_source, toward_target; // neighbors
   };
 
   using Face = std::array<Index, 3>; // its halfedges
@@ -247,7 +247,7 @@ private:
             p + 1 == m_points.beyond_point(e) ? m_corners.at_target(h) : node + 1};
   }
 
-  // The arcs from a viewpoint, which is that of the point `p`, to its neighbours.
+  // The arcs from a viewpoint, which is that of the point `p`, to its neighbors.
   template <typename F>
   void expand_along_edge(const Viewpoint& view, const Index p, F& f) const
   {
@@ -296,7 +296,7 @@ private:
   }
 
   // The ranks of the points of a row that a path over a viewpoint may be the cheapest one to, given
-  // its neighbours. The row starts from the corner at the source or target of its halfedge.
+  // its neighbors. The row starts from the corner at the source or target of its halfedge.
   template <typename Labels>
   std::pair<Index, Index> worthwhile(const Row& row,
                                      const Corner& corner,
