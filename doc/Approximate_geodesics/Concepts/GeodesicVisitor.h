@@ -3,7 +3,8 @@
 \cgalConcept
 
 The concept `GeodesicVisitor` describes an object that watches a run, and may end it. It is passed
-as the named parameter `visitor`, or to `CGAL::Approximate_geodesics::Propagation::run()`.
+as the named parameter `visitor`, or to `CGAL::Approximate_geodesics::Surface_search::run()` or
+`CGAL::Approximate_geodesics::Propagation::run()`.
 
 A vertex is <em>settled</em> when the search has found out that its distance is final. This happens
 in groups: whenever the search goes on to larger distances, a number of vertices are settled at
@@ -27,10 +28,11 @@ public:
   calls never decrease.
 
   \tparam Vertex the type of vertices: the mesh's `vertex_descriptor`, or
-          `CGAL::Approximate_geodesics::Propagation::Node` if an object of that class is run
+          `CGAL::Approximate_geodesics::Propagation::Node` if an object of that class or a
+          `CGAL::Approximate_geodesics::Surface_search` is run
 
-  \param vertex the vertex. Only `CGAL::Approximate_geodesics::Propagation` also passes nodes that
-         are no vertices, but points that a graph has added.
+  \param vertex the vertex. Only these two classes also pass nodes that are no vertices, but points
+         that a graph has added.
   \param distance its distance from the nearest source, in the unit of the mesh
   */
   template <typename Vertex>

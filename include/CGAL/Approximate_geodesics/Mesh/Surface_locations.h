@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsClasses
+ * \ingroup PkgApproximateGeodesicsMesh
  *
  * Between points in space, points of the surface of a mesh, and locations in its faces: what
  * `Surface_mesh_shortest_path` has from CGAL's exact class beside shortest paths.
@@ -118,18 +118,18 @@ public:
    */
   /// @{
 
-  /// returns a place of `v` in one of its faces. If it has none, the face is
+  /// returns a location of `v` in one of its faces. If it has none, the face is
   /// `boost::graph_traits<Triangle_mesh>::%null_face()`.
   Face_location face_location(const vertex_descriptor v) const { return face_location(v, m_mesh); }
 
-  /// returns the place at the part `t` of the way along `h` in the face to its left, or, at the
+  /// returns the location at the part `t` of the way along `h` in the face to its left, or, at the
   /// border, to its right.
   Face_location face_location(const halfedge_descriptor h, const FT t) const
   {
     return face_location(h, t, m_mesh);
   }
 
-  /// returns a place of a point of the surface in one of its faces.
+  /// returns a location of a point of the surface in one of its faces.
   Face_location face_location(const Surface_point& point) const
   {
     if(const auto* v = std::get_if<vertex_descriptor>(&point))
