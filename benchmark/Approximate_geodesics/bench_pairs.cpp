@@ -16,8 +16,8 @@
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Euclidean_heuristic.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
@@ -88,7 +88,7 @@ private:
   static AG::Vertex_positions positions(const Mesh& mesh,
                                         const AG::Intrinsic_triangulation& triangulation)
   {
-    AG::internal::Mesh_translation translation(mesh, get(boost::vertex_index, mesh), triangulation);
+    AG::Mesh_translation translation(mesh, get(boost::vertex_index, mesh), triangulation);
     translation.list_vertices();
     const auto points = mesh.points();
     return {triangulation, translation.position_of_vertex(points)};

@@ -45,6 +45,8 @@
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/face_weights.h>

@@ -10,11 +10,11 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
@@ -238,7 +238,7 @@ public:
   /// returns the first of the sources, which are in the order in which they were added.
   Source_point_iterator source_points_begin() const { return m_sources.begin(); }
 
-  /// returns the place after the last source.
+  /// returns the iterator after the last source.
   Source_point_iterator source_points_end() const { return m_sources.end(); }
 
   /// returns the number of sources.
@@ -537,7 +537,7 @@ private:
   using Node = typename Search::Node;
   using Index_function = internal::Function_property_map<vertex_descriptor, std::size_t>;
   using Point_function = typename Locations::Point_function;
-  using Translation = internal::Mesh_translation<Triangle_mesh, Index_function>;
+  using Translation = Mesh_translation<Triangle_mesh, Index_function>;
   using Mesh_search = internal::Mesh_search<Graph, PriorityQueue, Translation, Point_function>;
 
   Source_point_iterator

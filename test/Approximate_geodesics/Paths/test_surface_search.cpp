@@ -11,7 +11,7 @@
 #include "meshes/surface_points.h"
 #include "oracles/test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
@@ -80,7 +80,7 @@ protected:
   Random m_random{test_seed()};
   const Mesh m_mesh = to_mesh(terrain(14, 12, m_random));
   const Triangulation m_triangulation{m_mesh};
-  AG::internal::Mesh_translation<Mesh, decltype(get(boost::vertex_index, m_mesh))> m_translation{
+  AG::Mesh_translation<Mesh, decltype(get(boost::vertex_index, m_mesh))> m_translation{
       m_mesh, get(boost::vertex_index, m_mesh), m_triangulation};
   std::vector<AG::Intrinsic_point> m_points;
 };

@@ -217,7 +217,7 @@ TEST(Mesh_translation, gives_the_same_point_as_a_face_location)
 {
   const Mesh mesh = to_mesh(sphere(6, 5));
   const Triangulation triangulation(mesh);
-  AG::internal::Mesh_translation places(mesh, get(boost::vertex_index, mesh), triangulation);
+  AG::Mesh_translation places(mesh, get(boost::vertex_index, mesh), triangulation);
   places.list_vertices();
   for(Triangulation::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
   {

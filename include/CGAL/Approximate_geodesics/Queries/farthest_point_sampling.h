@@ -12,7 +12,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/graph_for_one_run.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
@@ -193,8 +193,8 @@ farthest_point_sampling(const TriangleMesh& tmesh,
 
   internal::check_number_of_points(number_of_points);
   const auto graph = internal::graph_for_many_runs(tmesh, np);
-  const internal::Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
-                                               graph.triangulation());
+  const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
+                                     graph.triangulation());
   Propagation<std::decay_t<decltype(graph)>> search(graph);
   search.run(internal::seeds<decltype(search)>(sources, translation));
 

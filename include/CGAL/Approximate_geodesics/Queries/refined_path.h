@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -105,8 +105,7 @@ double refined_path(const TriangleMesh& tmesh,
                      "; it must be a number that is not negative");
 
   const Intrinsic_triangulation triangulation(tmesh, np);
-  internal::Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
-                                         triangulation);
+  Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np), triangulation);
   translation.list_vertices();
   internal::Selective_refinement refinement(triangulation, translation.node(source),
                                             translation.node(target));

@@ -22,7 +22,7 @@ namespace internal {
 
 /*
  * The sources of a search, in the order in which they were added. Iterators stay valid until their
- * source is removed, and show it as a place on the surface, which is how the exact class does it.
+ * source is removed, and show it as a face location, which is how the exact class does it.
  */
 template <typename TriangleMesh>
 class Source_list

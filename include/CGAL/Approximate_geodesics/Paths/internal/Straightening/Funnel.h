@@ -83,7 +83,7 @@ public:
   // of a gate, from left to right
   Plane_vector direction(const std::size_t gate) const { return m_gates[gate].direction; }
 
-  // Calls `f(place)` for every vertex that the path bends at, and every point where it crosses an
+  // Calls `f(point)` for every vertex that the path bends at, and every point where it crosses an
   // edge.
   template <typename F>
   void for_each_point(const Sleeve& sleeve, F f) const

@@ -49,7 +49,7 @@ public:
       choose_side(i);
   }
 
-  // Calls `f(sleeve, place)` for each sleeve, with the place that it leads to.
+  // Calls `f(sleeve, end)` for each sleeve, with the point that it leads to.
   template <typename F>
   void for_each_sleeve(F f) const
   {

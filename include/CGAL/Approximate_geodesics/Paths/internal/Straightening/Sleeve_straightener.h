@@ -54,7 +54,7 @@ public:
       ;
   }
 
-  // Calls `f(place)` for the points of the path, except for its ends.
+  // Calls `f(point)` for the points of the path, except for its ends.
   template <typename F>
   void for_each_point(F f) const
   {

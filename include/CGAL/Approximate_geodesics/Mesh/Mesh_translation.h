@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_MESH_TRANSLATION_H
-#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_MESH_TRANSLATION_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_MESH_TRANSLATION_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_MESH_TRANSLATION_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -34,13 +34,19 @@
 
 namespace CGAL {
 namespace Approximate_geodesics {
-namespace internal {
 
-/*
- * Translates between points on the surface of a mesh and points of its triangulation.
+/*!
+ * \ingroup PkgApproximateGeodesicsMesh
+ *
+ * Translates between the points on the surface of a mesh, which are vertices, points on edges and
+ * points in faces, and the points of its triangulation, which `Surface_search` knows.
  *
  * Members that are `const` write nothing, so that several threads can call them. Those that return
  * elements or points of the mesh need a list of its vertices: call `list_vertices()` before.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertices of the mesh as keys and
+ *         an integer type as value type
  */
 template <typename TriangleMesh, typename VertexIndexMap>
 class Mesh_translation
@@ -49,11 +55,28 @@ class Mesh_translation
   using Index = Intrinsic_triangulation::Index;
 
 public:
+  /// \name Types
+  /// @{
+
+  /// the mesh.
   using Triangle_mesh = TriangleMesh;
+
+  /// a vertex of the mesh.
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+
+  /// a halfedge of the mesh.
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+
+  /// a face of the mesh.
   using face_descriptor = typename Graph_traits::face_descriptor;
 
+  /// @}
+
+  /// \name Creation
+  /// @{
+
+  /// a translation for `tmesh` and the triangulation that was made from it with the same index map.
+  /// \warning Both are referred to, not copied.
   Mesh_translation(const TriangleMesh& tmesh,
                    VertexIndexMap vertex_index_map,
                    const Intrinsic_triangulation& triangulation)
@@ -63,56 +86,79 @@ public:
   {
   }
 
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the mesh.
   const TriangleMesh& mesh() const { return *m_mesh; }
+
+  /// returns the vertex index map.
   const VertexIndexMap& index_map() const { return m_vertex_index_map; }
 
-  // Counts what is there: some meshes' numbers include what was removed.
+  /// checks that the mesh has as many vertices and halfedges as the triangulation.
+  /// \throws std::invalid_argument if not.
+  ///
+  /// Run time is linear.
   void check_size() const
   {
+    // counts what is there: some meshes' numbers include what was removed
     const Intrinsic_triangulation& t = *m_triangulation;
     const auto count = [](const auto& range) {
       return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
     };
     const std::size_t v = count(vertices(*m_mesh)), h = count(halfedges(*m_mesh));
     if(v != t.number_of_vertices() || h != t.number_of_halfedges())
-      reject("the graph is that of another mesh: it has " + std::to_string(t.number_of_vertices()) +
-             " vertices and " + std::to_string(t.number_of_halfedges()) +
-             " halfedges, and the mesh has " + std::to_string(v) + " and " + std::to_string(h));
+      internal::reject("the graph is that of another mesh: it has " +
+                       std::to_string(t.number_of_vertices()) + " vertices and " +
+                       std::to_string(t.number_of_halfedges()) + " halfedges, and the mesh has " +
+                       std::to_string(v) + " and " + std::to_string(h));
   }
 
-  // ----- from the mesh to its triangulation
+  /// @}
 
+  /// \name From the Mesh to Its Triangulation
+  /// These functions throw `std::invalid_argument` if they are given something that is not an
+  /// element of the mesh, or numbers that are not those of a point in it; the message names it.
+  /// @{
+
+  /// returns the number of the vertex `v` in the triangulation.
   Index node(const vertex_descriptor v) const
   {
     if(v == Graph_traits::null_vertex())
-      reject("the null vertex is not one of the mesh");
+      internal::reject("the null vertex is not one of the mesh");
     const auto index = get(m_vertex_index_map, v);
     const Index result = m_triangulation->vertex(static_cast<std::size_t>(index));
     if(result == Intrinsic_triangulation::null_index)
-      reject("vertex " + std::to_string(index) + " is not one of the mesh");
+      internal::reject("vertex " + std::to_string(index) + " is not one of the mesh");
     return result;
   }
 
-  // whether a node is a vertex, and not a point that a graph has added
+  /// returns whether a node is a vertex, and not one that a graph has added.
   bool is_vertex(const Index node) const { return node < m_triangulation->number_of_vertices(); }
 
+  /// returns the point at the vertex `v`.
   Intrinsic_point intrinsic_point(const vertex_descriptor v) const
   {
     return Intrinsic_point::at_vertex(node(v));
   }
 
+  /// returns the point at the part `t` of the way along `h`, from its source.
   Intrinsic_point intrinsic_point(const halfedge_descriptor h, const double t) const
   {
     if(h == Graph_traits::null_halfedge() || !is_in_range(h, num_halfedges(*m_mesh)))
       reject_foreign("halfedge", h, Graph_traits::null_halfedge());
     if(!(t >= 0 && t <= 1))
-      reject("the part of the way along a halfedge is " + text_of(t) +
-             "; it must be a number from 0 to 1");
+      internal::reject("the part of the way along a halfedge is " + internal::text_of(t) +
+                       "; it must be a number from 0 to 1");
     if(t < rounding || 1 - t < rounding)
       return intrinsic_point(t < rounding ? source(h, *m_mesh) : target(h, *m_mesh));
     return Intrinsic_point::on_edge(number(h), t);
   }
 
+  /// returns the point of the face `f` with the given barycentric coordinates: a point of an edge
+  /// or a vertex, if some of them are zero.
   template <typename FT>
   Intrinsic_point intrinsic_point(const face_descriptor f,
                                   const std::array<FT, 3>& coordinates) const
@@ -132,6 +178,7 @@ public:
     return Intrinsic_point::in_face(first, weights[1], weights[2]);
   }
 
+  /// returns the point at a face location.
   template <typename FT>
   Intrinsic_point
   intrinsic_point(const std::pair<face_descriptor, std::array<FT, 3>>& location) const
@@ -139,19 +186,25 @@ public:
     return intrinsic_point(location.first, location.second);
   }
 
+  /// returns the point of an edge.
   Intrinsic_point intrinsic_point(const std::pair<halfedge_descriptor, double>& point) const
   {
     return intrinsic_point(point.first, point.second);
   }
 
+  /// returns a point of the surface.
   Intrinsic_point intrinsic_point(const Surface_point<TriangleMesh>& point) const
   {
     return std::visit([this](const auto& p) { return intrinsic_point(p); }, point);
   }
 
-  // ----- from the triangulation to the mesh
+  /// @}
 
-  // has to be called before all that follow
+  /// \name From the Triangulation to the Mesh
+  /// @{
+
+  /// lists the vertices, which the functions that follow need. Run time and memory are
+  /// \cgalBigO{n}.
   void list_vertices()
   {
     std::vector<vertex_descriptor> result(m_triangulation->number_of_vertices(),
@@ -161,22 +214,25 @@ public:
     m_vertices = std::move(result);
   }
 
+  /// returns the vertex with the number `node`.
   vertex_descriptor vertex(const Index node) const
   {
     CGAL_assertion(node < m_vertices.size());
     return m_vertices[node];
   }
 
-  // The halfedge of the mesh that has number `h` in the triangulation, which keeps their order.
+  /// returns the halfedge with the number `h`. Run time is linear in the degree of its source.
   halfedge_descriptor mesh_halfedge(const Index h) const
   {
+    // the triangulation keeps the order around vertices
     const Index source = m_triangulation->source(h);
-    halfedge_descriptor result = first_halfedge_from(vertex(source), *m_mesh);
+    halfedge_descriptor result = internal::first_halfedge_from(vertex(source), *m_mesh);
     for(Index i = m_triangulation->first_halfedge(source); i < h; ++i)
-      result = counterclockwise(result, *m_mesh);
+      result = internal::counterclockwise(result, *m_mesh);
     return result;
   }
 
+  /// returns where a point that is not a vertex is in the face to the left of its halfedge.
   Face_location<TriangleMesh> face_location(const Intrinsic_point& p) const
   {
     const halfedge_descriptor h = mesh_halfedge(p.halfedge);
@@ -190,6 +246,7 @@ public:
     return {f, {p.t, p.s, rest}};
   }
 
+  /// returns a point as a vertex, a point of an edge, or a point in a face.
   Surface_point<TriangleMesh> surface_point(const Intrinsic_point& p) const
   {
     if(p.is_vertex())
@@ -199,7 +256,7 @@ public:
     return face_location(p);
   }
 
-  // Tells a visitor of the exact class's kind where a point is.
+  /// reports to `visitor`, a model of `SurfaceMeshShortestPathVisitor`, where a point is.
   template <typename Visitor>
   void visit(const Intrinsic_point& p, Visitor& visitor) const
   {
@@ -214,12 +271,14 @@ public:
     }
   }
 
+  /// returns the position in space of a point that is a vertex.
   template <typename VertexPointMap>
   auto point_of_vertex(const Intrinsic_point& p, const VertexPointMap& point_map) const
   {
     return get(point_map, vertex(p.vertex));
   }
 
+  /// returns the position of a point in space, which `traits`, a model of `Kernel`, computes.
   template <typename VertexPointMap, typename Traits>
   auto point(const Intrinsic_point& p, const VertexPointMap& point_map, const Traits& traits) const
   {
@@ -237,8 +296,9 @@ public:
     return Result(barycenter(target, FT(p.t), third, FT(p.s), source));
   }
 
-  // A function that gives the positions of vertices relative to the first one: the origin may be
-  // far away from all of them.
+  /// returns a function of the numbers of vertices that gives positions, for `Vertex_positions`.
+  /// They are relative to the first one: the origin may be far away from all of them.
+  /// \warning The property map is referred to, not copied.
   template <typename VertexPointMap>
   auto position_of_vertex(const VertexPointMap& point_map) const
   {
@@ -247,6 +307,8 @@ public:
       return {CGAL::to_double(way.x()), CGAL::to_double(way.y()), CGAL::to_double(way.z())};
     };
   }
+
+  /// @}
 
 private:
   static constexpr double rounding = 1e-15; // of barycentric coordinates
@@ -269,7 +331,7 @@ private:
     if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
       if(d != null)
         name = kind + ' ' + std::to_string(static_cast<std::size_t>(d));
-    reject(name + " is not one of the mesh");
+    internal::reject(name + " is not one of the mesh");
   }
 
   // Whether a descriptor can be one of so many, if it is a number.
@@ -293,8 +355,9 @@ private:
                            result[2] >= -tolerance &&
                            std::abs(result[0] + result[1] + result[2] - 1) <= tolerance;
     if(!are_valid)
-      reject("barycentric coordinates are " + text_of(result[0]) + ", " + text_of(result[1]) +
-             ", " + text_of(result[2]) + "; they must not be negative, and their sum must be 1");
+      internal::reject("barycentric coordinates are " + internal::text_of(result[0]) + ", " +
+                       internal::text_of(result[1]) + ", " + internal::text_of(result[2]) +
+                       "; they must not be negative, and their sum must be 1");
     for(double& weight : result)
       weight = weight < rounding ? 0 : weight;
     const double sum = result[0] + result[1] + result[2];
@@ -330,8 +393,8 @@ private:
   {
     const vertex_descriptor v = source(h, *m_mesh);
     Index result = m_triangulation->first_halfedge(node(v));
-    for(halfedge_descriptor g = first_halfedge_from(v, *m_mesh); g != h;
-        g = counterclockwise(g, *m_mesh))
+    for(halfedge_descriptor g = internal::first_halfedge_from(v, *m_mesh); g != h;
+        g = internal::counterclockwise(g, *m_mesh))
       ++result;
     return result;
   }
@@ -341,6 +404,8 @@ private:
   const Intrinsic_triangulation* m_triangulation;
   std::vector<vertex_descriptor> m_vertices; // by node, once they are listed
 };
+
+namespace internal {
 
 // The point of the mesh's kernel that a point of its triangulation is. Where points are not those
 // of a kernel, only vertices have one.
@@ -366,4 +431,4 @@ auto point(const Translation& translation,
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_MESH_TRANSLATION_H
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_MESH_TRANSLATION_H
