@@ -18,7 +18,7 @@ import vtk
 sys.dont_write_bytecode = True  # beside the sources
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path += [here, os.path.join(here, "geodesic_distances")]
-from draw_picture import DARK, WHITE, actor_of, balls_actor, colour_map, place_camera, read, tubes
+from draw_picture import DARK, WHITE, actor_of, balls_actor, color_map, place_camera, read, tubes
 from draw_terrain import read_polylines, style
 
 SIZE = (2000, 2000)
@@ -29,7 +29,7 @@ PANELS = {  # what is drawn in each corner of the picture, and what it is called
     "farthest-point samples": (0.5, 0.0),
 }
 IVORY, RED, BLUE = (0.93, 0.91, 0.87), (0.78, 0.12, 0.10), (0.08, 0.26, 0.58)
-CELLS = [  # enough for neighbours to differ
+CELLS = [  # enough for neighbors to differ
     (0.55, 0.72, 0.88),
     (0.98, 0.79, 0.48),
     (0.62, 0.82, 0.58),
@@ -53,11 +53,11 @@ def read_points(name):
         return [[float(word) for word in text.split()] for text in file]
 
 
-def surface_actor(scene, colour=None):
+def surface_actor(scene, color=None):
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputData(scene)
     normals.SetFeatureAngle(60)
-    actor = actor_of(normals, colour)
+    actor = actor_of(normals, color)
     actor.GetProperty().SetAmbient(0.30)
     actor.GetProperty().SetDiffuse(0.76)
     actor.GetProperty().SetSpecular(0.05)
@@ -68,8 +68,8 @@ def surface_actor(scene, colour=None):
 def draw_isolines(renderer, scene, start, unit):
     scene.GetPointData().SetActiveScalars("distance")
     actor = surface_actor(scene)
-    colours = colour_map(scene.GetPointData().GetScalars().GetRange()[1] or 1)
-    actor.GetMapper().SetLookupTable(colours)
+    colors = color_map(scene.GetPointData().GetScalars().GetRange()[1] or 1)
+    actor.GetMapper().SetLookupTable(colors)
     actor.GetMapper().SetUseLookupTableScalarRange(True)
     actor.GetMapper().SetInterpolateScalarsBeforeMapping(True)
     actor.GetMapper().SetScalarModeToUsePointData()
@@ -113,12 +113,12 @@ def make_arrow():
 
 def draw_partition(renderer, scene):
     scene.GetCellData().SetActiveScalars("cell")
-    colours = colours_of_cells(scene)
+    colors = colors_of_cells(scene)
     table = vtk.vtkLookupTable()
-    table.SetNumberOfTableValues(len(colours))
-    table.SetTableRange(-0.5, len(colours) - 0.5)
-    for i, colour in enumerate(colours):
-        table.SetTableValue(i, *CELLS[colour], 1)
+    table.SetNumberOfTableValues(len(colors))
+    table.SetTableRange(-0.5, len(colors) - 0.5)
+    for i, color in enumerate(colors):
+        table.SetTableValue(i, *CELLS[color], 1)
     table.SetUseBelowRangeColor(True)
     table.SetBelowRangeColor(*IVORY, 1)
     actor = surface_actor(scene)
@@ -128,8 +128,8 @@ def draw_partition(renderer, scene):
     renderer.AddActor(actor)
 
 
-def colours_of_cells(scene):
-    """One after the other gets a colour that its neighbours do not have, the least used one."""
+def colors_of_cells(scene):
+    """One after the other gets a color that its neighbors do not have, the least used one."""
     cell = scene.GetCellData().GetArray("cell")
     cells_at_point = [set() for _ in range(scene.GetNumberOfPoints())]
     corners = vtk.vtkIdList()
@@ -139,13 +139,13 @@ def colours_of_cells(scene):
         faces.GetNextCell(corners)
         for i in range(3):
             cells_at_point[corners.GetId(i)].add(int(cell.GetValue(face)))
-    neighbours = [set() for _ in range(number_of_cells(scene))]
+    neighbors = [set() for _ in range(number_of_cells(scene))]
     for cells in cells_at_point:
         for c in cells - {-1}:
-            neighbours[c] |= cells - {c, -1}
+            neighbors[c] |= cells - {c, -1}
     result = []
-    for c in range(len(neighbours)):
-        taken = {result[n] for n in neighbours[c] if n < c}
+    for c in range(len(neighbors)):
+        taken = {result[n] for n in neighbors[c] if n < c}
         free = [i for i in range(len(CELLS)) if i not in taken] or range(len(CELLS))
         result.append(min(free, key=result.count))
     return result
@@ -185,17 +185,17 @@ def draw(name, renderer, scene, start, samples):
     unit = scene.GetLength()
     if name == "isolines":
         draw_isolines(renderer, scene, start, unit)
-        balls, radius, colour = [source(scene)], 0.011, WHITE
+        balls, radius, color = [source(scene)], 0.011, WHITE
     elif name == "against the gradient":
         draw_gradient(renderer, scene, start, unit)
-        balls, radius, colour = [source(scene)], 0.011, DARK
+        balls, radius, color = [source(scene)], 0.011, DARK
     elif name == "Voronoi partition":
         draw_partition(renderer, scene)
-        balls, radius, colour = samples[: number_of_cells(scene)], 0.009, DARK
+        balls, radius, color = samples[: number_of_cells(scene)], 0.009, DARK
     else:
         renderer.AddActor(surface_actor(scene, IVORY))
-        balls, radius, colour = samples, 0.007, RED
-    renderer.AddActor(balls_actor(points_of(balls), radius * unit, colour))
+        balls, radius, color = samples, 0.007, RED
+    renderer.AddActor(balls_actor(points_of(balls), radius * unit, color))
 
 
 def save(window, filename):

@@ -20,7 +20,7 @@ from draw_picture import DARK, WHITE, actor_of, balls_actor, save, tubes
 
 SIZE = (2200, 1400)
 RED, ORANGE, BROWN = (0.86, 0.06, 0.10), (1.0, 0.58, 0.05), (0.36, 0.20, 0.11)
-LINES = {  # the file of each, its colour and radius, and what the legend says
+LINES = {  # the file of each, its color and radius, and what the legend says
     "shortest": (WHITE, 0.020, "shortest path, costs ignored"),
     "road_closed": (ORANGE, 0.024, "the same, road closed"),
     "cheapest": (RED, 0.024, "cheapest path"),
@@ -52,7 +52,7 @@ def read_polylines(name):
 
 
 def surface_actor(reader):
-    """One colour per face, and shades as those of a smooth surface."""
+    """One color per face, and shades as those of a smooth surface."""
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputConnection(reader.GetOutputPort())
     normals.SplittingOff()
@@ -80,10 +80,10 @@ def walls_actor(reader):
     return actor
 
 
-def lines_actor(lines, colour, radius):
+def lines_actor(lines, color, radius):
     producer = vtk.vtkTrivialProducer()
     producer.SetOutput(lines)
-    actor = actor_of(tubes(producer, radius), colour)
+    actor = actor_of(tubes(producer, radius), color)
     actor.GetProperty().SetAmbient(0.5)
     actor.GetProperty().SetDiffuse(0.6)
     return actor
@@ -109,8 +109,8 @@ def add_place(renderer, point, name):
     renderer.AddActor(label)
 
 
-def add_entry(renderer, x, y, height, colour, text):
-    """A bar of the given colour and height at (`x`, `y`), in pixels, and the text beside it."""
+def add_entry(renderer, x, y, height, color, text):
+    """A bar of the given color and height at (`x`, `y`), in pixels, and the text beside it."""
     bar = vtk.vtkPlaneSource()
     bar.SetOrigin(x, y - height / 2, 0)
     bar.SetPoint1(x + 70, y - height / 2, 0)
@@ -119,7 +119,7 @@ def add_entry(renderer, x, y, height, colour, text):
     mapper.SetInputConnection(bar.GetOutputPort())
     actor = vtk.vtkActor2D()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*colour)
+    actor.GetProperty().SetColor(*color)
     renderer.AddActor2D(actor)
     label = vtk.vtkTextActor()
     label.SetInput(text)
@@ -129,11 +129,11 @@ def add_entry(renderer, x, y, height, colour, text):
 
 
 def add_legend(renderer):
-    for x, (colour, text) in zip((60, 475, 755, 1045, 1330, 1755), GROUNDS):
-        add_entry(renderer, x, 120, 46, [c / 255 for c in colour], text)
+    for x, (color, text) in zip((60, 475, 755, 1045, 1330, 1755), GROUNDS):
+        add_entry(renderer, x, 120, 46, [c / 255 for c in color], text)
     for x, name in zip((1045, 475, 60, 1755), LINES):
-        colour, _, text = LINES[name]
-        add_entry(renderer, x, 46, 14, colour, text)
+        color, _, text = LINES[name]
+        add_entry(renderer, x, 46, 14, color, text)
 
 
 def place_light_and_camera(renderer):
@@ -158,9 +158,9 @@ def main(folder="."):
     renderer.SetBackground(0.93, 0.95, 0.97)
     renderer.AddActor(surface_actor(reader))
     renderer.AddActor(walls_actor(reader))
-    for name, (colour, radius, _) in LINES.items():
+    for name, (color, radius, _) in LINES.items():
         lines = read_polylines(f"{start}_{name}.polylines.txt")
-        renderer.AddActor(lines_actor(lines, colour, radius))
+        renderer.AddActor(lines_actor(lines, color, radius))
         if name == "cheapest":
             add_place(renderer, lines.GetPoint(0), "start")
             add_place(renderer, lines.GetPoint(lines.GetNumberOfPoints() - 1), "target")

@@ -16,7 +16,7 @@ stats file using (ms('edges')) name 'edges' nooutput
 stats file using (ms('exact')) name 'exact' nooutput
 set xrange [edges_min / 2:2 * exact_max]
 set yrange [0.005:10]
-set arrow from exact_max, graph 0.12 to exact_max, graph 0 linewidth 2 linecolor rgb colour[5]
+set arrow from exact_max, graph 0.12 to exact_max, graph 0 linewidth 2 linecolor rgb color[5]
 set label 'exact class' at exact_max, graph 0.15 center
 plot file using (ms('edges')):'mean %' with points linetype 2 pointsize 1.5 title 'edges', \
      file using (ms('built')):'mean %' with linespoints linetype 1 pointsize 1 \

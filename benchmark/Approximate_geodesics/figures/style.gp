@@ -12,7 +12,7 @@ set border 3 linecolor '#666666'
 set tics nomirror
 set grid linecolor '#cccccc'
 set key outside right center reverse Left samplen 2
-array colour[9] = ['#d62728', '#7f7f7f', '#1f77b4', '#2ca02c', '#9467bd', '#ff7f0e', '#8c564b', \
+array color[9] = ['#d62728', '#7f7f7f', '#1f77b4', '#2ca02c', '#9467bd', '#ff7f0e', '#8c564b', \
                    '#e377c2', '#17becf']
-set for [i = 1:9] linetype i linecolor rgb colour[i] linewidth 2 pointtype (i == 2 ? 4 : 7) \
+set for [i = 1:9] linetype i linecolor rgb color[i] linewidth 2 pointtype (i == 2 ? 4 : 7) \
   pointsize 0.7

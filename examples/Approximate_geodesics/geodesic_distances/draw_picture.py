@@ -16,7 +16,7 @@ import vtk
 
 SIZE = (1600, 1200)
 NUMBER_OF_ISOLINES = 20
-COLOURS = [  # near to far
+COLORS = [  # near to far
     (0.00, (0.16, 0.30, 0.92)),
     (0.25, (0.10, 0.72, 0.90)),
     (0.50, (0.36, 0.82, 0.36)),
@@ -33,11 +33,11 @@ def read(name):
     return reader.GetOutput()
 
 
-def colour_map(farthest):
+def color_map(farthest):
     """A finely sampled table, so that the bar beside the picture is smooth."""
     function = vtk.vtkColorTransferFunction()
-    for position, colour in COLOURS:
-        function.AddRGBPoint(position * farthest, *colour)
+    for position, color in COLORS:
+        function.AddRGBPoint(position * farthest, *color)
     table = vtk.vtkLookupTable()
     table.SetNumberOfTableValues(1024)
     table.SetRange(0, farthest)
@@ -48,7 +48,7 @@ def colour_map(farthest):
     return table
 
 
-def actor_of(source, colour=None):
+def actor_of(source, color=None):
     """An actor for what `source`, a filter or a data set, yields."""
     mapper = vtk.vtkPolyDataMapper()
     if isinstance(source, vtk.vtkPolyData):
@@ -58,13 +58,13 @@ def actor_of(source, colour=None):
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetInterpolationToPhong()
-    if colour:
+    if color:
         mapper.ScalarVisibilityOff()
-        actor.GetProperty().SetColor(*colour)
+        actor.GetProperty().SetColor(*color)
     return actor
 
 
-def surface_actor(scene, colours):
+def surface_actor(scene, colors):
     surface = vtk.vtkPolyData()
     surface.SetPoints(scene.GetPoints())
     surface.SetPolys(scene.GetPolys())
@@ -73,7 +73,7 @@ def surface_actor(scene, colours):
     normals.SetInputData(surface)
     normals.SetFeatureAngle(60)
     actor = actor_of(normals)
-    actor.GetMapper().SetLookupTable(colours)
+    actor.GetMapper().SetLookupTable(colors)
     actor.GetMapper().SetUseLookupTableScalarRange(True)
     actor.GetMapper().SetInterpolateScalarsBeforeMapping(True)
     actor.GetProperty().SetAmbient(0.25)
@@ -111,7 +111,7 @@ def path_actor(scene, radius):
     return actor_of(tubes(producer, radius), WHITE)
 
 
-def balls_actor(points, radius, colour):
+def balls_actor(points, radius, color):
     data = vtk.vtkPolyData()
     data.SetPoints(points)
     ball = vtk.vtkSphereSource()
@@ -122,7 +122,7 @@ def balls_actor(points, radius, colour):
     glyphs.SetInputData(data)
     glyphs.SetSourceConnection(ball.GetOutputPort())
     glyphs.ScalingOff()
-    return actor_of(glyphs, colour)
+    return actor_of(glyphs, color)
 
 
 def selected_points(scene, cells, pick):
@@ -135,9 +135,9 @@ def selected_points(scene, cells, pick):
     return result
 
 
-def colour_bar(colours):
+def color_bar(colors):
     bar = vtk.vtkScalarBarActor()
-    bar.SetLookupTable(colours)
+    bar.SetLookupTable(colors)
     bar.SetTitle("distance\n")
     bar.SetNumberOfLabels(6)
     bar.SetLabelFormat("%-#.3g")
@@ -178,8 +178,8 @@ def place_camera(renderer, azimuth, elevation, up):
 
 def make_renderer(scene):
     farthest = scene.GetPointData().GetScalars().GetRange()[1] or 1
-    colours = colour_map(farthest)
-    surface, data = surface_actor(scene, colours)
+    colors = color_map(farthest)
+    surface, data = surface_actor(scene, colors)
     unit = scene.GetLength()
 
     renderer = vtk.vtkRenderer()
@@ -191,7 +191,7 @@ def make_renderer(scene):
     renderer.AddActor(balls_actor(ends, 0.008 * unit, WHITE))
     sources = selected_points(scene, scene.GetVerts(), lambda size: 0)
     renderer.AddActor(balls_actor(sources, 0.011 * unit, DARK))
-    renderer.AddActor2D(colour_bar(colours))
+    renderer.AddActor2D(color_bar(colors))
     return renderer
 
 

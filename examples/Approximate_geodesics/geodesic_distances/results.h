@@ -1,7 +1,7 @@
 #ifndef GEODESIC_DISTANCES_RESULTS_H
 #define GEODESIC_DISTANCES_RESULTS_H
 
-#include "colours.h"
+#include "colors.h"
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Surface_mesh.h>
@@ -70,18 +70,18 @@ void write_distances(const std::string& file, Mesh mesh, const Results<Mesh>& re
 {
   using Vertex = typename Mesh::Vertex_index;
   auto distance = mesh.template add_property_map<Vertex, double>("v:distance", -1).first;
-  auto colour = mesh.template add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
+  auto color = mesh.template add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   for(const Vertex v : vertices(mesh))
   {
     if(!std::isfinite(results.distances[v]))
     {
-      colour[v] = CGAL::IO::gray();
+      color[v] = CGAL::IO::gray();
       continue;
     }
     distance[v] = results.distances[v];
-    const Colour c = colour_of(results.part(v));
+    const Color c = color_of(results.part(v));
     const auto byte = [](const double x) { return static_cast<unsigned char>(255 * x); };
-    colour[v] = CGAL::IO::Color(byte(c[0]), byte(c[1]), byte(c[2]));
+    color[v] = CGAL::IO::Color(byte(c[0]), byte(c[1]), byte(c[2]));
   }
   std::ofstream out = open_file(file, std::ios::binary);
   CGAL::IO::set_binary_mode(out);

@@ -362,7 +362,7 @@ TEST(Discrete_geodesic_graph, makes_use_of_what_the_bound_allows)
   }
 }
 
-// Nothing grows beyond measure where faces are oblong, or vertices have many neighbours.
+// Nothing grows beyond measure where faces are oblong, or vertices have many neighbors.
 TEST(Discrete_geodesic_graph, has_few_arcs_on_oblong_faces)
 {
   const auto pull = [](const Point& p) { return Point(p.x(), 1000 * p.y(), p.z()); };

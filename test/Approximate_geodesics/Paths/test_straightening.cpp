@@ -224,7 +224,7 @@ TEST(Path_straightener, does_not_cross_barriers)
               1e-12);
 }
 
-// A hub whose neighbours are high and low by turns.
+// A hub whose neighbors are high and low by turns.
 TEST(Path_straightener, goes_through_saddles)
 {
   Soup soup = fan(12);

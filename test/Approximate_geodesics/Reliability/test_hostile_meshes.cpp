@@ -45,7 +45,7 @@ TEST(Hostile_meshes, lazy_discrete_geodesic_graph)
     expect_everything<AG::Lazy_discrete_geodesic_graph>(parameters::epsilon(epsilon), {});
 }
 
-// ----- a vertex with very many neighbours, in every graph
+// ----- a vertex with very many neighbors, in every graph
 
 // From a vertex of the frontier of a disk whose hub is vertex 0: the shortest way along edges is
 // the frontier's, or by way of the hub.
@@ -76,9 +76,9 @@ void expect_distances_on_fan(const std::size_t valence, const NamedParameters& n
   }
 }
 
-// What a vertex sees is followed across all faces around it, from each of its neighbours: this
+// What a vertex sees is followed across all faces around it, from each of its neighbors: this
 // takes a time that grows with the square of their number, or with their number along edges.
-TEST(Hostile_meshes, vertex_with_very_many_neighbours)
+TEST(Hostile_meshes, vertex_with_very_many_neighbors)
 {
   for(const std::size_t valence : {std::size_t(1000), std::size_t(100000)})
     expect_distances_on_fan<AG::Edge_graph>(valence, parameters::default_values());

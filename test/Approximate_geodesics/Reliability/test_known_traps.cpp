@@ -224,7 +224,7 @@ TYPED_TEST(Known_traps, source_in_a_border_edge)
 }
 
 // Three sources next to each other: each of them has distance zero, to itself, and hides nothing.
-TYPED_TEST(Known_traps, neighbours_as_sources)
+TYPED_TEST(Known_traps, neighbors_as_sources)
 {
   const Mesh mesh = to_mesh(flat_grid(6, 6));
   typename TestFixture::Paths paths(mesh);
