@@ -25,7 +25,7 @@ namespace CGAL {
  * \f$1 + \varepsilon\f$ times as long as the shortest one on the surface. If not, it is the
  * shortest one along the edges of the mesh, for which there is no bound in general.
  *
- * The run ends when the distance to `target` is certain. Across faces it is led there by the
+ * The run ends when the distance to `target` is final. Across faces it is led there by the
  * straight line through space, unless there are weights, edge lengths, or a visitor. The length is
  * that of the polyline, up to rounding.
  *

@@ -49,6 +49,8 @@ public:
 
   /// returns a summary of the lengths of the arcs, or an estimate. Queues set themselves up with
   /// it; they work with arcs of other lengths, too, only not as fast.
+  /// `summarize_arc_lengths()` makes it of a list of lengths; both are in
+  /// `CGAL/Approximate_geodesics/Base/Arc_lengths.h`.
   CGAL::Approximate_geodesics::Arc_lengths arc_lengths() const;
 
   /*!

@@ -13,6 +13,9 @@ graph may add nodes of its own after them.
 Whoever writes a graph whose arcs are edges needs three members more than a `GeodesicGraph` has:
 
 \code{.cpp}
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h> // to read meshes
+#include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
+
 static constexpr bool arcs_are_edges = true;
 const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
 Lines_in_faces attach(const Intrinsic_point& p) const { return {m_triangulation, p}; }
@@ -33,14 +36,6 @@ Lines_in_faces attach(const Intrinsic_point& p) const { return {m_triangulation,
 class SurfaceGraph
 {
 public:
-  /// \name Types
-  /// @{
-
-  /// what joins a point of the surface to the graph: see `attach()`.
-  using Attachment = unspecified_type;
-
-  /// @}
-
   /// \name Creation
   /// @{
 
@@ -61,7 +56,8 @@ public:
   const CGAL::Approximate_geodesics::Intrinsic_triangulation& triangulation() const;
 
   /*!
-  attaches a point of the surface to the graph. The object that is returned may refer to the graph.
+  attaches a point of the surface to the graph. Lengths are in units of the graph. The object that
+  is returned may refer to the graph.
   It has these member functions, all of them `const`:
   - `for_each_node(f)` calls `f(node, length)` for straight lines between the point and nodes:
     enough of them for paths that start or end there. If the point is a vertex, these are the nodes
@@ -74,9 +70,9 @@ public:
     `CGAL::Approximate_geodesics::Intrinsic_point` that is not a vertex.
 
   `CGAL::Approximate_geodesics::Lines_in_faces` is such a type, for graphs whose nodes are the
-  vertices.
+  vertices, and whose unit is that of the triangulation.
   */
-  Attachment attach(const CGAL::Approximate_geodesics::Intrinsic_point& point) const;
+  unspecified_type attach(const CGAL::Approximate_geodesics::Intrinsic_point& point) const;
 
   /*!
   calls `f(h, t)` for every edge that the arc from `source` to `target` crosses, in this order: at

@@ -26,7 +26,6 @@
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for programs
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -44,10 +43,9 @@ namespace Approximate_geodesics {
  * results of the member functions are those of the exact class
  * `CGAL::Surface_mesh_shortest_path`, so that exchanging one for the other is a matter of a type
  * definition. Paths and distances are those of the graph: never shorter than the exact ones, and
- * longer by an error that the choice of the graph determines: `Edge_graph` has no bound and
- * is the fastest, `Discrete_geodesic_graph` has one that the named parameter `epsilon` chooses, and
- * so has `Steiner_graph`, which is the graph for faces with weights: where there are weights,
- * "length" and "distance" mean costs.
+ * longer by an error that the graph determines: `Edge_graph` has no bound and is the fastest; in
+ * `Discrete_geodesic_graph`, `epsilon` chooses it, and so in `Steiner_graph`, which is for faces
+ * with weights: "length" and "distance" mean costs there.
  *
  * As in the exact class, sources can be added and removed at any time, and the search is run by the
  * first query after that, or by `build_sequence_tree()`.
@@ -126,8 +124,10 @@ public:
             typename = std::enable_if_t<!std::is_same_v<NamedParameters, Graph>>>
   explicit Surface_mesh_shortest_path(const Triangle_mesh& tmesh,
                                       const NamedParameters& np = parameters::default_values())
-    : Surface_mesh_shortest_path(tmesh, Graph(Intrinsic_triangulation(tmesh, np), np), np)
+    : Surface_mesh_shortest_path(
+          tmesh, Graph_holder{Graph(Intrinsic_triangulation(tmesh, np), np)}, np)
   {
+    internal::refuse_run_parameters<NamedParameters>();
   }
 
   /*!
@@ -142,22 +142,14 @@ public:
   Surface_mesh_shortest_path(const Triangle_mesh& tmesh,
                              Graph graph,
                              const NamedParameters& np = parameters::default_values())
-    : Locations(tmesh,
-                internal::function_property_map<vertex_descriptor, Point_3>(
-                    internal::vertex_point_map(tmesh, np))),
-      m_graph(std::move(graph)),
-      m_translation(tmesh,
-                    internal::function_property_map<vertex_descriptor, std::size_t>(
-                        internal::vertex_index_map(tmesh, np)),
-                    m_graph.triangulation()),
-      m_search(m_graph, m_translation, this->point_map())
+    : Surface_mesh_shortest_path(tmesh, Graph_holder{std::move(graph)}, np)
   {
-    internal::refuse_run_parameters<NamedParameters>();
-    m_translation.check_size();
-    m_translation.list_vertices();
+    static_assert(!internal::ignores_any<NamedParameters>,
+                  "beside a graph that was built before, vertex_point_map and vertex_index_map are "
+                  "read; give the others to the graph, its triangulation, or a query");
   }
 
-  /// not copyable: sources are referred to by iterators, and the graph by the search.
+  /// not copyable: iterators refer to sources, and the search to the graph.
   Surface_mesh_shortest_path(const Surface_mesh_shortest_path&) = delete;
   Surface_mesh_shortest_path& operator=(const Surface_mesh_shortest_path&) = delete;
 
@@ -170,7 +162,7 @@ public:
    * adds `v` as a source, and returns an iterator to it.
    *
    * \param v a vertex
-   * \param initial_distance what is added to all distances from this source
+   * \param initial_distance what is added to all distances from there
    *
    * \throws std::invalid_argument if `v` is not a vertex of the mesh, or the initial distance is
    *         negative, infinite, or not a number.
@@ -192,7 +184,7 @@ public:
     return add_source(m_translation.intrinsic_point(f, location), initial_distance, {f, location});
   }
 
-  /// does the same as `add_source_point(location.first, location.second, initial_distance)`.
+  /// adds the point at `location` as a source.
   Source_point_iterator add_source_point(const Face_location& location,
                                          const FT initial_distance = 0)
   {
@@ -202,14 +194,12 @@ public:
   /// adds a point of the surface as a source.
   Source_point_iterator add_source_point(const Surface_point& point, const FT initial_distance = 0)
   {
-    const Intrinsic_point p = m_translation.intrinsic_point(point);
-    return add_source(p, initial_distance, this->face_location(point));
+    return add_source(m_translation.intrinsic_point(point), initial_distance,
+                      this->face_location(point));
   }
 
-  /// adds the points of a range as sources, and returns an iterator to the first of them, or
-  /// `source_points_end()` if there is none.
-  /// \tparam InputIterator a model of `InputIterator` with value type `vertex_descriptor`,
-  ///         `Face_location` or `Surface_point`
+  /// adds a range of vertices, `Face_location`s or `Surface_point`s as sources, and returns an
+  /// iterator to the first of them, or `source_points_end()` if there is none.
   template <typename InputIterator>
   Source_point_iterator add_source_points(InputIterator first, const InputIterator beyond)
   {
@@ -224,8 +214,8 @@ public:
   /// removes a source. \pre `it` can be dereferenced.
   void remove_source_point(const Source_point_iterator it)
   {
-    m_sources.remove(it);
     m_has_changed = true;
+    m_sources.remove(it);
   }
 
   /// removes all sources.
@@ -238,7 +228,7 @@ public:
   /// returns the first of the sources, which are in the order in which they were added.
   Source_point_iterator source_points_begin() const { return m_sources.begin(); }
 
-  /// returns the iterator after the last source.
+  /// returns the past-the-end iterator.
   Source_point_iterator source_points_end() const { return m_sources.end(); }
 
   /// returns the number of sources.
@@ -257,10 +247,8 @@ public:
   }
 
   /*!
-   * searches the graph from the sources, under the given conditions.
-   *
-   * Queries that follow are answered from this run until the sources change; what it did not reach
-   * counts as unreachable.
+   * searches the graph from the sources, under the given conditions. Queries that follow are
+   * answered from this run until the sources change; what it did not reach counts as unreachable.
    *
    * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `maximum_distance`,
    *        `targets` and `visitor`, as for `approximate_geodesic_distances()`
@@ -294,8 +282,8 @@ public:
   }
 
   /*!
-   * exchanges the weights of the faces, without building the graph again. The next query searches
-   * it anew.
+   * exchanges the weights of the faces, without building the graph again. No other thread may use
+   * the graph meanwhile, and a `Surface_search` of it has to `restart()`.
    *
    * \param face_weight_map a property map as for the constructor of `Intrinsic_triangulation`
    *
@@ -478,7 +466,8 @@ public:
    */
   /// @{
 
-  /// returns the length of a shortest path from `source` to `target`.
+  /// returns the distance from `source` to `target`; the length of the path, if that is
+  /// straightened.
   template <typename Source,
             typename Target,
             typename NamedParameters = parameters::Default_named_parameters>
@@ -522,10 +511,7 @@ public:
   const Search& search() const { return m_search.search().search(); }
 
   /// enables or disables statistics for subsequent runs: see `search().statistics()`.
-  void collect_statistics(const bool counts)
-  {
-    m_search.search().search().collect_statistics(counts);
-  }
+  void collect_statistics(const bool counts) { m_search.search().collect_statistics(counts); }
 
   /// returns the node of the graph that stands for `v`.
   /// \throws std::invalid_argument if `v` is not a vertex of the mesh.
@@ -539,6 +525,28 @@ private:
   using Point_function = typename Locations::Point_function;
   using Translation = Mesh_translation<Triangle_mesh, Index_function>;
   using Mesh_search = internal::Mesh_search<Graph, PriorityQueue, Translation, Point_function>;
+
+  // Tells what both constructors have in common from the one that takes a graph.
+  struct Graph_holder
+  {
+    Graph graph;
+  };
+
+  template <typename NamedParameters>
+  Surface_mesh_shortest_path(const Triangle_mesh& tmesh,
+                             Graph_holder holder,
+                             const NamedParameters& np)
+    : Locations(tmesh, internal::vertex_point_map(tmesh, np)),
+      m_graph(std::move(holder.graph)),
+      m_translation(tmesh,
+                    internal::function_property_map<vertex_descriptor, std::size_t>(
+                        internal::vertex_index_map(tmesh, np)),
+                    m_graph.triangulation()),
+      m_search(m_graph, m_translation, this->point_map())
+  {
+    m_translation.check_size();
+    m_translation.list_vertices();
+  }
 
   Source_point_iterator
   add_source(const Intrinsic_point& p, const FT initial_distance, const Face_location& location)

@@ -91,6 +91,10 @@ public:
                          const NamedParameters& np = parameters::default_values())
     : Steiner_graph(std::move(triangulation), Placement(np))
   {
+    if constexpr(internal::is_given<NamedParameters, internal_np::face_weight_t>)
+      if(!m_triangulation.has_weights() && m_triangulation.number_of_halfedges() > 0)
+        internal::reject("face_weight_map was given to Steiner_graph; it is for the constructor of "
+                         "Intrinsic_triangulation");
   }
 
   /// builds the graph likewise, with a placement that was made before.

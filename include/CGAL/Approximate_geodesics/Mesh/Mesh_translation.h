@@ -16,7 +16,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -217,7 +216,9 @@ public:
   /// returns the vertex with the number `node`.
   vertex_descriptor vertex(const Index node) const
   {
-    CGAL_assertion(node < m_vertices.size());
+    if(node >= m_vertices.size())
+      internal::reject("there is no vertex " + std::to_string(node) +
+                       " in the list: list_vertices() has to be called before");
     return m_vertices[node];
   }
 
@@ -298,11 +299,10 @@ public:
 
   /// returns a function of the numbers of vertices that gives positions, for `Vertex_positions`.
   /// They are relative to the first one: the origin may be far away from all of them.
-  /// \warning The property map is referred to, not copied.
   template <typename VertexPointMap>
   auto position_of_vertex(const VertexPointMap& point_map) const
   {
-    return [this, &point_map](const Index v) -> std::array<double, 3> {
+    return [this, point_map](const Index v) -> std::array<double, 3> {
       const auto way = get(point_map, vertex(v)) - get(point_map, vertex(0));
       return {CGAL::to_double(way.x()), CGAL::to_double(way.y()), CGAL::to_double(way.z())};
     };

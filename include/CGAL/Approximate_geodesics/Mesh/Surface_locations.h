@@ -220,8 +220,10 @@ protected:
   using Point_function = internal::Function_property_map<vertex_descriptor, Point_3>;
 
   /// refers to a mesh, and to the points that `vertex_point_map` has for its vertices.
-  Surface_locations(const Triangle_mesh& tmesh, Point_function vertex_point_map)
-    : m_mesh(tmesh), m_point_map(std::move(vertex_point_map))
+  template <typename VertexPointMap>
+  Surface_locations(const Triangle_mesh& tmesh, const VertexPointMap& vertex_point_map)
+    : m_mesh(tmesh),
+      m_point_map(internal::function_property_map<vertex_descriptor, Point_3>(vertex_point_map))
   {
   }
 

@@ -51,7 +51,7 @@ public:
   {
     if(path.points.size() < 2)
       return path;
-    // Which ways past other vertices are tried depends on the sides on which it passes its own.
+    // The result depends on the sides of vertices chosen first, so the pass is repeated.
     constexpr double rounding = 1e-12;
     constexpr int largest_number_of_runs = 10;
     Path result = tightened(path.points);

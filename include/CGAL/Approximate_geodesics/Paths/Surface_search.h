@@ -71,8 +71,8 @@ struct Source_point
  * translate its vertices from and to the indices of a mesh's vertices.
  * `Surface_mesh_shortest_path` does the same in terms of a mesh, for one thread.
  *
- * If an exception leaves a run, the object is as if nothing had been reached, and may be used
- * again.
+ * Input that is refused leaves an object as it was. If another exception leaves a run, nothing is
+ * reached. The object may be used again in both cases.
  *
  * \tparam SurfaceGraph a model of `SurfaceGraph`
  * \tparam PriorityQueue a model of `GeodesicPriorityQueue`
@@ -152,8 +152,9 @@ public:
    * \param stop when the run may end early
    * \param visitor a model of `GeodesicVisitor` for vertices of type `Node`
    *
-   * \throws std::invalid_argument if the distance of a source is negative, infinite, or not a
-   *         number, or if the maximum distance is negative or not a number.
+   * \throws std::invalid_argument if a source or a target is not a point of the triangulated
+   *         surface, if the distance of a source is negative, infinite, or not a number, or if the
+   *         maximum distance is negative or not a number. The results of the last run stay.
    *
    * Run time is that of `Propagation::run()`.
    */
@@ -163,8 +164,10 @@ public:
            Visitor&& visitor = Visitor())
   {
     Points_by_face points = sorted(sources);
-    m_search.run(seeds(sources), rule_for_nodes(stop), visitor);
-    adopt(std::move(sources), std::move(points), stop.maximum_distance);
+    const auto seeds = this->seeds(sources);
+    const auto rule = rule_for_nodes(stop);
+    run_and_adopt(std::move(sources), std::move(points), stop.maximum_distance,
+                  [&] { m_search.run(seeds, rule, visitor); });
   }
 
   /*!
@@ -178,29 +181,36 @@ public:
    */
   void run_to(const Intrinsic_point& target,
               std::vector<Source_point> sources,
-              Stop_rule stop = Stop_rule(),
-              const Vertex_positions& positions = Vertex_positions())
+              const Vertex_positions& positions = Vertex_positions(),
+              const double maximum_distance = std::numeric_limits<double>::infinity())
   {
+    check(target);
     Points_by_face points = sorted(sources);
-    const double maximum_distance = stop.maximum_distance;
-    stop.maximum_distance =
+    const double limit =
         (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
-    stop.targets.push_back(target);
-    if(positions.are_known())
-      m_search.run_toward(seeds(sources), rule_for_nodes(stop),
-                          internal::Euclidean_heuristic<Graph>(*m_graph, positions, target));
-    else
-      m_search.run_toward(seeds(sources), rule_for_nodes(stop), internal::No_heuristic());
-    adopt(std::move(sources), std::move(points), maximum_distance);
+    const auto seeds = this->seeds(sources);
+    const auto rule = rule_for_nodes({limit, {target}});
+    run_and_adopt(std::move(sources), std::move(points), maximum_distance, [&] {
+      if(positions.are_known())
+        m_search.run_toward(seeds, rule,
+                            internal::Euclidean_heuristic<Graph>(*m_graph, positions, target));
+      else
+        m_search.run_toward(seeds, rule, internal::No_heuristic());
+    });
   }
 
-  /// is to be called when the weights of the graph have changed. Nothing is reached any more.
+  /// is to be called when the weights of the graph have changed. Nothing is reached any more. Run
+  /// time is \cgalBigO{n} for `n` nodes.
   void restart()
   {
     Search search(*m_graph);
     search.collect_statistics(m_search.collects_statistics());
     m_search = std::move(search);
+    forget();
   }
+
+  /// enables or disables statistics for subsequent runs: see `search().statistics()`.
+  void collect_statistics(const bool counts) { m_search.collect_statistics(counts); }
 
   /// @}
 
@@ -208,10 +218,12 @@ public:
   /// @{
 
   /// returns how `point` is reached.
+  /// \throws std::invalid_argument if `point` is not one of the triangulated surface.
   /// Run time is \cgalBigO{1} for a vertex, amortized over the nodes that were reached, and else
   /// that of attaching the point to the graph.
   Answer nearest(const Intrinsic_point& point) const
   {
+    check(point);
     Answer result = nearest_by_line(point, m_sources, m_points);
     if(point.is_vertex())
       consider(point.vertex, 0, result);
@@ -232,9 +244,13 @@ public:
   /*!
    * returns a shortest path from `point` to the nearest source, without points if none reaches it.
    *
-   * Its length is that of its points, up to rounding. It does not contain the distance that the
-   * source starts with, nor the rounding of arcs that a graph stores in single precision. Where
-   * arcs are edges, it is the difference of the two distances, to the last bit.
+   * Its length is that of its points, up to rounding of the distances. It does not contain the
+   * distance that the source starts with, nor the rounding of arcs that a graph stores in single
+   * precision. Where arcs are edges, and the source starts with `0`, it is the distance, to the
+   * last bit.
+   *
+   * \throws std::invalid_argument if `point` is not one of the triangulated surface, or the graph
+   *         has an arc that cannot be traced, as one read from a file that was changed.
    *
    * Run time is linear in the number of arcs on the path, times the cost of tracing one.
    */
@@ -257,8 +273,8 @@ public:
                             result);
     }
     result.length *= m_graph->unit();
-    if(!internal::has_crossing_arcs<Graph>)
-      result.length = answer.distance - source.distance;
+    if(!internal::has_crossing_arcs<Graph> && source.distance == 0)
+      result.length = answer.distance;
     return result;
   }
 
@@ -276,9 +292,6 @@ public:
   /// returns the search for distances of nodes, with its results and figures.
   const Search& search() const { return m_search; }
 
-  /// returns the search for distances of nodes.
-  Search& search() { return m_search; }
-
   /// @}
 
 private:
@@ -289,19 +302,49 @@ private:
     points.reserve(sources.size());
     for(const Source_point& s : sources)
     {
+      check(s.point);
       internal::check_initial_distance(s.distance, points.size());
       points.push_back(s.point);
     }
     return Points_by_face(m_graph->triangulation(), std::move(points));
   }
 
-  // Called after a run, so that results fit sources if the run fails.
-  void
-  adopt(std::vector<Source_point> sources, Points_by_face points, const double maximum_distance)
+  // Results fit the sources, also if the run fails: input that the search refuses changes nothing;
+  // after other exceptions, the search has nothing reached, and nor has this object.
+  template <typename Run>
+  void run_and_adopt(std::vector<Source_point> sources,
+                     Points_by_face points,
+                     const double maximum_distance,
+                     Run run)
   {
+    try
+    {
+      run();
+    }
+    catch(...)
+    {
+      if(m_search.reached_nodes().empty())
+        forget();
+      throw;
+    }
     m_sources = std::move(sources);
     m_points = std::move(points);
     m_maximum_distance = maximum_distance;
+  }
+
+  void forget()
+  {
+    m_sources.clear();
+    m_points = Points_by_face();
+    m_maximum_distance = std::numeric_limits<double>::infinity();
+  }
+
+  void check(const Intrinsic_point& p) const
+  {
+    if(!p.is_valid(m_graph->triangulation()))
+      internal::reject("a point is not one of the triangulated surface: vertex " +
+                       std::to_string(p.vertex) + ", halfedge " + std::to_string(p.halfedge) +
+                       ", weights " + internal::text_of(p.t) + " and " + internal::text_of(p.s));
   }
 
   std::vector<typename Search::Seed> seeds(const std::vector<Source_point>& sources) const
@@ -320,6 +363,8 @@ private:
     typename Search::Stop_rule result;
     result.maximum_distance = stop.maximum_distance;
     for(const Intrinsic_point& target : stop.targets)
+    {
+      check(target);
       if(target.is_vertex())
         result.targets.push_back(target.vertex);
       else
@@ -329,6 +374,7 @@ private:
           result.points.back().push_back({node, length * m_graph->unit()});
         });
       }
+    }
     return result;
   }
 

@@ -68,6 +68,15 @@ struct Intrinsic_point
   /// \name Position
   /// @{
 
+  /// returns whether this is a point of the triangulated surface.
+  bool is_valid(const Intrinsic_triangulation& triangulation) const
+  {
+    if(is_vertex())
+      return vertex < triangulation.number_of_vertices();
+    const bool has_edge = halfedge < triangulation.number_of_halfedges() && t >= 0 && t <= 1;
+    return has_edge && (s == 0 || (s > 0 && t + s <= 1 && !triangulation.is_border(halfedge)));
+  }
+
   /// returns whether the point lies on the edge of `h`, or is one of its ends.
   bool is_on_edge_of(const Index h, const Intrinsic_triangulation& triangulation) const
   {

@@ -361,8 +361,8 @@ public:
   /// @{
 
   /*!
-   * returns whether all arrays fit together: every halfedge has a opposite of the same length, the
-   * number of faces fits that of the halfedges, and every face is a triangle.
+   * returns whether all arrays fit together: every halfedge has an opposite halfedge of the same
+   * length, the number of faces fits that of the halfedges, and every face is a triangle.
    *
    * Run time is \cgalBigO{n}.
    */
@@ -452,7 +452,7 @@ inline void Intrinsic_triangulation::check_triangle_inequality() const
     if(length(h) > rest + tolerance * (length(h) + rest))
       reject("the triangle inequality does not hold");
     if(0 < rest && length(h) + rest < smallest_perimeter)
-      reject("paths are too short, compared with the mesh, to be told apart");
+      reject("the area is too small relative to the mesh, and underflows,");
   }
 }
 

@@ -30,7 +30,8 @@ namespace Approximate_geodesics {
  * and whose arcs do not leave a face: `attach(point)` returns `Lines_in_faces(triangulation(),
  * point)`.
  *
- * Lengths are in units of the triangulation; costs, if it has weights.
+ * Lengths are in units of the triangulation, so that has to be the unit of the graph; costs, if the
+ * triangulation has weights, are in units of lengths times weights.
  */
 class Lines_in_faces
 {
@@ -45,8 +46,8 @@ public:
   {
   }
 
-  /// calls `f(v, length)` for each corner `v` of the faces that the point lies in, without regard
-  /// to weights; if the point is a vertex, only for that, with length `0`.
+  /// calls `f(v, cost)` for each corner `v` of the faces that the point lies in; if it is a vertex,
+  /// only for that, with cost `0`.
   template <typename F>
   void for_each_node(F f) const
   {
@@ -56,10 +57,13 @@ public:
       return;
     }
     m_point.for_each_face(m_triangulation, [&](const Index h) {
+      const double weight = m_triangulation.weight(h);
+      if(!(weight < std::numeric_limits<double>::infinity()))
+        return;
       internal::for_each_face_point(m_triangulation, m_point, h, [&](const auto& p) {
         for(const Index side : m_triangulation.halfedges_of_face(h))
           f(m_triangulation.source(side),
-            distance(m_triangulation, p, internal::Face_point::at_source(side)));
+            weight * distance(m_triangulation, p, internal::Face_point::at_source(side)));
       });
     });
   }

@@ -340,7 +340,7 @@ private:
           growing_strip(30, std::strtod(size, nullptr), 1));
       if(std::string(size) == "1e-300")
         for(Hostile_mesh* row : {&rows.back(), &rows[rows.size() - 2]})
-          row->refusal_across_faces = {"too short, compared with the mesh", "in the face"};
+          row->refusal_across_faces = {"too small relative to the mesh", "in the face"};
     }
   }
 

@@ -39,7 +39,8 @@ constexpr bool has_crossing_arcs =
 
 // Whether a graph has nodes that are not vertices, and tells where they are.
 template <typename SurfaceGraph>
-constexpr bool has_positions = boost::is_detected_v<Position_of_node, SurfaceGraph>;
+constexpr bool has_positions =
+    boost::is_detected_convertible_v<Intrinsic_point, Position_of_node, SurfaceGraph>;
 
 // Where a node is.
 template <typename SurfaceGraph>

@@ -96,7 +96,7 @@ public:
       run(std::move(points), stop, np);
     }
     else
-      m_search.run_to(end, std::move(points), stop, positions);
+      m_search.run_to(end, std::move(points), positions, stop.maximum_distance);
   }
 
   // The positions of the vertices, if they are those of a kernel.

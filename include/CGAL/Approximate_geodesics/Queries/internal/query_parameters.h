@@ -26,10 +26,10 @@ template <typename NamedParameters>
 constexpr void refuse_run_parameters()
 {
   static_assert(
-      !is_any_given<NamedParameters, internal_np::maximum_distance_t, internal_np::targets_t,
-                    internal_np::visitor_t, internal_np::initial_distances_t,
-                    internal_np::nearest_source_t, internal_np::geodesic_predecessor_t,
-                    internal_np::straighten_t>,
+      !ignores_any<NamedParameters, internal_np::epsilon_t,
+                   internal_np::number_of_points_per_edge_t,
+                   internal_np::nb_points_per_distance_unit_t, internal_np::edge_length_t,
+                   internal_np::face_weight_t, internal_np::edge_is_constrained_t>,
       "the constructor does not run: maximum_distance, targets and visitor are for "
       "build_sequence_tree(), straighten is for a path, initial distances go with sources");
 }

@@ -85,7 +85,7 @@ distance(const Intrinsic_triangulation& triangulation, const Face_point& p, cons
   std::array<double, 3> step{};
   for(std::size_t i = 0; i < 3; ++i)
     step[i] = r.weight[i] - p.weight[i];
-  // Their sum is zero: two of them point away from the third vertex and towards it.
+  // Their sum is zero: two of them point away from the third vertex and toward it.
   std::size_t i = 0;
   while(i < 2 && step[(i + 1) % 3] * step[(i + 2) % 3] > 0)
     ++i;

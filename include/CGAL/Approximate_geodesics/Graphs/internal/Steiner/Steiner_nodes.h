@@ -48,7 +48,7 @@ public:
 
   std::size_t size() const { return std::size_t(m_first_sector) + m_sectors.number_of_sectors(); }
 
-  // Numbers from that of no node on are none of these.
+  // False for numbers that no node has, such as `null_index`.
   bool is_vertex(const Node node) const { return node < m_first_point; }
   bool is_point(const Node node) const { return node - m_first_point < number_of_points(); }
   bool is_sector(const Node node) const { return node - m_first_sector < number_of_sectors(); }

@@ -214,8 +214,8 @@ private:
   // ----- results
 
   // At which part of the way from left to right the path, which has got to `here`, crosses a gate
-  // on the way to `goal`. If all lie in one line, as where faces have no area, it goes on as little
-  // as it can. Ends that it passes within rounding errors are those that it goes through.
+  // on the way to `goal`. If all lie in one line, as where faces have no area, it advances as
+  // little as possible; ends within rounding errors are hit exactly.
   static double crossing(const Laid_gate& gate, const Plane_vector here, const Plane_vector goal)
   {
     constexpr double smallest_angle = 1e-9, rounding = 1e-12;
