@@ -23,6 +23,7 @@ void prefetch(const T* const array, const std::size_t i)
 #if defined(__GNUC__)
   __builtin_prefetch(
       reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(array) + i * sizeof(T)));
+  __asm__ volatile(""); // or g++ may take this for a function without effects, and drop its calls
 #else
   static_cast<void>(array), static_cast<void>(i);
 #endif

@@ -13,8 +13,6 @@
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/assertions.h>
 
-#include <boost/config.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -62,8 +60,7 @@ public:
   }
 
   // The first loop: appends the nodes of a batch to the order, but for those of stale entries.
-  // Where batches have a single entry, a call would cost as much.
-  BOOST_FORCEINLINE void extract()
+  void extract()
   {
     const auto& batch = m_queue.extract_min();
     const double* const distances = m_labels.distances(); // kept in a register
