@@ -58,8 +58,7 @@ namespace Approximate_geodesics {
  * \tparam SurfaceGraph a model of `SurfaceGraph`
  * \tparam PriorityQueue a model of `GeodesicPriorityQueue`
  *
- * \sa `approximate_geodesic_distances()`
- * \sa `approximate_geodesic_path()`
+ * \sa `approximate_geodesic_distances()`, `approximate_geodesic_path()`
  */
 template <typename TriangleMesh,
           typename SurfaceGraph = Edge_graph,
