@@ -6,6 +6,8 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_STANDARD_THREADS_TBB_PARALLEL_FOR_H
 #define APPROXIMATE_GEODESICS_TEST_STANDARD_THREADS_TBB_PARALLEL_FOR_H
 
+#include <tbb/blocked_range.h>
+
 #include <atomic>
 #include <cstddef>
 #include <thread>
@@ -16,12 +18,12 @@
 namespace tbb {
 
 template <typename F>
-void parallel_for(const std::size_t first, const std::size_t beyond, const F& f)
+void parallel_for(const blocked_range<std::size_t>& range, const F& f)
 {
-  std::atomic<std::size_t> next(first);
+  std::atomic<std::size_t> next(range.begin());
   const auto work = [&] {
-    for(std::size_t i = next++; i < beyond; i = next++)
-      f(i);
+    for(std::size_t i = next++; i < range.end(); i = next++)
+      f(blocked_range<std::size_t>(i, i + 1));
   };
   std::thread other(work);
   work();
