@@ -193,8 +193,8 @@ public:
   /// adds a point of the surface as a source.
   Source_point_iterator add_source_point(const Surface_point& point, const FT initial_distance = 0)
   {
-    return add_source(m_translation.intrinsic_point(point), initial_distance,
-                      this->face_location(point));
+    const Intrinsic_point p = m_translation.intrinsic_point(point); // which refuses wrong ones
+    return add_source(p, initial_distance, this->face_location(point));
   }
 
   /// adds a range of vertices, `Face_location`s or `Surface_point`s as sources, and returns an

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <ios>
 #include <sstream>
 #include <stdexcept>
@@ -158,5 +159,41 @@ TEST(Parallel_build, gives_the_same_graph)
   }
 }
 #endif
+
+// Two arcs to the same target, in a file whose checksum fits.
+TEST_F(Graph_file, is_refused_with_two_arcs_to_one_target)
+{
+  const Triangulation t(m_mesh);
+  for(const AG::Intrinsic_triangulation::Index second : {5u, 6u})
+  {
+    AG::internal::Compressed_arcs arcs(AG::internal::unit_of_arcs(t));
+    for(AG::Intrinsic_triangulation::Index v = 0; v < t.number_of_vertices(); ++v)
+      arcs.append_row({{v == 5 ? 4u : 5u, 1}, {v == 5 ? 7u : v == 6 ? 8u : second, 2}});
+    std::ostringstream out(std::ios::binary);
+    AG::internal::Arc_file::save(out, t, 0.1, arcs);
+    if(second == 5)
+      expect_refused(out.str(), m_mesh, "damaged");
+    else
+      EXPECT_EQ(loaded(out.str(), m_mesh).number_of_arcs(), 2 * t.number_of_vertices());
+  }
+}
+
+// Differences of targets fit 16 bits, or not, and only just.
+TEST(Compressed_arcs, keep_targets_that_are_far_apart)
+{
+  for(const std::uint32_t difference : {65534u, 65535u, 65536u, 65537u, 1000000u})
+  {
+    AG::internal::Compressed_arcs arcs;
+    arcs.append_row({{3, 1.5f}, {4, 2.5f}, {3 + difference, 3.5f}});
+    std::vector<std::pair<std::uint32_t, double>> found;
+    arcs.for_each_arc(0, [&](const std::uint32_t target, const double length) {
+      found.emplace_back(target, length);
+    });
+    const std::vector<std::pair<std::uint32_t, double>> expected = {
+        {3, 1.5}, {4, 2.5}, {3 + difference, 3.5}};
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(arcs.degree(0), 3u);
+  }
+}
 
 } // namespace

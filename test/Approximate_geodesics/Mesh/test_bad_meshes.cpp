@@ -186,7 +186,7 @@ TEST(Bad_mesh, face_that_is_too_small_beside_the_mesh)
   soup.append({{Point(0, 0, 0), Point(1e-140, 0, 0), Point(0, 1e-140, 0)}, {{0, 1, 2}}});
   const Mesh mesh = to_mesh(soup);
   expect_message<std::invalid_argument>([&] { Triangulation(mesh).check_triangle_inequality(); },
-                                        "too short", "9", "10", "11", "1e-140");
+                                        "too small", "9", "10", "11", "1e-140");
   soup.points[11] = Point(0, 1e-120, 0); // a needle
   EXPECT_NO_THROW(Triangulation(to_mesh(soup)).check_triangle_inequality());
 }
