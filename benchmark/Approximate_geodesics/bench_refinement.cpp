@@ -6,12 +6,12 @@
 // What selective refinement makes of single paths, beside graphs with points on all edges. See
 // --help.
 
-#include "Errors.h"
-#include "Exact_case.h"
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "measure.h"
+#include "measuring/Errors.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/Exact_case.h"
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>

@@ -6,8 +6,8 @@
 #ifndef BENCHMARK_DENSE_REFERENCE_H
 #define BENCHMARK_DENSE_REFERENCE_H
 
-#include "Mesh.h"
-#include "Table.h"
+#include "meshes/Mesh.h"
+#include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
