@@ -66,7 +66,7 @@ public:
   {
     for(const double tolerance : {1e-3, 1e-5, 1e-6})
       add_refinement(tolerance);
-    for(const std::size_t m : {3, 8, 16, 32})
+    for(const std::size_t m : {3u, 8u, 16u, 32u})
       add_full_graph(m);
     for(Method& method : m_methods)
       m_contest.add([this, &method](const auto round) { run(method, round); });
