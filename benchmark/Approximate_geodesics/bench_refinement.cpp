@@ -131,8 +131,8 @@ private:
 
   void add_full_graph(const std::size_t m)
   {
-    const AG::Steiner_graph graph(AG::Intrinsic_triangulation(m_expected.mesh()),
-                                  AG::Fixed_number_of_points(m));
+    const AG::Steiner_graph<AG::Fixed_number_of_points> graph(
+        AG::Intrinsic_triangulation(m_expected.mesh()), AG::Fixed_number_of_points(m));
     m_methods.push_back({"equally spaced", std::to_string(m),
                          [this, m, number_of_nodes = graph.number_of_nodes()](const Vertex source,
                                                                               const Vertex target) {
