@@ -19,17 +19,32 @@ if(APPROXIMATE_GEODESICS_SANITIZERS)
   target_link_options(developer_settings INTERFACE ${sanitizers})
 endif()
 
-# CGAL's sample meshes: Debian's package libcgal-demo has them in an archive. Elsewhere, set
-# CGAL_DATA_DIR to the folder "data" of a CGAL source tree.
+# CGAL's sample meshes, in this order: from the folder that -DCGAL_DATA_DIR=FOLDER names, from the
+# archive of Debian's package libcgal-demo, from where CGAL looks for them. The last comes last as it
+# is any folder "data" beside or above this one, or what the environment happens to say.
 set(sample_archive /usr/share/doc/libcgal-dev/data.tar.gz)
-if(NOT CGAL_DATA_DIR AND EXISTS ${sample_archive})
-  set(CGAL_DATA_DIR ${CMAKE_BINARY_DIR}/samples/data)
-  if(NOT EXISTS ${CGAL_DATA_DIR})
-    file(ARCHIVE_EXTRACT INPUT ${sample_archive} DESTINATION ${CMAKE_BINARY_DIR}/samples)
+if(DEFINED CACHE{CGAL_DATA_DIR})
+  set(sample_dir $CACHE{CGAL_DATA_DIR})
+elseif(EXISTS ${sample_archive})
+  set(sample_dir ${CMAKE_BINARY_DIR}/samples/data)
+  if(NOT EXISTS ${sample_dir})
+    file(ARCHIVE_EXTRACT INPUT ${sample_archive} DESTINATION ${CMAKE_BINARY_DIR}/samples
+         PATTERNS data/meshes/*)
   endif()
+elseif(EXISTS "${CGAL_DATA_DIR}/meshes/elephant.off")
+  set(sample_dir ${CGAL_DATA_DIR})
 endif()
-if(CGAL_DATA_DIR)
-  target_compile_definitions(developer_settings INTERFACE CGAL_DATA_DIR="${CGAL_DATA_DIR}")
+if(sample_dir)
+  target_compile_definitions(developer_settings INTERFACE CGAL_DATA_DIR="${sample_dir}")
+  set(sample_environment "CGAL_DATA_DIR=${sample_dir}") # of tests: CGAL asks it first
 else()
   message(STATUS "NOTICE: CGAL's sample meshes were not found; set CGAL_DATA_DIR to use them.")
 endif()
+
+# Lets a target that has these settings compile headers for all those that reuse them from it.
+function(add_precompiled_headers target settings)
+  file(CONFIGURE OUTPUT ${target}.cpp CONTENT "")
+  add_library(${target} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
+  target_link_libraries(${target} PRIVATE ${settings})
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+endfunction()

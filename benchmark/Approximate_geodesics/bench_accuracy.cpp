@@ -6,16 +6,16 @@
 // What accuracy costs: errors, times and memory of the discrete geodesic graphs for several
 // epsilons, beside those of the edge graph, and of CGAL's heat method and exact class. See --help.
 
-#include "Errors.h"
-#include "Exact_search.h"
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "measure.h"
-#include "peers.h"
+#include "measuring/Errors.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/Exact_search.h"
+#include "peers/searches_of_arrays.h"
 
 #ifdef CGAL_EIGEN3_ENABLED
-#include "Heat_search.h"
+#include "peers/Heat_search.h"
 #endif
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>

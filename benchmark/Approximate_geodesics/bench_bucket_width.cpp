@@ -6,11 +6,11 @@
 // What the width of the buckets does to a search, how the adaptive bucket queue changes it from run
 // to run, and what a fixed width would have cost. See --help.
 
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "Terrain.h"
-#include "measure.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "meshes/Terrain.h"
+#include "output/Options.h"
+#include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>

@@ -5,10 +5,10 @@
 
 // How errors of Steiner graphs fall as points get more. See --help.
 
-#include "Exact_case.h"
-#include "Options.h"
-#include "Steiner_trial.h"
-#include "Table.h"
+#include "measuring/Steiner_trial.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/Exact_case.h"
 
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>

@@ -7,12 +7,12 @@
 // manual. The detour may take a share of epsilon: with 0, all vertices in sight have arcs. See
 // --help.
 
-#include "Errors.h"
-#include "Exact_search.h"
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "measure.h"
+#include "measuring/Errors.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/Exact_search.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>

@@ -6,12 +6,12 @@
 // How time and memory of a search grow with the mesh: generated terrains of 10^4 to 10^7 vertices.
 // See --help.
 
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "Terrain.h"
-#include "measure.h"
-#include "peers.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "meshes/Terrain.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/searches_of_arrays.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>

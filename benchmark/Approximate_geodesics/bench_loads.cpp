@@ -6,12 +6,12 @@
 // What a large mesh and many queries take in memory: a terrain of ten million faces through the
 // class and the function, and ten thousand queries in a row. See --help.
 
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "Terrain.h"
-#include "child_process.h"
-#include "resident_memory.h"
+#include "measuring/child_process.h"
+#include "measuring/resident_memory.h"
+#include "meshes/Mesh.h"
+#include "meshes/Terrain.h"
+#include "output/Options.h"
+#include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>

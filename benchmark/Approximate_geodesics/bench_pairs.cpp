@@ -6,10 +6,10 @@
 // How long searches from one vertex to another take: complete ones, those that end when the
 // distance is certain, and those that are led to their goal besides. See --help.
 
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "measure.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "output/Options.h"
+#include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>

@@ -6,10 +6,10 @@
 // How many points geometric progressions have for the same bound, ours and the published ones. They
 // are only counted: the graphs of the latter would not fit into memory. See --help.
 
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "Weighted_terrain.h"
+#include "meshes/Mesh.h"
+#include "meshes/Weighted_terrain.h"
+#include "output/Options.h"
+#include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>

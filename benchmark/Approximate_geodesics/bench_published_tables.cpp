@@ -7,10 +7,10 @@
 // paths on polyhedra through adaptive priority queue, 2015): sizes, buckets and their occupancy,
 // comparisons, and times, for their queue and for the package's. See --help.
 
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "measure.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "output/Options.h"
+#include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>

@@ -7,12 +7,12 @@
 // the mesh, and against Dijkstra with std::priority_queue and breadth-first search on the same
 // arrays. See --help.
 
-#include "Boost_dijkstra.h"
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "measure.h"
-#include "peers.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/Boost_dijkstra.h"
+#include "peers/searches_of_arrays.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>

@@ -6,12 +6,12 @@
 // What selective refinement makes of single paths, beside graphs with points on all edges. See
 // --help.
 
-#include "Errors.h"
-#include "Exact_case.h"
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "measure.h"
+#include "measuring/Errors.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/Exact_case.h"
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
@@ -66,7 +66,7 @@ public:
   {
     for(const double tolerance : {1e-3, 1e-5, 1e-6})
       add_refinement(tolerance);
-    for(const std::size_t m : {3, 8, 16, 32})
+    for(const std::size_t m : {3u, 8u, 16u, 32u})
       add_full_graph(m);
     for(Method& method : m_methods)
       m_contest.add([this, &method](const auto round) { run(method, round); });
@@ -131,8 +131,8 @@ private:
 
   void add_full_graph(const std::size_t m)
   {
-    const AG::Steiner_graph graph(AG::Intrinsic_triangulation(m_expected.mesh()),
-                                  AG::Fixed_number_of_points(m));
+    const AG::Steiner_graph<AG::Fixed_number_of_points> graph(
+        AG::Intrinsic_triangulation(m_expected.mesh()), AG::Fixed_number_of_points(m));
     m_methods.push_back({"equally spaced", std::to_string(m),
                          [this, m, number_of_nodes = graph.number_of_nodes()](const Vertex source,
                                                                               const Vertex target) {

@@ -6,11 +6,11 @@
 // One call of the free function, with everything included, against Boost's Dijkstra on the mesh,
 // including the computation of the edges' lengths. See --help.
 
-#include "Boost_dijkstra.h"
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "measure.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/Boost_dijkstra.h"
 
 #include <CGAL/approximate_geodesic_distances.h>
 

@@ -6,16 +6,16 @@
 // What points on edges give and what they cost: sizes, times and errors of Steiner graphs, without
 // weights and with. See --help.
 
-#include "Dense_reference.h"
-#include "Errors.h"
-#include "Exact_case.h"
-#include "Mesh.h"
-#include "Options.h"
-#include "Steiner_trial.h"
-#include "Table.h"
-#include "Weighted_terrain.h"
-#include "measure.h"
-#include "peers.h"
+#include "measuring/Errors.h"
+#include "measuring/Steiner_trial.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "meshes/Weighted_terrain.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/Dense_reference.h"
+#include "peers/Exact_case.h"
+#include "peers/searches_of_arrays.h"
 
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>

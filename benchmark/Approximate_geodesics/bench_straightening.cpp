@@ -6,10 +6,10 @@
 // What straightening makes of paths between random points of the surface: how often they become the
 // shortest ones, by how much they are longer otherwise, and how long it takes. See --help.
 
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
-#include "measure.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "output/Options.h"
+#include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>

@@ -6,11 +6,11 @@
 // Whether the discrete geodesic graphs keep within epsilon, on all sample meshes that CGAL's exact
 // class can cope with. See --help.
 
-#include "Errors.h"
-#include "Exact_case.h"
-#include "Mesh.h"
-#include "Options.h"
-#include "Table.h"
+#include "measuring/Errors.h"
+#include "meshes/Mesh.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/Exact_case.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>

@@ -37,7 +37,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
 using Edge = Mesh::Edge_index;
-using Ground_map = Mesh::Property_map<Face, int>;
+using Ground_map = Mesh::Property_map<Face, unsigned int>;
 using Barrier_map = Mesh::Property_map<Edge, bool>;
 using Polyline = std::vector<Point>;
 
@@ -106,7 +106,10 @@ double distance_from_road(const double x, const double y)
   return std::abs(y - road(x)) / std::hypot(1, slope);
 }
 
-Vertex vertex(const int i, const int j) { return Vertex(j * (N + 1) + i); }
+Vertex vertex(const int i, const int j)
+{
+  return Vertex(static_cast<Mesh::size_type>(j * (N + 1) + i));
+}
 
 // Of the two faces of a square, the one in the south-east comes first.
 Mesh make_mesh()
@@ -142,7 +145,7 @@ Ground ground_of_face(const Mesh& mesh, const Face f, const bool road_is_open)
 
 Ground_map classify_faces(Mesh& mesh, const std::string& name, const bool road_is_open)
 {
-  const Ground_map result = mesh.add_property_map<Face, int>(name).first;
+  const Ground_map result = mesh.add_property_map<Face, unsigned int>(name).first;
   for(const Face f : mesh.faces())
     result[f] = ground_of_face(mesh, f, road_is_open);
   return result;
@@ -159,20 +162,20 @@ Barrier_map build_fence(Mesh& mesh)
 
 // ----- what a path consists of
 
-int ground_at(const Ground_map ground, const double x, const double y)
+unsigned int ground_at(const Ground_map ground, const double x, const double y)
 {
   const int i = int(x / SIDE), j = int(y / SIDE);
   const bool is_second = y / SIDE - j > x / SIDE - i;
-  return ground[Face(2 * (j * N + i) + is_second)];
+  return ground[Face(static_cast<Mesh::size_type>(2 * (j * N + i) + is_second))];
 }
 
 // The ground of a segment within a face: along an edge, that of the cheaper side.
-int ground_of_segment(const Ground_map ground, const Point& p, const Point& q)
+unsigned int ground_of_segment(const Ground_map ground, const Point& p, const Point& q)
 {
   const double dx = 1e-6 * (q.x() - p.x()), dy = 1e-6 * (q.y() - p.y());
   const Point middle = CGAL::midpoint(p, q);
-  const int left = ground_at(ground, middle.x() - dy, middle.y() + dx);
-  const int right = ground_at(ground, middle.x() + dy, middle.y() - dx);
+  const unsigned int left = ground_at(ground, middle.x() - dy, middle.y() + dx);
+  const unsigned int right = ground_at(ground, middle.x() + dy, middle.y() - dx);
   return KINDS[left].weight < KINDS[right].weight ? left : right;
 }
 

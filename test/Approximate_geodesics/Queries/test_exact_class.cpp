@@ -4,119 +4,161 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshes/sample_meshes.h"
+#include "meshes/surface_points.h"
 #include "oracles/exact_distances.h"
 #include "oracles/test_oracles.h"
 
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
-// Beside CGAL's exact class.
+// Beside CGAL's exact class: the same program does the same with either class, and no distance is
+// below the exact one.
 
 namespace {
 
+namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
-using Our_shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh>;
+using Our_shortest_paths = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>;
 
-// Remembers what a path goes through.
-struct Sequence_recorder
+constexpr double TOLERANCE = 1e-6; // lengths of arcs may be rounded up to a `float`
+
+// Remembers what a path goes through, a letter for each.
+struct Kinds
 {
-  void operator()(const Halfedge, const double) { ++edges; }
-  void operator()(const Vertex v) { vertices.push_back(v); }
-  template <typename Coordinates>
-  void operator()(const Face, const Coordinates&)
+  void operator()(const Vertex v)
   {
-    ++faces;
+    kinds += 'v';
+    vertices.push_back(v);
   }
+  void operator()(const Halfedge, const double t)
+  {
+    EXPECT_GE(t, 0);
+    EXPECT_LE(t, 1);
+    kinds += 'e';
+  }
+  void operator()(const Face, const std::array<double, 3>&) { kinds += 'f'; }
 
+  std::string kinds = {};
   std::vector<Vertex> vertices = {};
-  std::size_t edges = 0;
-  std::size_t faces = 0;
 };
 
-// What is written for one class means the same for the other. Along the edges of a grid, and to
-// places that these lead to straight, both find the same.
 template <typename Shortest_paths>
-class Either_class : public testing::Test
+class Both : public testing::Test
 {
 protected:
-  Either_class() : m_mesh(make_mesh()), m_paths(m_mesh) {}
+  Both() : m_mesh(make_mesh()), m_paths(m_mesh) {}
 
   static Mesh make_mesh()
   {
     Soup soup = flat_grid(6, 5);
-    soup.append(flat_grid(3, 3));
+    soup.append(flat_grid(3, 3)); // which no path leads to
     return to_mesh(soup);
   }
 
+  Face_location at(const double x, const double y) const
+  {
+    return location_at(m_mesh, Point(x, y, 0));
+  }
+
+  double distance(const Face_location& p)
+  {
+    return m_paths.shortest_distance_to_source_points(p.first, p.second).first;
+  }
   double distance(const Vertex v) { return m_paths.shortest_distance_to_source_points(v).first; }
 
-  Mesh m_mesh;
+  std::string kinds_on_path(const Face_location& p)
+  {
+    Kinds result;
+    m_paths.shortest_path_sequence_to_source_points(p.first, p.second, result);
+    return result.kinds;
+  }
+
+  const Mesh m_mesh;
   Shortest_paths m_paths;
 };
-using Both_classes = testing::Types<Our_shortest_paths, Exact_shortest_paths>;
-TYPED_TEST_SUITE(Either_class, Both_classes, );
-
-TYPED_TEST(Either_class, gives_a_distance_and_a_source)
+struct Names_of_classes
 {
-  const auto first = this->m_paths.add_source_point(Vertex(0));
-  const auto second = this->m_paths.add_source_point(Vertex(5));
-  EXPECT_EQ(this->m_paths.number_of_source_points(), 2u);
-  const auto [near_first, it] = this->m_paths.shortest_distance_to_source_points(Vertex(2));
-  EXPECT_DOUBLE_EQ(near_first, 2);
-  EXPECT_TRUE(it == first);
-  const auto [near_second, other] = this->m_paths.shortest_distance_to_source_points(Vertex(4));
-  EXPECT_DOUBLE_EQ(near_second, 1);
-  EXPECT_TRUE(other == second);
-  EXPECT_EQ(this->distance(Vertex(0)), 0);
+  template <typename Shortest_paths>
+  static std::string GetName(int)
+  {
+    return std::is_same_v<Shortest_paths, Exact_shortest_paths> ? "exact" : "ours";
+  }
+};
+using Classes = testing::Types<Our_shortest_paths, Exact_shortest_paths>;
+TYPED_TEST_SUITE(Both, Classes, Names_of_classes);
+
+TYPED_TEST(Both, keep_iterators_valid)
+{
+  std::vector<Face_location> places;
+  std::vector<typename TypeParam::Source_point_iterator> iterators;
+  Random random(test_seed());
+  for(int i = 0; i < 20; ++i)
+  {
+    places.push_back(random_face_location(this->m_mesh, random));
+    iterators.push_back(this->m_paths.add_source_point(places.back()));
+    this->m_paths.build_sequence_tree();
+  }
+  for(std::size_t i = 0; i < places.size(); i += 2)
+    this->m_paths.remove_source_point(iterators[i]);
+  EXPECT_EQ(this->m_paths.number_of_source_points(), 10u);
+  auto it = this->m_paths.source_points_begin();
+  for(std::size_t i = 1; i < places.size(); i += 2, ++it)
+  {
+    EXPECT_TRUE(it == iterators[i]);
+    EXPECT_EQ(iterators[i]->first, places[i].first);
+    EXPECT_EQ(iterators[i]->second, places[i].second);
+    EXPECT_NEAR(this->distance(places[i]), 0, 1e-7);
+  }
+  EXPECT_TRUE(it == this->m_paths.source_points_end());
 }
 
-TYPED_TEST(Either_class, gives_a_path_from_the_query_to_the_source)
+TYPED_TEST(Both, say_when_sources_have_changed)
 {
-  const auto source = this->m_paths.add_source_point(Vertex(1));
-  std::vector<Point> points;
-  const auto result =
-      this->m_paths.shortest_path_points_to_source_points(Vertex(4), std::back_inserter(points));
-  EXPECT_DOUBLE_EQ(result.first, 3);
-  EXPECT_TRUE(result.second == source);
-  ASSERT_GE(points.size(), 2u);
-  EXPECT_EQ(points.front(), Point(4, 0, 0));
-  EXPECT_EQ(points.back(), Point(1, 0, 0));
+  const auto first = this->m_paths.add_source_point(this->at(0.3, 0.2));
+  EXPECT_TRUE(this->m_paths.changed_since_last_build());
+  this->m_paths.build_sequence_tree();
+  EXPECT_FALSE(this->m_paths.changed_since_last_build());
+  this->distance(this->at(3.3, 1.2));
+  EXPECT_FALSE(this->m_paths.changed_since_last_build());
+  this->m_paths.add_source_point(this->at(2.3, 0.2));
+  EXPECT_TRUE(this->m_paths.changed_since_last_build());
+  this->distance(this->at(3.3, 1.2)); // builds
+  EXPECT_FALSE(this->m_paths.changed_since_last_build());
+  this->m_paths.remove_source_point(first);
+  EXPECT_TRUE(this->m_paths.changed_since_last_build());
+  this->m_paths.clear();
+  EXPECT_FALSE(this->m_paths.changed_since_last_build());
+  EXPECT_EQ(this->m_paths.number_of_source_points(), 0u);
 }
 
-TYPED_TEST(Either_class, tells_a_visitor_what_a_path_goes_through)
+TYPED_TEST(Both, take_ranges_of_places)
 {
-  this->m_paths.add_source_point(Vertex(1));
-  Sequence_recorder recorder;
-  const auto result = this->m_paths.shortest_path_sequence_to_source_points(Vertex(3), recorder);
-  EXPECT_DOUBLE_EQ(result.first, 2);
-  ASSERT_GE(recorder.vertices.size(), 2u);
-  EXPECT_EQ(recorder.vertices.front(), Vertex(3));
-  EXPECT_EQ(recorder.vertices.back(), Vertex(1));
+  const std::vector<Face_location> places = {this->at(0.3, 0.2), this->at(4.7, 3.4)};
+  const auto first = this->m_paths.add_source_points(places.begin(), places.end());
+  EXPECT_TRUE(first == this->m_paths.source_points_begin());
+  const Face_location near_first = this->at(0.5, 0.3), near_second = this->at(4.5, 3.2);
+  const auto [distance, source] =
+      this->m_paths.shortest_distance_to_source_points(near_first.first, near_first.second);
+  EXPECT_NEAR(distance, std::hypot(0.2, 0.1), TOLERANCE);
+  EXPECT_TRUE(source == first);
+  const auto [other_distance, other_source] =
+      this->m_paths.shortest_distance_to_source_points(near_second.first, near_second.second);
+  EXPECT_NEAR(other_distance, std::hypot(0.2, 0.2), TOLERANCE);
+  EXPECT_FALSE(other_source == first);
 }
 
-TYPED_TEST(Either_class, says_when_there_is_no_path)
-{
-  this->m_paths.add_source_point(Vertex(0));
-  std::vector<Point> points;
-  Sequence_recorder recorder;
-  const Vertex elsewhere(32);
-  const auto result =
-      this->m_paths.shortest_path_points_to_source_points(elsewhere, std::back_inserter(points));
-  EXPECT_LT(result.first, 0);
-  EXPECT_TRUE(result.second == this->m_paths.source_points_end());
-  EXPECT_TRUE(points.empty());
-  this->m_paths.shortest_path_sequence_to_source_points(elsewhere, recorder);
-  EXPECT_TRUE(recorder.vertices.empty());
-  EXPECT_LT(this->m_paths.shortest_distance_to_source_points(elsewhere).first, 0);
-}
-
-TYPED_TEST(Either_class, adds_and_removes_sources)
+TYPED_TEST(Both, add_and_remove_vertices)
 {
   const std::vector<Vertex> vertices = {Vertex(0), Vertex(5), Vertex(24)};
   const auto first = this->m_paths.add_source_points(vertices.begin(), vertices.end());
@@ -127,25 +169,27 @@ TYPED_TEST(Either_class, adds_and_removes_sources)
   auto last = second;
   ++last;
   EXPECT_TRUE(++last == this->m_paths.source_points_end());
-  this->m_paths.build_sequence_tree();
-  EXPECT_FALSE(this->m_paths.changed_since_last_build());
-  EXPECT_DOUBLE_EQ(this->distance(Vertex(4)), 1);
+  EXPECT_EQ(this->distance(Vertex(0)), 0);
+  const auto [distance, source] = this->m_paths.shortest_distance_to_source_points(Vertex(4));
+  EXPECT_NEAR(distance, 1, TOLERANCE);
+  EXPECT_TRUE(source == second);
 
   this->m_paths.remove_source_point(second);
-  EXPECT_TRUE(this->m_paths.changed_since_last_build());
   EXPECT_EQ(this->m_paths.number_of_source_points(), 2u);
-  EXPECT_DOUBLE_EQ(this->distance(Vertex(4)), 4);
-  EXPECT_TRUE(this->m_paths.shortest_distance_to_source_points(Vertex(4)).second == first);
+  const auto [other_distance, other_source] =
+      this->m_paths.shortest_distance_to_source_points(Vertex(4));
+  EXPECT_NEAR(other_distance, 4, TOLERANCE);
+  EXPECT_TRUE(other_source == first);
 
   this->m_paths.remove_all_source_points();
   EXPECT_EQ(this->m_paths.number_of_source_points(), 0u);
   EXPECT_LT(this->distance(Vertex(4)), 0);
   this->m_paths.clear();
   this->m_paths.add_source_point(Vertex(3));
-  EXPECT_DOUBLE_EQ(this->distance(Vertex(4)), 1);
+  EXPECT_NEAR(this->distance(Vertex(4)), 1, TOLERANCE);
 }
 
-TYPED_TEST(Either_class, shows_sources_as_places_in_faces)
+TYPED_TEST(Both, show_sources_as_places_in_faces)
 {
   for(const Vertex v : this->m_mesh.vertices())
   {
@@ -158,9 +202,108 @@ TYPED_TEST(Either_class, shows_sources_as_places_in_faces)
       EXPECT_EQ(weight, this->m_mesh.source(h) == v ? 1 : 0);
       h = this->m_mesh.next(h);
     }
-    EXPECT_EQ(this->m_paths.point(v), this->m_mesh.point(v));
   }
 }
+
+TYPED_TEST(Both, say_when_there_is_no_path)
+{
+  this->m_paths.add_source_point(Vertex(0));
+  std::vector<Point> points;
+  Kinds visited;
+  const Vertex elsewhere(32);
+  const auto [length, source] =
+      this->m_paths.shortest_path_points_to_source_points(elsewhere, std::back_inserter(points));
+  EXPECT_LT(length, 0);
+  EXPECT_TRUE(source == this->m_paths.source_points_end());
+  EXPECT_TRUE(points.empty());
+  this->m_paths.shortest_path_sequence_to_source_points(elsewhere, visited);
+  EXPECT_EQ(visited.kinds, "");
+  EXPECT_LT(this->distance(elsewhere), 0);
+}
+
+TYPED_TEST(Both, give_paths_between_vertices)
+{
+  const auto source = this->m_paths.add_source_point(Vertex(1));
+  std::vector<Point> points;
+  const auto [length, it] =
+      this->m_paths.shortest_path_points_to_source_points(Vertex(4), std::back_inserter(points));
+  EXPECT_NEAR(length, 3, TOLERANCE);
+  EXPECT_TRUE(it == source);
+  ASSERT_GE(points.size(), 2u);
+  EXPECT_EQ(points.front(), Point(4, 0, 0));
+  EXPECT_EQ(points.back(), Point(1, 0, 0));
+
+  Kinds visited;
+  EXPECT_NEAR(this->m_paths.shortest_path_sequence_to_source_points(Vertex(4), visited).first, 3,
+              TOLERANCE);
+  ASSERT_GE(visited.vertices.size(), 2u);
+  EXPECT_EQ(visited.vertices.front(), Vertex(4));
+  EXPECT_EQ(visited.vertices.back(), Vertex(1));
+}
+
+TYPED_TEST(Both, give_paths_from_query_to_source)
+{
+  const auto source = this->m_paths.add_source_point(this->at(1.7, 1.2));
+  const Face_location query = this->at(1.2, 1.7);
+  std::vector<Point> points;
+  const auto [length, it] = this->m_paths.shortest_path_points_to_source_points(
+      query.first, query.second, std::back_inserter(points));
+  EXPECT_NEAR(length, std::sqrt(0.5), TOLERANCE);
+  EXPECT_TRUE(it == source);
+  ASSERT_EQ(points.size(), 3u);
+  for(const auto& [found, expected] :
+      {std::pair(points[0], Point(1.2, 1.7, 0)), std::pair(points[1], Point(1.45, 1.45, 0)),
+       std::pair(points[2], Point(1.7, 1.2, 0))})
+    EXPECT_LE(distance_in_space(found, expected), 1e-9);
+}
+
+TYPED_TEST(Both, tell_visitors_kinds_in_order)
+{
+  this->m_paths.add_source_point(this->at(1.7, 1.2));
+  EXPECT_EQ(this->kinds_on_path(this->at(1.2, 1.7)), "fef");
+  EXPECT_EQ(this->kinds_on_path(this->at(1.6, 1.3)), "ff");
+  Kinds from_vertex;
+  this->m_paths.shortest_path_sequence_to_source_points(Vertex(7), from_vertex); // (1, 1)
+  EXPECT_EQ(from_vertex.kinds, "vf");
+}
+
+TYPED_TEST(Both, compute_points_and_places)
+{
+  const TypeParam& paths = this->m_paths;
+  const Mesh& mesh = this->m_mesh;
+  const auto expect_at = [](const Point& found, const Point& expected) {
+    EXPECT_LE(distance_in_space(found, expected), 1e-15);
+  };
+  const std::array<double, 3> weights = {0.5, 0.2, 0.3};
+  for(const Face f : mesh.faces())
+  {
+    const Point expected = position(mesh, Face_location(f, weights));
+    expect_at(paths.point(f, weights), expected);
+    expect_at(TypeParam::point(f, weights, mesh), expected);
+    expect_at(TypeParam::point(f, weights, mesh, mesh.points()), expected);
+  }
+  for(const Halfedge h : mesh.halfedges())
+  {
+    const Point expected = position(mesh, Edge_location(h, 0.2));
+    expect_at(paths.point(h, 0.2), expected);
+    expect_at(TypeParam::point(h, 0.2, mesh), expected);
+    expect_at(TypeParam::point(h, 0.2, mesh, mesh.points()), expected);
+    if(mesh.is_border(h))
+      continue;
+    expect_at(position(mesh, paths.face_location(h, 0.2)), expected);
+    EXPECT_EQ(TypeParam::face_location(h, 0.2, mesh), paths.face_location(h, 0.2));
+    EXPECT_EQ(paths.face_location(h, 0.2).first, mesh.face(h));
+  }
+  for(const Vertex v : mesh.vertices())
+  {
+    EXPECT_EQ(paths.point(v), mesh.point(v));
+    EXPECT_EQ(TypeParam::point(v, mesh), mesh.point(v));
+    EXPECT_EQ(position(mesh, paths.face_location(v)), mesh.point(v));
+    EXPECT_EQ(TypeParam::face_location(v, mesh), paths.face_location(v));
+  }
+}
+
+// ----- lengths
 
 // Never below the distances along the surface, of which the exact class has a rounding error.
 void expect_not_below_exact(const Mesh& mesh, const Vertex source)

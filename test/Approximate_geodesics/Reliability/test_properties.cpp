@@ -7,6 +7,9 @@
 #include "meshes/random_soups.h"
 #include "meshes/surface_points.h"
 #include "meshes/test_weights.h"
+#include "oracles/test_oracles.h"
+
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +20,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,11 +97,31 @@ double tolerance(const Method& method)
   return method.epsilon < infinity ? method.epsilon : 1e-12;
 }
 
-class Properties : public testing::TestWithParam<std::uint64_t>
+// A kind of meshes, and the seed that says which one.
+struct Subject
+{
+  Soup (*make)(std::uint64_t);
+  std::uint64_t seed;
+
+  friend std::ostream& operator<<(std::ostream& out, const Subject& subject)
+  {
+    return out << "seed " << subject.seed;
+  }
+};
+
+std::vector<Subject> subjects(Soup (*make)(std::uint64_t), const std::vector<std::uint64_t>& seeds)
+{
+  std::vector<Subject> result;
+  for(const std::uint64_t seed : seeds)
+    result.push_back({make, seed});
+  return result;
+}
+
+class Properties : public testing::TestWithParam<Subject>
 {
 protected:
   Properties()
-    : m_random(GetParam()), m_soup(random_small_soup(GetParam())), m_mesh(to_mesh(m_soup))
+    : m_random(GetParam().seed), m_soup(GetParam().make(GetParam().seed)), m_mesh(to_mesh(m_soup))
   {
   }
 
@@ -239,6 +263,19 @@ TEST_P(Properties, early_stops_change_nothing)
   });
 }
 
+// But for the rounding of a sum of roots.
+TEST_P(Properties, no_path_along_edges_is_shorter_than_a_straight_line)
+{
+  const Vertex s = random_source();
+  const Values from = Mesh_search(m_mesh).distances({s});
+  const double roundings = static_cast<double>(m_mesh.number_of_vertices() + 4);
+  for(const Vertex v : m_mesh.vertices())
+  {
+    const double line = std::sqrt(CGAL::squared_distance(m_mesh.point(v), m_mesh.point(s)));
+    EXPECT_GE(from[v], line * (1 - roundings * 0x1p-53)) << v;
+  }
+}
+
 // ----- one graph and another
 
 TEST_P(Properties, distances_of_all_graphs_are_within_their_bounds)
@@ -323,7 +360,10 @@ TEST_P(Properties, another_order_changes_roundings)
   const std::vector<std::size_t> position = m_random.permutation(m_soup.points.size());
   Soup other = m_soup.renumbered(position);
   for(auto& t : other.triangles)
+  {
     std::swap(t[1], t[2]); // other orientation
+    std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(m_random.below(3)), t.end());
+  }
   m_random.shuffle(other.triangles);
   const Vertex s = random_source();
   for_each_method([&](const Method& m, const Searcher& distances) {
@@ -353,6 +393,27 @@ TEST_P(Properties, without_a_face_nothing_is_nearer)
     const Values distances = m.on(m_mesh, whole)({{s}});
     expect_at_most(distances, m.on(m_mesh, rest)({{s}}), tolerance(m));
     expect_at_most(distances, m.on(m_mesh, divided)({{s}}), tolerance(m));
+  }
+}
+
+// The mesh is left with indices of faces, edges and vertices that stand for nothing.
+TEST_P(Properties, without_a_face_no_path_along_edges_is_shorter)
+{
+  Mesh mesh = m_mesh;
+  const Vertex s = random_source();
+  Values last = Mesh_search(mesh).distances({s});
+  for(int i = 0; i < 20; ++i)
+  {
+    const std::vector<Face> faces(mesh.faces_begin(), mesh.faces_end());
+    CGAL::Euler::remove_face(mesh.halfedge(faces[m_random.below(faces.size())]), mesh);
+    if(mesh.is_removed(s) || mesh.number_of_faces() == 0)
+      break;
+    Mesh_search search(mesh);
+    const Field field = search.run({s});
+    EXPECT_TRUE(is_optimal(mesh, edge_lengths(mesh), field, {s}));
+    for(const Vertex v : mesh.vertices())
+      EXPECT_GE(field.distance[v], last[v]);
+    last = field.distance;
   }
 }
 
@@ -411,6 +472,11 @@ TEST_P(Properties, costs_grow_with_weights)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(On_random_meshes, Properties, testing::ValuesIn(seeds_of_small_soups()));
+INSTANTIATE_TEST_SUITE_P(On_small_meshes,
+                         Properties,
+                         testing::ValuesIn(subjects(random_small_soup, seeds_of_small_soups())));
+INSTANTIATE_TEST_SUITE_P(On_larger_meshes,
+                         Properties,
+                         testing::ValuesIn(subjects(random_large_soup, seeds_of_large_soups())));
 
 } // namespace

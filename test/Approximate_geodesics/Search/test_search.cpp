@@ -8,6 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace {
 
 using namespace geodesics_test;
@@ -61,6 +67,33 @@ TEST(Distances, are_those_of_boost_on_sample_meshes)
     expect_dijkstra_distances(mesh, mesh.number_of_vertices() > 5000 ? 2 : 4, random);
   }
   EXPECT_GE(number_of_meshes, 100u); // the collection has more
+}
+
+// Sums of the same roots, in other coordinates.
+TEST(Distances, do_not_change_when_an_integer_grid_moves_by_integers)
+{
+  const auto bend = [](const Point& p) { return Point(p.x(), 2 * p.y(), int(p.x()) % 3); };
+  const auto move = [](const Point& p) { return Point(p.x() + 12345, p.y() - 777, p.z() + 31); };
+  const Soup soup = flat_grid(20, 20).transformed(bend);
+  EXPECT_TRUE(have_same_bits(Mesh_search(to_mesh(soup.transformed(move))).distances({Vertex(3)}),
+                             Mesh_search(to_mesh(soup)).distances({Vertex(3)})));
+}
+
+// Along axes and the diagonals that the grid has; anywhere else, a staircase of both.
+TEST(Distances, on_a_grid_have_a_closed_form)
+{
+  const std::size_t n = 40;
+  const Mesh mesh = to_mesh(flat_grid(n, n));
+  const std::vector<double> found = Mesh_search(mesh).distances({Vertex(0)});
+  for(std::size_t j = 0; j < n; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double straight = static_cast<double>((std::max)(i, j) - (std::min)(i, j));
+      const double expected = straight + static_cast<double>((std::min)(i, j)) * std::sqrt(2.);
+      const double rounding = expected * static_cast<double>(2 * n) * 0x1p-53;
+      EXPECT_NEAR(found[i + j * n], expected, rounding);
+    }
+  EXPECT_EQ(found[n - 1], static_cast<double>(n - 1));
 }
 
 } // namespace

@@ -45,6 +45,14 @@ inline std::size_t source_of_face(const std::array<Corner_source, 3>& corners)
       ->source;
 }
 
+template <typename Keys, typename FromMap, typename ToMap>
+void copy_values(const Keys& keys, const FromMap from, const ToMap to)
+{
+  using Value = typename boost::property_traits<ToMap>::value_type;
+  for(const auto key : keys)
+    put(to, key, static_cast<Value>(get(from, key)));
+}
+
 } // namespace internal
 
 /*!
@@ -100,12 +108,8 @@ void voronoi_partition(const TriangleMesh& tmesh,
       parameters::combine(np, parameters::nearest_source_map(source_map)));
 
   if constexpr(internal::is_given<NamedParameters, internal_np::nearest_source_t>)
-  {
-    const auto wanted_map = parameters::get_parameter(np, internal_np::nearest_source);
-    using Value = typename boost::property_traits<decltype(wanted_map)>::value_type;
-    for(const auto v : vertices(tmesh))
-      put(wanted_map, v, static_cast<Value>(get(source_map, v)));
-  }
+    internal::copy_values(vertices(tmesh), source_map,
+                          parameters::get_parameter(np, internal_np::nearest_source));
 
   using Value = typename boost::property_traits<FaceSourceMap>::value_type;
   for(const auto f : faces(tmesh))

@@ -266,6 +266,94 @@ inline Mesh with_lune()
   return mesh;
 }
 
+// The walk around vertex 5 gets into a cycle that does not contain where it started.
+inline Mesh with_walk_into_a_cycle()
+{
+  Mesh mesh = to_mesh(sphere(8, 4));
+  const Halfedge h = mesh.opposite(mesh.halfedge(Vertex(5)));
+  const Halfedge second = mesh.opposite(mesh.prev(h));
+  const Halfedge third = mesh.opposite(mesh.prev(second));
+  mesh.set_next(mesh.opposite(second), third); // sets what is before `third`
+  mesh.set_next(mesh.opposite(third), third);
+  return mesh;
+}
+
+inline Mesh with_face_without_halfedge(Mesh mesh)
+{
+  mesh.set_halfedge(Face(7), Mesh::null_halfedge());
+  return mesh;
+}
+
+inline Mesh with_halfedge_without_target(Mesh mesh)
+{
+  mesh.set_target(mesh.halfedge(Face(7)), Mesh::null_vertex());
+  return mesh;
+}
+
+// What is before the halfedge after that of a face is another one.
+inline Mesh with_one_way_link(Mesh mesh)
+{
+  const Halfedge h = mesh.halfedge(Face(7)), g = mesh.opposite(h), next_of_g = mesh.next(g);
+  mesh.set_next(g, mesh.next(h));
+  mesh.set_next(g, next_of_g);
+  return mesh;
+}
+
+inline Mesh with_nothing_before_a_halfedge()
+{
+  Mesh mesh;
+  mesh.add_vertex(Point(0, 0, 0));
+  const Halfedge h = mesh.add_edge(), g = mesh.opposite(h);
+  mesh.set_target(h, Vertex(0));
+  mesh.set_target(g, Vertex(0));
+  mesh.set_halfedge(Vertex(0), g);
+  mesh.set_next(h, g); // so that there is none before `h`
+  mesh.set_next(g, g);
+  return mesh;
+}
+
+// A halfedge of the border has a face that it does not go round.
+inline Mesh with_border_in_a_face()
+{
+  Mesh mesh = to_mesh(flat_grid(2, 2));
+  const Halfedge h = mesh.halfedge(Vertex(0), Vertex(1));
+  mesh.set_face(mesh.is_border(h) ? h : mesh.opposite(h), Face(1));
+  return mesh;
+}
+
+inline Mesh with_halfedge_of_another_face()
+{
+  Mesh mesh = to_mesh(flat_grid(2, 2));
+  mesh.set_face(mesh.halfedge(Face(1)), Face(0));
+  return mesh;
+}
+
+inline Mesh with_vertices_that_know_no_face()
+{
+  const Point origin(0, 0, 0);
+  Mesh mesh = to_mesh({{origin, origin, origin}, {{0, 1, 2}}});
+  for(const Vertex v : mesh.vertices())
+    mesh.set_halfedge(v, Mesh::null_halfedge());
+  return mesh;
+}
+
+// As many halfedges have a face as there are sides of faces, but they are others: the border claims
+// the face of a detached triangle.
+inline Mesh with_border_in_a_detached_face()
+{
+  const Soup triangle{{Point(7, 7, 0), Point(8, 7, 0), Point(7, 8, 0)}, {{0, 1, 2}}};
+  Soup soup = flat_grid(3, 2);
+  soup.append(triangle);
+  soup.append(triangle);
+  Mesh mesh = to_mesh(soup);
+  for(const Halfedge h : mesh.halfedges())
+    if(mesh.is_border(h) && mesh.target(h) < Vertex(6))
+      mesh.set_face(h, Face(4));
+  for(Mesh::size_type i = 6; i < 12; ++i)
+    mesh.set_halfedge(Vertex(i), Mesh::null_halfedge());
+  return mesh;
+}
+
 // ----- the table
 
 class Hostile_table
@@ -276,7 +364,8 @@ public:
     add_shapes();
     add_numbers();
     add_connectivity();
-    add_refused();
+    refuse_numbers();
+    refuse_connectivity();
   }
 
   std::vector<Hostile_mesh> rows;
@@ -371,25 +460,50 @@ private:
     add("removed elements", with_removed_elements());
   }
 
-  void add_refused()
+  void refuse_numbers()
   {
     const Mesh quiet = quiet_mesh();
-    const std::vector<std::string> coordinate{"vertex 13", "infinite or not a number"};
-    refuse("not a number", with_point(quiet, 13, Point(1, not_a_number, 1)), coordinate);
-    refuse("infinity", with_point(quiet, 13, Point(infinity, 1, 1)), coordinate);
-    refuse("minus infinity", with_point(quiet, 13, Point(1, 1, -infinity)), coordinate);
+    for(const double bad : {not_a_number, infinity, -infinity})
+      for(const int axis : {0, 1, 2})
+      {
+        const Point p(axis == 0 ? bad : 1, axis == 1 ? bad : 1, axis == 2 ? bad : 1);
+        refuse(std::to_string(bad) + " on axis " + std::to_string(axis), with_point(quiet, 13, p),
+               {"vertex 13", "infinite or not a number"});
+      }
     refuse("not a number, isolated",
            with_point(to_mesh(Soup{std::vector<Point>(3), {}}), 1, Point(0, 0, not_a_number)),
            {"vertex 1", "infinite or not a number"});
     Mesh far_apart = to_mesh(scaled(in_one_place(flat_grid(5, 4)), -5e307));
     far_apart.point(Vertex(7)) = Point(1.5e308, 0, 0);
     refuse("a length beyond the largest number", far_apart, {"vertex 7", "does not fit a double"});
-    Random random(2);
-    refuse("lengths beyond it together", to_mesh(scaled(terrain(5, 4, random), 1e307)),
-           {"half of what a double holds"});
-    refuse("a quadrangle among triangles", with_quadrangle(), {"face 8", "not a triangle"});
+    refuse("lengths beyond it together", to_mesh(scaled(flat_grid(30, 30), 5e306)),
+           {"all edges", "half of what a double holds", "vertex"});
+  }
+
+  void refuse_connectivity()
+  {
+    const Mesh quiet = quiet_mesh();
+    const std::string no_cycle = "do not form one cycle";
+    refuse("a quadrangle among triangles", with_quadrangle(),
+           {"face 8", "not a triangle", "vertex 9"});
     refuse("a face with two sides", with_lune(), {"face 0", "not a triangle"});
-    refuse("a vertex with two fans", two_cycles(), {"vertex 4", "do not form one cycle"});
+    refuse("a vertex with two fans", two_cycles(), {"vertex 4", no_cycle});
+    refuse("a walk into a cycle", with_walk_into_a_cycle(),
+           {"face 16", "not linked to its halfedges in both directions"});
+    refuse("a face without a halfedge", with_face_without_halfedge(quiet),
+           {"face 7", "has no halfedge"});
+    refuse("a halfedge without a target", with_halfedge_without_target(quiet), {"no vertex"});
+    refuse("a one-way link", with_one_way_link(quiet),
+           {"face 7", "not linked to its halfedges in both directions"});
+    refuse("nothing before a halfedge", with_nothing_before_a_halfedge(), {"vertex 0", no_cycle});
+    refuse("a border in a face", with_border_in_a_face(),
+           {"the halfedge from vertex 1 to vertex 0", "go round it"});
+    refuse("a halfedge of another face", with_halfedge_of_another_face(),
+           {"face 1", "not a triangle"});
+    refuse("vertices that know no face", with_vertices_that_know_no_face(),
+           {"face 0", "is not one of those around vertex 0"});
+    refuse("a border in a detached face", with_border_in_a_detached_face(),
+           {"face 4", "is not one of those around vertex"});
   }
 };
 

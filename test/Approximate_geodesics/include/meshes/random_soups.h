@@ -89,6 +89,31 @@ inline std::vector<std::uint64_t> seeds_of_small_soups()
   return result;
 }
 
+// A larger one, of the kind that the seed says.
+inline Soup random_large_soup(const std::uint64_t seed)
+{
+  Random random(seed);
+  switch(seed % 5)
+  {
+  case 0:
+    return terrain(25, 20, random);
+  case 1:
+    return sphere(16, 11);
+  case 2:
+    return growing_strip(200, 1e-6, 1e6);
+  case 3:
+    return random_soup(80, 250, random);
+  default:
+    return with_holes(terrain(20, 15, random), 0.2, random);
+  }
+}
+
+inline std::vector<std::uint64_t> seeds_of_large_soups()
+{
+  const std::uint64_t first = test_seed();
+  return {first, first + 1, first + 2, first + 3, first + 4};
+}
+
 // Whether the area of a face is rounding, or little more: its height is the root of that.
 inline bool has_flat_faces(const Mesh& mesh)
 {

@@ -6,7 +6,7 @@
 #ifndef BENCHMARK_BOOST_DIJKSTRA_H
 #define BENCHMARK_BOOST_DIJKSTRA_H
 
-#include "Mesh.h"
+#include "meshes/Mesh.h"
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 

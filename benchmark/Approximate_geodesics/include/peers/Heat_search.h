@@ -6,7 +6,7 @@
 #ifndef BENCHMARK_HEAT_SEARCH_H
 #define BENCHMARK_HEAT_SEARCH_H
 
-#include "Mesh.h"
+#include "meshes/Mesh.h"
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 

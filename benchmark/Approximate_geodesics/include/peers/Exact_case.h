@@ -6,9 +6,9 @@
 #ifndef BENCHMARK_EXACT_CASE_H
 #define BENCHMARK_EXACT_CASE_H
 
-#include "Exact_search.h"
-#include "Mesh.h"
-#include "child_process.h"
+#include "measuring/child_process.h"
+#include "meshes/Mesh.h"
+#include "peers/Exact_search.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef BENCHMARK_PEERS_H
-#define BENCHMARK_PEERS_H
+#ifndef BENCHMARK_SEARCHES_OF_ARRAYS_H
+#define BENCHMARK_SEARCHES_OF_ARRAYS_H
 
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -109,4 +109,4 @@ private:
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
 };
 
-#endif // BENCHMARK_PEERS_H
+#endif // BENCHMARK_SEARCHES_OF_ARRAYS_H

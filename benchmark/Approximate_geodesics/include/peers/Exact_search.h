@@ -6,7 +6,7 @@
 #ifndef BENCHMARK_EXACT_SEARCH_H
 #define BENCHMARK_EXACT_SEARCH_H
 
-#include "Mesh.h"
+#include "meshes/Mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_shortest_path.h>

@@ -6,8 +6,8 @@
 #ifndef BENCHMARK_DENSE_REFERENCE_H
 #define BENCHMARK_DENSE_REFERENCE_H
 
-#include "Mesh.h"
-#include "Table.h"
+#include "meshes/Mesh.h"
+#include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
@@ -39,8 +39,9 @@ public:
       m_costs(m_sources.size() * mesh.number_of_vertices(), std::numeric_limits<double>::infinity())
   {
     namespace AG = CGAL::Approximate_geodesics;
-    lower_costs(AG::Steiner_graph(triangulation, AG::Fixed_number_of_points(NUMBER_OF_POINTS)));
-    lower_costs(AG::Steiner_graph(triangulation, AG::Geometric_points(EPSILON)));
+    lower_costs(AG::Steiner_graph<AG::Fixed_number_of_points>(
+        triangulation, AG::Fixed_number_of_points(NUMBER_OF_POINTS)));
+    lower_costs(AG::Steiner_graph<>(triangulation, AG::Geometric_points(EPSILON)));
   }
 
   static std::string description()

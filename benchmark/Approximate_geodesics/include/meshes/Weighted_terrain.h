@@ -6,10 +6,10 @@
 #ifndef BENCHMARK_WEIGHTED_TERRAIN_H
 #define BENCHMARK_WEIGHTED_TERRAIN_H
 
-#include "Mesh.h"
-#include "Options.h"
-#include "Terrain.h"
-#include "terrain_weights.h"
+#include "meshes/Mesh.h"
+#include "meshes/Terrain.h"
+#include "meshes/terrain_weights.h"
+#include "output/Options.h"
 
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>

@@ -6,10 +6,10 @@
 #ifndef BENCHMARK_STEINER_TRIAL_H
 #define BENCHMARK_STEINER_TRIAL_H
 
-#include "Errors.h"
-#include "Mesh.h"
-#include "Table.h"
-#include "measure.h"
+#include "measuring/Errors.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>

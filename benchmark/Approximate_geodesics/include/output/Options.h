@@ -6,7 +6,7 @@
 #ifndef BENCHMARK_OPTIONS_H
 #define BENCHMARK_OPTIONS_H
 
-#include "Table.h"
+#include "output/Table.h"
 
 #include <boost/program_options.hpp>
 

@@ -6,7 +6,7 @@
 #ifndef BENCHMARK_TERRAIN_WEIGHTS_H
 #define BENCHMARK_TERRAIN_WEIGHTS_H
 
-#include "Mesh.h"
+#include "meshes/Mesh.h"
 
 #include <cmath>
 #include <limits>
