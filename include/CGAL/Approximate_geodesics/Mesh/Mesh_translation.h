@@ -194,7 +194,7 @@ public:
   /// returns a point of the surface.
   Intrinsic_point intrinsic_point(const Surface_point<TriangleMesh>& point) const
   {
-    return std::visit([this](const auto& p) { return intrinsic_point(p); }, point);
+    return std::visit([this](const auto& p) { return this->intrinsic_point(p); }, point);
   }
 
   /// @}
