@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/thin_faces.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -292,6 +293,8 @@ private:
     Edge_lengths lengths = read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, m_result);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
+    if(!lengths.points.empty())
+      m_result.m_thin_faces = thin_faces(lengths.points, m_result);
   }
 
   void copy_weights()

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 #include <CGAL/Approximate_geodesics/Surface/Face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Opposite_ranks.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
@@ -52,13 +53,18 @@ class Triangulation_builder;
  * neither overflow nor vanish when squared, whatever the unit of the coordinates, and the
  * conversion to and from that unit is exact.
  *
+ * <b>Thin faces</b> have shapes that rounded lengths say too little of: caps, whose corners are
+ * nearly in line, and the angles of needles at their short edge. Where lengths are computed from
+ * coordinates, the shapes of faces that are thinner than about 1 to 64, or 1 to 1000 if it is a
+ * needle, are computed from these, too, with twice as many digits, and kept.
+ *
  * <b>Weights</b> say what a path costs per unit of length, face by face, and <b>barriers</b> are
  * edges that paths do not cross. A triangulation has them if they were given when it was made; of
  * the graphs, `Steiner_graph` supports them, and the others reject such a triangulation.
  *
  * An object of this class never changes after its construction, but for its weights if they are
  * exchanged, and may be used by several threads. It takes about 91 bytes per vertex on a closed
- * mesh, and 48 more if there are weights.
+ * mesh, 48 more if there are weights, and 36 per thin face.
  */
 class Intrinsic_triangulation
 {
@@ -191,7 +197,8 @@ public:
     return sizeof(Index) * (m_first_halfedge.capacity() + m_target.capacity() +
                             m_vertex_of_index.capacity() + m_index_of_vertex.capacity()) +
            sizeof(double) * (m_length.capacity() + m_weight.capacity()) +
-           (m_is_border.capacity() + m_is_barrier.capacity()) / 8 + m_opposite_rank.memory();
+           (m_is_border.capacity() + m_is_barrier.capacity()) / 8 + m_opposite_rank.memory() +
+           m_thin_faces.memory();
   }
 
   /// @}
@@ -346,6 +353,10 @@ public:
   /// returns the lengths of all halfedges, one after the other.
   const std::vector<double>& lengths() const { return m_length; }
 
+#ifndef DOXYGEN_RUNNING
+  const internal::Thin_faces& thin_faces() const { return m_thin_faces; }
+#endif
+
   /// asks for the arrays' entries at `h`, and the next few, which will be needed soon.
   void prefetch(const Index h) const
   {
@@ -390,6 +401,7 @@ private:
   std::vector<double> m_length;
   std::vector<bool> m_is_border;
   internal::Opposite_ranks m_opposite_rank;
+  internal::Thin_faces m_thin_faces;
   std::vector<double> m_weight;   // per halfedge, or empty
   std::vector<bool> m_is_barrier; // likewise
   std::vector<Index> m_vertex_of_index;

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Reads and checks the lengths of edges, which neither overflow nor underflow on the way: see the
@@ -57,10 +58,9 @@ private:
   double m_rest;
 };
 
-// the distance of two points, however small it is
-inline double accurate_distance(const Space_vector& p, const Space_vector& q)
+// the length of a vector, however small it is
+inline double accurate_length(const Space_vector& way)
 {
-  const Space_vector way = difference(p, q);
   const double squared = dot(way, way);
 
   constexpr double smallest_accurate = 1e-280; // below, a square may have lost bits to underflow
@@ -80,6 +80,7 @@ struct Edge_lengths
 {
   std::vector<double> of_halfedge;
   double unit = 1;
+  std::vector<Space_vector> points; // of vertices, in that unit; none if lengths were given
 };
 
 inline std::string name_of_edge(const Intrinsic_triangulation::Index h,
@@ -177,7 +178,9 @@ inline Edge_lengths straight_lengths(std::vector<Space_vector> points,
   result.of_halfedge.resize(triangulation.number_of_halfedges());
   for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-      result.of_halfedge[h] = accurate_distance(points[v], points[triangulation.target(h)]);
+      result.of_halfedge[h] =
+          accurate_length(difference(points[v], points[triangulation.target(h)]));
+  result.points = std::move(points);
   return result;
 }
 

@@ -9,10 +9,12 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -36,6 +38,22 @@ public:
       m_opening = (std::clamp)((c + difference) / longer * (c - difference) / shorter, 0., largest);
   }
 
+  // That at the source of `h` in the face to its left, whose lengths are given in the same order.
+  Corner(const Intrinsic_triangulation& triangulation,
+         const Intrinsic_triangulation::Index h,
+         const double a,
+         const double b,
+         const double c)
+    : Corner(a, b, c)
+  {
+    if(const std::optional<Thin_face> face = thin_face(triangulation, h, a, b, c))
+    {
+      const double cosine = face->at_corner[0] / a / b, sine = face->doubled_area / a / b;
+      const double opening = cosine > 0 ? 2 * sine * sine / (1 + cosine) : 2 - 2 * cosine;
+      m_opening = (std::min)(opening, largest);
+    }
+  }
+
   // The squared distance of points at the distances `x` and `y` from the corner.
   double squared_distance(const double x, const double y) const
   {
@@ -56,17 +74,6 @@ private:
   double m_opening = 0;
 };
 
-// The area of the triangle with these sides, by Kahan's arrangement of Heron's formula, which is
-// accurate for needles too (W. Kahan, Miscalculating area and angles of a needle-like triangle).
-inline double area_of_triangle(const double a, const double b, const double c)
-{
-  const double smaller = (std::min)(a, b), larger = (std::max)(a, b);
-  const double x = (std::max)(larger, c), z = (std::min)(smaller, c);
-  const double y = (std::max)(smaller, (std::min)(larger, c));
-  const double product = (x + (y + z)) * (z - (x - y)) * (z + (x - y)) * (x + (y - z));
-  return product > 0 ? std::sqrt(product) / 4 : 0; // rounded lengths can be too long for a triangle
-}
-
 // The unit vector at the angle between two sides of a triangle. At an edge of length zero the angle
 // is taken to be right, so that a line through the edge goes straight on.
 inline Plane_vector angle_between(const double a, const double b, const double opposite)
@@ -76,13 +83,25 @@ inline Plane_vector angle_between(const double a, const double b, const double o
   return {1 - Corner(a, b, opposite).opening() / 2, 2 * (area_of_triangle(a, b, opposite) / a) / b};
 }
 
-// The angle at the source of `h` in the face to its left.
+// The angle at the source of `h` in the face to its left. The lengths are those of the sides that
+// meet there, in any order, and of the opposite one.
+inline Plane_vector corner_angle(const Intrinsic_triangulation& triangulation,
+                                 const Intrinsic_triangulation::Index h,
+                                 const double a,
+                                 const double b,
+                                 const double opposite)
+{
+  if(const std::optional<Thin_face> face = thin_face(triangulation, h, a, b, opposite))
+    return {face->at_corner[0] / a / b, face->doubled_area / a / b};
+  return angle_between(a, b, opposite);
+}
+
 inline Plane_vector corner_angle(const Intrinsic_triangulation& triangulation,
                                  const Intrinsic_triangulation::Index h)
 {
   const auto g = triangulation.next(h);
-  return angle_between(triangulation.length(h), triangulation.length(triangulation.next(g)),
-                       triangulation.length(g));
+  return corner_angle(triangulation, h, triangulation.length(h),
+                      triangulation.length(triangulation.next(g)), triangulation.length(g));
 }
 
 } // namespace internal

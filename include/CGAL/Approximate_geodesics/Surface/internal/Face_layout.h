@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
@@ -43,9 +43,13 @@ public:
     const double c = lengths[base], a = lengths[(base + 1) % 3], b = lengths[(base + 2) % 3];
     m_corners[base] = {0, 0};
     m_corners[(base + 1) % 3] = {c, 0};
-    m_corners[(base + 2) % 3] =
-        c > 0 ? Plane_vector{0.5 * (c + (b - a) * ((b + a) / c)), 2 * area_of_triangle(a, b, c) / c}
-              : Plane_vector{0, 0};
+    if(const auto face = thin_face(triangulation, m_halfedges[base], a, b, c))
+      m_corners[(base + 2) % 3] = {face->at_corner[0] / c, face->doubled_area / c};
+    else if(c > 0)
+      m_corners[(base + 2) % 3] = {0.5 * (c + (b - a) * ((b + a) / c)),
+                                   2 * area_of_triangle(a, b, c) / c};
+    else
+      m_corners[(base + 2) % 3] = {0, 0};
   }
 
   // The halfedge from corner `i` to the next one.

@@ -85,21 +85,16 @@ distance(const Intrinsic_triangulation& triangulation, const Face_point& p, cons
   std::array<double, 3> step{};
   for(std::size_t i = 0; i < 3; ++i)
     step[i] = r.weight[i] - p.weight[i];
+  if(p.is_on_edge() && r.is_on_edge()) // there may be no face to the left
+    return std::abs(step[1]) * triangulation.length(p.halfedge);
   // Their sum is zero: two of them point away from the third vertex and toward it.
   std::size_t i = 0;
   while(i < 2 && step[(i + 1) % 3] * step[(i + 2) % 3] > 0)
     ++i;
-  std::array<double, 3> length{}; // of the edges that start from the vertices 0, 1, 2
-  length[0] = triangulation.length(p.halfedge);
-  length[1] = length[2] = length[0];
-  if(p.weight[2] != 0 || r.weight[2] != 0) // there may be no face to the left
-  {
-    const auto next = triangulation.next(p.halfedge);
-    length[1] = triangulation.length(next);
-    length[2] = triangulation.length(triangulation.next(next));
-  }
-  const double a = length[i], opposite = length[(i + 1) % 3], b = length[(i + 2) % 3];
-  return Corner(a, b, opposite)
+  const auto halfedges = triangulation.halfedges_of_face(p.halfedge);
+  const auto length = [&](const std::size_t j) { return triangulation.length(halfedges[j % 3]); };
+  const double a = length(i), opposite = length(i + 1), b = length(i + 2);
+  return Corner(triangulation, halfedges[i], a, b, opposite)
       .distance(std::abs(step[(i + 1) % 3]) * a, std::abs(step[(i + 2) % 3]) * b);
 }
 

@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <cstddef>
@@ -50,16 +50,10 @@ inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
   const auto left = triangulation.counterclockwise(source, h);
   const auto apex = triangulation.target(left);
   const auto right = triangulation.counterclockwise(apex, triangulation.opposite(left));
-  const double base = triangulation.length(h);
-  const double a = triangulation.length(left), b = triangulation.length(right);
-  Unfolded_face result{apex, triangulation.is_border(left) ? null_index : left,
-                       triangulation.is_border(right) ? null_index : right, 0, 0};
-  if(base > 0)
-  {
-    result.along = 0.5 + 0.5 * ((a - b) / base) * ((a + b) / base);
-    result.across = 2 * (area_of_triangle(base, a, b) / base) / base;
-  }
-  return result;
+  const Apex_position position =
+      apex_position(triangulation, h, triangulation.length(left), triangulation.length(right));
+  return {apex, triangulation.is_border(left) ? null_index : left,
+          triangulation.is_border(right) ? null_index : right, position.along, position.across};
 }
 
 /*

@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 
 #include <algorithm>
 #include <limits>
@@ -35,6 +35,8 @@ public:
       m_second(triangulation.length(triangulation.next(triangulation.next(h)))),
       m_area(area_of_triangle(m_first, m_opposite, m_second))
   {
+    if(const auto face = thin_face(triangulation, h, m_first, m_opposite, m_second))
+      m_area = face->doubled_area / 2;
   }
 
   // How far the points of an edge that starts at the corner are from the face's other two edges, in

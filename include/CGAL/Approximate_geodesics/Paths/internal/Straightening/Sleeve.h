@@ -158,7 +158,9 @@ private:
     const bool keeps_left = h != m_triangulation->opposite(right);
     const double length = m_triangulation->length(h);
     const double rest = m_triangulation->length(keeps_left ? right : left);
-    return {h, keeps_left, length, angle_between(gate.length, length, rest)};
+    const Index corner = keeps_left ? gate.halfedge : right;
+    return {h, keeps_left, length,
+            corner_angle(*m_triangulation, corner, gate.length, length, rest)};
   }
 
   const Intrinsic_triangulation* m_triangulation;

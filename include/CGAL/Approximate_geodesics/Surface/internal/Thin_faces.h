@@ -1,0 +1,107 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_THIN_FACES_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_THIN_FACES_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * What says all of the shape of a face, where the lengths of its sides do not: to be divided by two
+ * of these.
+ */
+struct Thin_face
+{
+  // for each corner, the scalar product of the two sides, as vectors that start there
+  std::array<double, 3> at_corner;
+  double doubled_area;
+};
+
+/*
+ * The shapes of a mesh's thin faces. A cap, whose corners are nearly in line, has a height that is
+ * as small as the rounding errors of its sides, or smaller; and at the short edge of a needle, the
+ * angles depend on the difference of the two long ones.
+ *
+ * A face takes 36 bytes. Few meshes have many, so they are in a sorted array.
+ */
+class Thin_faces
+{
+public:
+  using Index = std::uint32_t;
+  using Halfedges = std::array<Index, 3>; // of a face, one after the other
+
+  bool is_empty() const { return m_halfedge.empty(); }
+
+  // Whether the shape of a triangle with these sides is to be known better than they tell it. They
+  // have relative errors of about 3 * 2^-53. Where this is false, those of the height, and of the
+  // position of a corner seen from another one, are below 1e-12.
+  static bool is_thin(const double a, const double b, const double c)
+  {
+    constexpr double worst = 4096;        // times the error of a side
+    constexpr double smallest = 0x1p-900; // below, products may have lost bits to underflow
+    const double smaller = (std::min)(a, b), larger = (std::max)(a, b);
+    const double x = (std::max)(larger, c), z = (std::min)(smaller, c);
+    const double y = (std::max)(smaller, (std::min)(larger, c));
+    const double size = z * (x + (y + z));
+    // Heron's formula multiplies these differences, whose errors are those of the sides
+    return 2 * size > worst * ((z - (x - y)) * (z + (x - y))) && size > smallest;
+  }
+
+  // Adds the shape of the face with these halfedges, whose corners are their sources.
+  // \pre The first one has the smallest number, and a larger one than those of the faces before.
+  void add(const Halfedges& halfedges, const Thin_face& face)
+  {
+    m_halfedge.push_back(halfedges[0]);
+    m_face.push_back(face);
+  }
+
+  void shrink_to_fit()
+  {
+    m_halfedge.shrink_to_fit();
+    m_face.shrink_to_fit();
+  }
+
+  // The shape of the face with these halfedges, whose corners are their sources, if it is there.
+  std::optional<Thin_face> find(const Halfedges& halfedges) const
+  {
+    const auto first = std::min_element(halfedges.begin(), halfedges.end());
+    const auto found = std::lower_bound(m_halfedge.begin(), m_halfedge.end(), *first);
+    if(found == m_halfedge.end() || *found != *first)
+      return std::nullopt;
+    Thin_face result = m_face[static_cast<std::size_t>(found - m_halfedge.begin())];
+    std::rotate(result.at_corner.begin(),
+                result.at_corner.begin() + (halfedges.begin() - first + 3) % 3,
+                result.at_corner.end());
+    return result;
+  }
+
+  std::size_t number_of_faces() const { return m_face.size(); }
+
+  std::size_t memory() const
+  {
+    return m_halfedge.capacity() * sizeof(Index) + m_face.capacity() * sizeof(Thin_face);
+  }
+
+private:
+  std::vector<Index> m_halfedge; // of each face, the one with the smallest number
+  std::vector<Thin_face> m_face; // from that on
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_THIN_FACES_H
