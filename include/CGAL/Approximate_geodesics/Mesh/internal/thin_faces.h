@@ -67,19 +67,22 @@ inline Thin_face thin_face(const Space_vector& p, const Space_vector& q, const S
 inline Thin_faces thin_faces(const std::vector<Space_vector>& points,
                              const Intrinsic_triangulation& triangulation)
 {
+  using Index = Intrinsic_triangulation::Index;
+
   Thin_faces result;
-  for(Intrinsic_triangulation::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-  {
-    if(triangulation.is_border(h))
-      continue;
-    const Thin_faces::Halfedges sides = triangulation.halfedges_of_face(h);
-    if(h < sides[1] && h < sides[2] &&
-       Thin_faces::is_thin(triangulation.length(h), triangulation.length(sides[1]),
-                           triangulation.length(sides[2])))
-      result.add(sides,
-                 thin_face(points[triangulation.target(sides[2])], points[triangulation.target(h)],
-                           points[triangulation.target(sides[1])]));
-  }
+  for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+    {
+      const Index third = triangulation.counterclockwise(v, h); // seen from the other end
+      const Index target = triangulation.target(h), apex = triangulation.target(third);
+      if((target < v) | (apex < v) || triangulation.is_border(h)) // mostly another one is the first
+        continue;
+      const Thin_faces::Halfedges sides = triangulation.halfedges_of_face(h);
+      if(h < sides[1] && h < sides[2] &&
+         Thin_faces::is_thin(triangulation.length(h), triangulation.length(sides[1]),
+                             triangulation.length(third)))
+        result.add(sides, thin_face(points[v], points[target], points[apex]));
+    }
   result.shrink_to_fit();
   return result;
 }

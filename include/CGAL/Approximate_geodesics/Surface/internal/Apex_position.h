@@ -11,6 +11,8 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -35,16 +37,29 @@ inline double area_of_triangle(const double a, const double b, const double c)
 
 // What is known better of the face to the left of `h`, whose sides have lengths `a`, `b`, and `c`,
 // in any order. Its corners are the source and the target of `h`, and the third vertex.
+// \pre There is something that is known better of any face.
+BOOST_NOINLINE inline std::optional<Thin_face>
+find_thin_face(const Intrinsic_triangulation& triangulation,
+               const Intrinsic_triangulation::Index h,
+               const double a,
+               const double b,
+               const double c)
+{
+  if(!Thin_faces::is_thin(a, b, c))
+    return std::nullopt;
+  return triangulation.thin_faces().find(triangulation.halfedges_of_face(h));
+}
+
+// The same. Most meshes have no thin faces, and shall not pay for them.
 inline std::optional<Thin_face> thin_face(const Intrinsic_triangulation& triangulation,
                                           const Intrinsic_triangulation::Index h,
                                           const double a,
                                           const double b,
                                           const double c)
 {
-  const Thin_faces& faces = triangulation.thin_faces();
-  if(faces.is_empty() || !Thin_faces::is_thin(a, b, c))
+  if(triangulation.thin_faces().is_empty())
     return std::nullopt;
-  return faces.find(triangulation.halfedges_of_face(h));
+  return find_thin_face(triangulation, h, a, b, c);
 }
 
 /*

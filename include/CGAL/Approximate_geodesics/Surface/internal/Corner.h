@@ -38,20 +38,11 @@ public:
       m_opening = (std::clamp)((c + difference) / longer * (c - difference) / shorter, 0., largest);
   }
 
-  // That at the source of `h` in the face to its left, whose lengths are given in the same order.
-  Corner(const Intrinsic_triangulation& triangulation,
-         const Intrinsic_triangulation::Index h,
-         const double a,
-         const double b,
-         const double c)
-    : Corner(a, b, c)
+  // The same, if more is known.
+  Corner(const Thin_face& face, const double a, const double b)
   {
-    if(const std::optional<Thin_face> face = thin_face(triangulation, h, a, b, c))
-    {
-      const double cosine = face->at_corner[0] / a / b, sine = face->doubled_area / a / b;
-      const double opening = cosine > 0 ? 2 * sine * sine / (1 + cosine) : 2 - 2 * cosine;
-      m_opening = (std::min)(opening, largest);
-    }
+    const double cosine = face.at_corner[0] / a / b, sine = face.doubled_area / a / b;
+    m_opening = cosine > 0 ? 2 * sine * sine / (1 + cosine) : (std::min)(2 - 2 * cosine, largest);
   }
 
   // The squared distance of points at the distances `x` and `y` from the corner.
@@ -73,6 +64,19 @@ private:
 
   double m_opening = 0;
 };
+
+// The corner at the source of `h` in the face to its left. The lengths are those of the two sides
+// that meet there, in any order, and of the third edge.
+inline Corner corner_of_face(const Intrinsic_triangulation& triangulation,
+                             const Intrinsic_triangulation::Index h,
+                             const double a,
+                             const double b,
+                             const double c)
+{
+  if(const std::optional<Thin_face> face = thin_face(triangulation, h, a, b, c))
+    return Corner(*face, a, b);
+  return Corner(a, b, c);
+}
 
 // The unit vector at the angle between two sides of a triangle. At an edge of length zero the angle
 // is taken to be right, so that a line through the edge goes straight on.

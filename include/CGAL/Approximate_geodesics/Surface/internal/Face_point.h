@@ -94,7 +94,7 @@ distance(const Intrinsic_triangulation& triangulation, const Face_point& p, cons
   const auto halfedges = triangulation.halfedges_of_face(p.halfedge);
   const auto length = [&](const std::size_t j) { return triangulation.length(halfedges[j % 3]); };
   const double a = length(i), opposite = length(i + 1), b = length(i + 2);
-  return Corner(triangulation, halfedges[i], a, b, opposite)
+  return corner_of_face(triangulation, halfedges[i], a, b, opposite)
       .distance(std::abs(step[(i + 1) % 3]) * a, std::abs(step[(i + 2) % 3]) * b);
 }
 

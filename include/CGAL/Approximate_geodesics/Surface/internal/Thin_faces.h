@@ -35,7 +35,7 @@ struct Thin_face
  * as small as the rounding errors of its sides, or smaller; and at the short edge of a needle, the
  * angles depend on the difference of the two long ones.
  *
- * A face takes 36 bytes. Few meshes have many, so they are in a sorted array.
+ * A face takes 36 bytes, and if there is one, 128 halfedges take 4 more, to find it.
  */
 class Thin_faces
 {
@@ -64,12 +64,16 @@ public:
   // \pre The first one has the smallest number, and a larger one than those of the faces before.
   void add(const Halfedges& halfedges, const Thin_face& face)
   {
+    const std::size_t block = halfedges[0] / SIZE_OF_BLOCK;
+    while(m_first_of_block.size() <= block)
+      m_first_of_block.push_back(static_cast<Index>(m_halfedge.size()));
     m_halfedge.push_back(halfedges[0]);
     m_face.push_back(face);
   }
 
   void shrink_to_fit()
   {
+    m_first_of_block.shrink_to_fit();
     m_halfedge.shrink_to_fit();
     m_face.shrink_to_fit();
   }
@@ -78,8 +82,15 @@ public:
   std::optional<Thin_face> find(const Halfedges& halfedges) const
   {
     const auto first = std::min_element(halfedges.begin(), halfedges.end());
-    const auto found = std::lower_bound(m_halfedge.begin(), m_halfedge.end(), *first);
-    if(found == m_halfedge.end() || *found != *first)
+    const std::size_t block = *first / SIZE_OF_BLOCK;
+    if(block >= m_first_of_block.size())
+      return std::nullopt;
+    const auto beyond = block + 1 < m_first_of_block.size()
+                            ? m_halfedge.begin() + m_first_of_block[block + 1]
+                            : m_halfedge.end();
+    const auto found =
+        std::lower_bound(m_halfedge.begin() + m_first_of_block[block], beyond, *first);
+    if(found == beyond || *found != *first)
       return std::nullopt;
     Thin_face result = m_face[static_cast<std::size_t>(found - m_halfedge.begin())];
     std::rotate(result.at_corner.begin(),
@@ -92,12 +103,16 @@ public:
 
   std::size_t memory() const
   {
-    return m_halfedge.capacity() * sizeof(Index) + m_face.capacity() * sizeof(Thin_face);
+    return (m_first_of_block.capacity() + m_halfedge.capacity()) * sizeof(Index) +
+           m_face.capacity() * sizeof(Thin_face);
   }
 
 private:
-  std::vector<Index> m_halfedge; // of each face, the one with the smallest number
-  std::vector<Thin_face> m_face; // from that on
+  static constexpr Index SIZE_OF_BLOCK = 128; // so many halfedges
+
+  std::vector<Index> m_first_of_block; // the number of its first face
+  std::vector<Index> m_halfedge;       // of each face, the one with the smallest number
+  std::vector<Thin_face> m_face;       // from that on
 };
 
 } // namespace internal

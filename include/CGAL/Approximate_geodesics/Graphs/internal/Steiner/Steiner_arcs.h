@@ -132,7 +132,7 @@ private:
     const double x = m_triangulation.length(h);
     const double third = m_triangulation.length(m_triangulation.counterclockwise(v, h));
     // at the target of `h`
-    const Corner corner(m_triangulation, next, x, opposite.length(), third);
+    const Corner corner = corner_of_face(m_triangulation, next, x, opposite.length(), third);
     visit(opposite, {0, opposite.size()}, corner, x, m_triangulation.weight(h), f);
   }
 
@@ -283,7 +283,8 @@ private:
     const double length = m_triangulation.length(view.halfedge);
     const Row at_target = row(face[1], true), at_source = row(face[2], false);
 
-    const Corner corner(m_triangulation, face[1], length, at_target.length(), at_source.length());
+    const Corner corner =
+        corner_of_face(m_triangulation, face[1], length, at_target.length(), at_source.length());
     f(m_corners.at_corner(m_triangulation.target(face[1]), face[2]),
       weight * corner.distance(view.from_target, at_target.length()));
     if(at_target.size() > 0)
@@ -291,8 +292,8 @@ private:
             view.from_target, weight, f);
     if(at_source.size() > 0)
     {
-      const Corner other_corner(m_triangulation, face[0], length, at_source.length(),
-                                at_target.length());
+      const Corner other_corner =
+          corner_of_face(m_triangulation, face[0], length, at_source.length(), at_target.length());
       visit(at_source, worthwhile(at_source, other_corner, weight, view, true, labels),
             other_corner, view.from_source, weight, f);
     }
