@@ -140,6 +140,17 @@ TEST_F(Graph_file, is_refused_for_another_mesh)
   expect_refused(m_file, moved, "another mesh of the same size");
 }
 
+// Thin faces have other shapes if coordinates tell them.
+TEST(Graph_of_lengths, is_refused_for_coordinates)
+{
+  const Mesh mesh = to_mesh({{Point(0, 0, 0), Point(1, 0, 0), Point(0.5, 1e-6, 0)}, {{0, 1, 2}}});
+  const std::vector<double> lengths = edge_lengths(mesh);
+  const auto map = boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh));
+  const Discrete_geodesic_graph graph(Triangulation(mesh, CGAL::parameters::edge_length_map(map)),
+                                      epsilon(0.1));
+  expect_refused(saved(graph), mesh, "with lengths in place of coordinates");
+}
+
 TEST_F(Graph_file, says_when_it_cannot_be_written)
 {
   std::ostringstream out;

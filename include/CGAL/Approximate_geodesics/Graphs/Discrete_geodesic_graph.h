@@ -198,7 +198,8 @@ public:
   }
 
   /*!
-   * reads a graph from `in`, a binary stream, that was written for the same triangulation.
+   * reads a graph from `in`, a binary stream, that was written for the same triangulation: one of
+   * lengths is not the same as one of coordinates, if there are thin faces.
    *
    * \throws std::invalid_argument if the stream holds something else, is damaged or incomplete, or
    *         belongs to another triangulation. The message says which.

@@ -54,9 +54,10 @@ class Triangulation_builder;
  * conversion to and from that unit is exact.
  *
  * <b>Thin faces</b> have shapes that rounded lengths say too little of: caps, whose corners are
- * nearly in line, and the angles of needles at their short edge. Where lengths are computed from
- * coordinates, the shapes of faces that are thinner than about 1 to 64, or 1 to 1000 if it is a
- * needle, are computed from these, too, with twice as many digits, and kept.
+ * nearly in line, and needles, with one short edge. Where lengths are computed from coordinates,
+ * the shapes of caps that are more than about 64 times as long as high are computed from these,
+ * too, in twice the precision of a `double`, and kept; likewise of needles that are more than about
+ * 1000 times as long as wide.
  *
  * <b>Weights</b> say what a path costs per unit of length, face by face, and <b>barriers</b> are
  * edges that paths do not cross. A triangulation has them if they were given when it was made; of

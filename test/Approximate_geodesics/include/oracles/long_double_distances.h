@@ -214,9 +214,8 @@ private:
 // ----- what a `double` can know
 
 /*
- * How wrong a path can be since a `double` holds no more of the lengths of edges. This matters
- * where a face has two sides that are together hardly longer than the third: its height follows
- * from how much longer, and little of that may be left.
+ * How wrong a path can be since a `double` holds no more of the lengths of edges. Heights of faces
+ * add nothing to that, as they follow from coordinates where lengths say too little of them.
  */
 class Rounding_of_lengths
 {
@@ -238,11 +237,12 @@ public:
     Long result = 100 * Long(std::numeric_limits<double>::denorm_min());
     for(const Measured_face& f : m_faces)
       if(f.distance_to_box(p) <= length)
-        result += 4 * (f.error_of_height + ROUNDING * f.longest_side);
+        result += 4 * ROUNDING * f.longest_side;
     return result;
   }
 
-  // of all faces that have so little height that the other errors are nothing against this one
+  // of costs, where small ones vanish beside weights: of all faces whose height lengths say nothing
+  // of
   Long error_of_flat_faces() const
   {
     Long result = 0;

@@ -35,9 +35,8 @@ inline double area_of_triangle(const double a, const double b, const double c)
   return product > 0 ? std::sqrt(product) / 4 : 0; // rounded lengths can be too long for a triangle
 }
 
-// What is known better of the face to the left of `h`, whose sides have lengths `a`, `b`, and `c`,
-// in any order. Its corners are the source and the target of `h`, and the third vertex.
-// \pre There is something that is known better of any face.
+// Looks for the face to the left of `h`, whose sides have these lengths, among the thin ones. Not
+// inline, as most meshes have none, and loops with a call are faster than with all this.
 BOOST_NOINLINE inline std::optional<Thin_face>
 find_thin_face(const Intrinsic_triangulation& triangulation,
                const Intrinsic_triangulation::Index h,
@@ -50,7 +49,9 @@ find_thin_face(const Intrinsic_triangulation& triangulation,
   return triangulation.thin_faces().find(triangulation.halfedges_of_face(h));
 }
 
-// The same. Most meshes have no thin faces, and shall not pay for them.
+// The shape of the face to the left of `h`, whose sides have lengths `a`, `b`, and `c`, in any
+// order, if it is a thin one. Its corners are the source and the target of `h`, and the third
+// vertex.
 inline std::optional<Thin_face> thin_face(const Intrinsic_triangulation& triangulation,
                                           const Intrinsic_triangulation::Index h,
                                           const double a,

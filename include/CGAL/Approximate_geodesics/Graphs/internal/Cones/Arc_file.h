@@ -98,6 +98,8 @@ private:
     for(const double length : triangulation.lengths())
       result.add(length);
     result.add(triangulation.unit());
+    if(!triangulation.thin_faces().is_empty()) // without coordinates, arcs across them differ
+      result.add(static_cast<std::uint32_t>(triangulation.thin_faces().number_of_faces()));
     return result.value();
   }
 
@@ -114,7 +116,7 @@ private:
     check_size(reader, triangulation.number_of_faces(), "faces");
     if(reader.read<std::uint32_t>() != fingerprint(triangulation))
       reject("the file of the graph belongs to another mesh of the same size, or to the same one "
-             "with other lengths or indices");
+             "with other lengths or indices, or with lengths in place of coordinates");
   }
 
   // Paths are found by building arcs again, which has to be done in the same way.
