@@ -166,8 +166,8 @@ public:
     Points_by_face points = sorted(sources);
     const auto seeds = this->seeds(sources);
     const auto rule = rule_for_nodes(stop);
-    run_and_adopt(std::move(sources), std::move(points), stop.maximum_distance,
-                  [&] { m_search.run(seeds, rule, visitor); });
+    run_and_adopt(sources, std::move(points), stop.maximum_distance,
+                  [&] { run_search(sources, seeds, rule, visitor); });
   }
 
   /*!
@@ -190,12 +190,12 @@ public:
         (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
     const auto seeds = this->seeds(sources);
     const auto rule = rule_for_nodes({limit, {target}});
-    run_and_adopt(std::move(sources), std::move(points), maximum_distance, [&] {
-      if(positions.are_known())
-        m_search.run_toward(seeds, rule,
-                            internal::Euclidean_heuristic<Graph>(*m_graph, positions, target));
+    run_and_adopt(sources, std::move(points), maximum_distance, [&] {
+      if(positions.are_known() && is_goal_for_heuristic(target))
+        run_search_toward(sources, seeds, rule,
+                          internal::Euclidean_heuristic<Graph>(*m_graph, positions, target));
       else
-        m_search.run_toward(seeds, rule, internal::No_heuristic());
+        run_search_toward(sources, seeds, rule, internal::No_heuristic());
     });
   }
 
@@ -230,6 +230,8 @@ public:
     else
       m_graph->attach(point).for_each_node(
           [&](const Node node, const double length) { consider(node, length, result); });
+    if constexpr(internal::finds_lines<Graph>)
+      consider_lines(point, result);
     if(result.node != Search::null_node)
       result.source = m_search.source(result.node);
     const bool is_known =
@@ -263,12 +265,11 @@ public:
     result.points.push_back(point);
     const Source_point& source = m_sources[answer.source];
     if(answer.node == Search::null_node)
-      append_line(point, source.point, source.point, answer.last_length, result);
+      append_line(point, source.point, source.point, answer, result);
     else
     {
       if(!point.is_vertex())
-        append_line(point, answer.node, internal::position(*m_graph, answer.node),
-                    answer.last_length, result);
+        append_line(point, answer.node, internal::position(*m_graph, answer.node), answer, result);
       append_line_to_source(internal::append_tree_path(m_search, answer.node, result), source,
                             result);
     }
@@ -307,6 +308,87 @@ private:
       points.push_back(s.point);
     }
     return Points_by_face(m_graph->triangulation(), std::move(points));
+  }
+
+  // Where lines from a point that is not a vertex are found with the help of labels, all of these
+  // have to be final that are smaller than its distance.
+  static bool is_goal_for_heuristic(const Intrinsic_point& target)
+  {
+    return !internal::finds_lines<Graph> || target.is_vertex();
+  }
+
+  template <typename Visitor>
+  void run_search(const std::vector<Source_point>& sources,
+                  const std::vector<typename Search::Seed>& seeds,
+                  const typename Search::Stop_rule& rule,
+                  Visitor&& visitor)
+  {
+    if constexpr(internal::finds_lines<Graph>)
+      m_search.run(seeds, rule, visitor, lines_from(sources));
+    else
+      m_search.run(seeds, rule, visitor);
+  }
+
+  template <typename Heuristic>
+  void run_search_toward(const std::vector<Source_point>& sources,
+                         const std::vector<typename Search::Seed>& seeds,
+                         const typename Search::Stop_rule& rule,
+                         const Heuristic& heuristic)
+  {
+    if constexpr(internal::finds_lines<Graph>)
+      m_search.run_toward(seeds, rule, heuristic, lines_from(sources));
+    else
+      m_search.run_toward(seeds, rule, heuristic);
+  }
+
+  // Where a search with upper bounds starts: at vertices, and where lines from other points end.
+  auto lines_from(const std::vector<Source_point>& sources) const
+  {
+    return [this, &sources](const auto& labels, const auto& enter) {
+      const auto bound = [&](const Node node) { return labels.bound(node); };
+      for(std::size_t i = 0; i < sources.size(); ++i)
+      {
+        const auto& [point, distance] = sources[i];
+        if(point.is_vertex())
+          enter({point.vertex, distance, i}, typename Graph::Arrival());
+        else
+          m_graph->attach(point).for_each_line(
+              distance / m_graph->unit(), bound, Points_by_face(),
+              [&, d = distance](const Node node, const double length, const auto& arrival) {
+                enter({node, d + length * m_graph->unit(), i}, arrival);
+              },
+              [](std::size_t, double) {});
+      }
+    };
+  }
+
+  // What labels of nodes may be at most, if a path over them is to lead to a point at the given
+  // distance or a smaller one. Nodes that were not reached are farther away.
+  auto bound_before(const double distance) const
+  {
+    constexpr double rounding = 1e-12;
+    return [this, largest = distance * (1 + rounding)](const Node node) {
+      return (largest - (std::min)(largest, m_search.distance(node))) / m_graph->unit();
+    };
+  }
+
+  // Considers lines that leave the faces of the point, from other nodes and from sources.
+  void consider_lines(const Intrinsic_point& point, Answer& best) const
+  {
+    const double largest = (std::min)(best.distance, m_maximum_distance);
+    if(point.is_vertex() || std::isinf(largest))
+      return;
+    m_graph->attach(point).for_each_line(
+        0, bound_before(largest), m_points,
+        [&](const Node node, const double length, const auto&) { consider(node, length, best); },
+        [&](const std::size_t i, const double length) { consider_source(i, length, best); });
+  }
+
+  void consider_source(const std::size_t i, const double length, Answer& best) const
+  {
+    const double distance = m_sources[i].distance + length * m_graph->unit();
+    if(distance < best.distance)
+      best = {distance, i, Search::null_node, length};
   }
 
   // Results fit the sources, also if the run fails: input that the search refuses changes nothing;
@@ -402,15 +484,20 @@ private:
   // Appends the line from where the path has got to, to a node or point `to`, which is at `end`.
   template <typename End>
   void append_line(const Intrinsic_point& from,
-                   const End& to,
+                   [[maybe_unused]] const End& to,
                    const Intrinsic_point& end,
-                   const double length,
+                   const Answer& answer,
                    Path& path) const
   {
-    path.length +=
-        m_graph->attach(from).for_each_crossing(to, length, [&](const auto h, const double t) {
-          path.points.push_back(Intrinsic_point::on_edge(h, t));
-        });
+    const auto append_crossing = [&](const auto h, const double t) {
+      path.points.push_back(Intrinsic_point::on_edge(h, t));
+    };
+    if constexpr(internal::finds_lines<Graph>)
+      path.length += m_graph->attach(from).for_each_crossing(bound_before(answer.distance), end,
+                                                             answer.last_length, append_crossing);
+    else
+      path.length +=
+          m_graph->attach(from).for_each_crossing(to, answer.last_length, append_crossing);
     internal::append(end, m_graph->triangulation(), path);
   }
 
@@ -420,9 +507,12 @@ private:
     if(source.point.is_vertex())
       return;
     const double length = (m_search.distance(first) - source.distance) / m_graph->unit();
-    internal::append_backward(
-        [&](auto f) { return m_graph->attach(source.point).for_each_crossing(first, length, f); },
-        path);
+    if constexpr(internal::finds_lines<Graph>)
+      return internal::append_line_back(m_search, first, source.point, length, path);
+    else
+      internal::append_backward(
+          [&](auto f) { return m_graph->attach(source.point).for_each_crossing(first, length, f); },
+          path);
     internal::append(source.point, m_graph->triangulation(), path);
   }
 

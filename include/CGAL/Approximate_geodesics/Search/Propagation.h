@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Search/Propagation_rules.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Bounded_labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Goal.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Input_check.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
@@ -23,9 +24,11 @@
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/Approximate_geodesics/Search/internal/watches.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -61,6 +64,10 @@ namespace Approximate_geodesics {
  * queue knows. Between the first and the second loop, a watch may tell a visitor of nodes that have
  * become final, and may end the run: at targets, or if the visitor wishes. Then labels that are not
  * final are taken back.
+ *
+ * Some graphs find their arcs with the help of upper bounds of all distances. Then a first search,
+ * of the mesh's edges, finds these bounds; and if there is a goal, how far the second one has to
+ * go.
  *
  * With a heuristic, this is the A* algorithm [3]: the key of a node is its label plus a lower bound
  * of the distance from there to the goal.
@@ -172,7 +179,31 @@ public:
   {
     check(seeds, stop);
     forget();
-    search(seeds, stop, visitor, internal::No_heuristic());
+    search(seeds, stop, visitor, internal::No_heuristic(), internal::Same_seeds());
+  }
+
+  /*!
+   * runs from seeds that are found with the help of upper bounds.
+   *
+   * \param seeds where to start in order to find upper bounds
+   * \param stop when the run may end early
+   * \param visitor a model of `GeodesicVisitor` for vertices of type `Node`
+   * \param find_seeds called with the labels, which have bounds by then, and a function object that
+   *        it calls with each seed, and with how the path arrives there. They replace `seeds`.
+   *
+   * \pre The graph needs bounds: see `GeodesicGraph::edges()`.
+   *
+   * \throws std::invalid_argument as `run()` does.
+   */
+  template <typename Visitor, typename FindSeeds>
+  void run(const std::vector<Seed>& seeds,
+           const Stop_rule& stop,
+           Visitor&& visitor,
+           const FindSeeds& find_seeds)
+  {
+    check(seeds, stop);
+    forget();
+    search(seeds, stop, visitor, internal::No_heuristic(), find_seeds);
   }
 
   /// finds the distances from the nearest of the seeds to all nodes.
@@ -201,13 +232,23 @@ public:
   void
   run_toward(const std::vector<Seed>& seeds, const Stop_rule& stop, const AStarHeuristic& heuristic)
   {
+    run_toward(seeds, stop, heuristic, internal::Same_seeds());
+  }
+
+  /// does the same from seeds that are found with the help of upper bounds.
+  template <typename AStarHeuristic, typename FindSeeds>
+  void run_toward(const std::vector<Seed>& seeds,
+                  const Stop_rule& stop,
+                  const AStarHeuristic& heuristic,
+                  const FindSeeds& find_seeds)
+  {
     check(seeds, stop);
     forget();
-    search(seeds, stop, Geodesic_visitor_base(), heuristic);
+    search(seeds, stop, Geodesic_visitor_base(), heuristic, find_seeds);
     if(reopens_too_often())
     {
       forget();
-      search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic());
+      search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_seeds);
     }
   }
 
@@ -224,7 +265,8 @@ public:
   {
     check(seeds, Stop_rule());
     m_sources.forget(m_labels);
-    search(seeds, Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic());
+    search(seeds, Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic(),
+           internal::Same_seeds());
   }
 
   /// enables or disables statistics for subsequent runs, which they slow down slightly.
@@ -246,7 +288,8 @@ public:
   bool is_final(const double distance) const
   {
     // the next smaller number, as a distance may have been rounded up to this one
-    return !m_ended_early || m_queue.is_final(to_graph_unit(std::nextafter(distance, 0.)));
+    const double in_graph_unit = to_graph_unit(std::nextafter(distance, 0.));
+    return in_graph_unit <= m_limit && (!m_ended_early || m_queue.is_final(in_graph_unit));
   }
 
   /// returns whether `node` was reached.
@@ -258,6 +301,10 @@ public:
   {
     return is_reached(node) ? m_labels.predecessor(node) : null_node;
   }
+
+  /// returns how the path to `node` arrives there, if the graph needs bounds: the `Arrival` that it
+  /// has reported. \pre `node` was reached.
+  const auto& arrival(const Node node) const { return m_labels.arrival(node); }
 
   /*!
    * returns the index of the source nearest to `node`, or `null_source` if `node` was not reached.
@@ -289,8 +336,7 @@ public:
   std::size_t memory() const
   {
     return m_labels.memory() + m_queue.memory() + m_sources.memory() +
-           m_seeds.capacity() * sizeof(Seed) +
-           m_candidates.capacity() * sizeof(internal::Candidate);
+           m_seeds.capacity() * sizeof(Seed) + m_candidates.capacity() * sizeof(Candidate);
   }
 
 private:
@@ -299,9 +345,8 @@ private:
   void
   propagate(const Stop_rule& stop, Watch watch, const Heuristic& heuristic, const Counter& counter)
   {
-    internal::Batch_relaxation<Graph, Queue, Heuristic, Counter> batch(
-        *m_graph, m_queue, m_labels, m_candidates, heuristic, to_graph_unit(stop.maximum_distance),
-        counter);
+    internal::Batch_relaxation<Graph, Queue, Labels, Heuristic, Counter> batch(
+        *m_graph, m_queue, m_labels, m_candidates, heuristic, largest_label(stop), counter);
     while(!m_queue.is_empty() && !(internal::is_heuristic<Heuristic> && reopens_too_often()))
     {
       batch.extract();
@@ -340,15 +385,76 @@ private:
     return m_labels.order().size() / most_expansions_per_node > m_graph->number_of_nodes();
   }
 
-  template <typename Visitor, typename Heuristic>
+  // Searches the edges for upper bounds, and for how far the goal can be.
+  template <typename Heuristic>
+  void
+  find_bounds(const std::vector<Seed>& seeds, const Stop_rule& stop, const Heuristic& heuristic)
+  {
+    const std::size_t size_of_order = m_labels.order().size();
+    const auto number_of_seeds = static_cast<std::ptrdiff_t>(m_seeds.size());
+    for(const Seed& seed : seeds)
+      enter(seed, stop, heuristic);
+    std::vector<internal::Candidate> candidates;
+    const auto& edges = m_graph->edges();
+    internal::Batch_relaxation<std::decay_t<decltype(edges)>, Queue, internal::Labels, Heuristic,
+                               internal::No_counter>
+        batch(edges, m_queue, m_labels, candidates, heuristic, largest_label(stop),
+              internal::No_counter());
+    internal::Goal_watch watch(m_labels, goal(stop, heuristic));
+    bool is_wanted = true;
+    while(is_wanted && !m_queue.is_empty())
+    {
+      batch.extract();
+      is_wanted = watch.go_further(batch.size());
+      if(!is_wanted)
+        break;
+      batch.find_candidates();
+      batch.lower_labels();
+    }
+    m_queue.for_each_node([this](const Node node) { m_labels.order().push_back(node); });
+    m_limit = distance_of_goal(stop) * (1 + rounding);
+    m_labels.turn_into_bounds(size_of_order, largest_label(stop), heuristic);
+    m_queue.clear();
+    m_seeds.erase(m_seeds.begin() + number_of_seeds, m_seeds.end());
+  }
+
+  // The smallest upper bound of the distances of all targets and points; infinity if there are
+  // none.
+  double distance_of_goal(const Stop_rule& stop) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double result = stop.targets.empty() && stop.points.empty() ? infinity : 0;
+    for(const Node target : stop.targets)
+      result = (std::max)(result, m_labels.distance(target));
+    for(const std::vector<Last_arc>& arcs : stop.points)
+    {
+      double shortest = infinity;
+      for(const Last_arc& arc : arcs)
+        shortest = (std::min)(shortest, m_labels.distance(arc.node) + to_graph_unit(arc.length));
+      result = (std::max)(result, shortest);
+    }
+    return result;
+  }
+
+  // in units of the graph
+  double largest_label(const Stop_rule& stop) const
+  {
+    return (std::min)(m_limit, to_graph_unit(stop.maximum_distance));
+  }
+
+  template <typename Visitor, typename Heuristic, typename FindSeeds>
   void search(const std::vector<Seed>& seeds,
               const Stop_rule& stop,
               Visitor&& visitor,
-              const Heuristic& heuristic)
+              const Heuristic& heuristic,
+              const FindSeeds& find_seeds)
   {
     try
     {
-      prepare(seeds, stop, heuristic);
+      prepare();
+      if constexpr(internal::needs_bounds<Graph>)
+        find_bounds(seeds, stop, heuristic);
+      enter_all(seeds, stop, heuristic, find_seeds);
       if(m_counts)
         count_and_propagate(stop, visitor, heuristic);
       else if(!internal::is_idle_visitor<Visitor>)
@@ -369,23 +475,45 @@ private:
     }
   }
 
-  template <typename Heuristic>
-  void prepare(const std::vector<Seed>& seeds, const Stop_rule& stop, const Heuristic& heuristic)
+  void prepare()
   {
     m_queue.clear();
     m_statistics = Propagation_statistics();
     m_ended_early = false;
-    const double limit = to_graph_unit(stop.maximum_distance);
-    for(Seed seed : seeds)
-    {
-      seed.distance = to_graph_unit(seed.distance);
-      m_seeds.push_back(seed);
-      if(seed.distance < m_labels.distance(seed.node) && seed.distance <= limit)
-      {
-        m_labels.set(seed.node, seed.distance, null_node);
-        m_queue.push(seed.node, seed.distance + heuristic(seed.node));
-      }
-    }
+    m_limit = std::numeric_limits<double>::infinity();
+  }
+
+  // Returns whether the seed is the best of its node so far.
+  template <typename Heuristic>
+  bool enter(Seed seed, const Stop_rule& stop, const Heuristic& heuristic)
+  {
+    seed.distance = to_graph_unit(seed.distance);
+    m_seeds.push_back(seed);
+    if(!(seed.distance < m_labels.distance(seed.node) && seed.distance <= largest_label(stop)))
+      return false;
+    m_labels.set(seed.node, seed.distance, null_node);
+    if constexpr(internal::needs_bounds<Graph>)
+      m_labels.set_arrival(seed.node, {});
+    m_queue.push(seed.node, seed.distance + heuristic(seed.node));
+    return true;
+  }
+
+  template <typename Heuristic, typename FindSeeds>
+  void enter_all(const std::vector<Seed>& seeds,
+                 const Stop_rule& stop,
+                 const Heuristic& heuristic,
+                 [[maybe_unused]] const FindSeeds& find_seeds)
+  {
+    if constexpr(std::is_same_v<FindSeeds, internal::Same_seeds>)
+      for(const Seed& seed : seeds)
+        enter(seed, stop, heuristic);
+    else
+      find_seeds(
+          internal::Limited_labels<Labels, Heuristic>(m_labels, largest_label(stop), heuristic),
+          [&](const Seed& seed, const auto& arrival) {
+            if(enter(seed, stop, heuristic))
+              m_labels.set_arrival(seed.node, arrival);
+          });
   }
 
   template <typename Heuristic>
@@ -431,15 +559,21 @@ private:
     internal::Input_check(m_graph->number_of_nodes(), m_graph->unit()).check(seeds, stop);
   }
 
+  using Labels = internal::Labels_of<Graph>;
+  using Candidate = internal::Candidate_of<Graph>;
+
+  static constexpr double rounding = 1e-12; // of sums of lengths
+
   const Graph* m_graph;
-  internal::Labels m_labels;
+  Labels m_labels;
   Queue m_queue;
-  std::vector<internal::Candidate> m_candidates; // memory for a batch
-  mutable internal::Nearest_sources m_sources;   // found when first asked for
-  std::vector<Seed> m_seeds;                     // of the last run, distances in units of the graph
+  std::vector<Candidate> m_candidates;         // memory for a batch
+  mutable internal::Nearest_sources m_sources; // found when first asked for
+  std::vector<Seed> m_seeds;                   // of the last run, distances in units of the graph
   Propagation_statistics m_statistics;
   bool m_counts = false;
   bool m_ended_early = false;
+  double m_limit = std::numeric_limits<double>::infinity(); // of labels, in units of the graph
 };
 
 } // namespace Approximate_geodesics

@@ -37,6 +37,13 @@ template <typename SurfaceGraph>
 constexpr bool has_crossing_arcs =
     !boost::detected_or_t<std::false_type, Arcs_are_edges, SurfaceGraph>::value;
 
+template <typename Graph>
+using Arrival_at_node = typename Graph::Arrival;
+
+// Whether a graph finds its arcs with the help of upper bounds, and knows how paths arrive.
+template <typename SurfaceGraph>
+constexpr bool finds_lines = boost::is_detected_v<Arrival_at_node, SurfaceGraph>;
+
 // Whether a graph has nodes that are not vertices, and tells where they are.
 template <typename SurfaceGraph>
 constexpr bool has_positions =
@@ -82,7 +89,7 @@ struct Check_surface_graph
       boost::is_detected_convertible_v<const Intrinsic_triangulation&, Triangulation, Graph>,
       "A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation() "
       "const`.");
-  static_assert(!has_crossing_arcs<Graph> ||
+  static_assert(!has_crossing_arcs<Graph> || finds_lines<Graph> ||
                     boost::is_detected_convertible_v<double, Crossing, Graph>,
                 "A model of SurfaceGraph must have `double for_each_crossing(Node source, Node "
                 "target, double length, F f) const`, unless `arcs_are_edges` is `true`.");
@@ -103,20 +110,6 @@ struct Check_surface_graph
 
   static constexpr bool is_done = true;
 };
-
-// Calls `f(h, t)` for the edges that an arc crosses. Returns its length before it was rounded.
-template <typename SurfaceGraph, typename F>
-double for_each_crossing(const SurfaceGraph& graph,
-                         const typename SurfaceGraph::Node source,
-                         const typename SurfaceGraph::Node target,
-                         const double length,
-                         F f)
-{
-  if constexpr(has_crossing_arcs<SurfaceGraph>)
-    return graph.for_each_crossing(source, target, length, f);
-  else
-    return length;
-}
 
 } // namespace internal
 } // namespace Approximate_geodesics

@@ -50,6 +50,42 @@ void append_backward(ForEachCrossing for_each_crossing, Path& path)
   std::reverse(path.points.begin() + beyond, path.points.end());
 }
 
+// Appends the line of the given length that arrives at `node`, from there back to `end`.
+template <typename Search>
+void append_line_back(const Search& search,
+                      const typename Search::Node node,
+                      const Intrinsic_point& end,
+                      const double length,
+                      Path& path)
+{
+  path.length += search.graph().for_each_crossing_back(
+      node, search.arrival(node), end, length, [&](const Intrinsic_point::Index h, const double t) {
+        path.points.push_back(Intrinsic_point::on_edge(h, t));
+      });
+  append(end, search.graph().triangulation(), path);
+}
+
+// Appends the arc that a search has found from `previous` to `node`, in the opposite direction.
+template <typename Search>
+void append_arc_back(const Search& search,
+                     const typename Search::Node node,
+                     const typename Search::Node previous,
+                     Path& path)
+{
+  using Graph = typename Search::Graph;
+  const Graph& graph = search.graph();
+  const double length = (search.distance(node) - search.distance(previous)) / graph.unit();
+  const Intrinsic_point end = position(graph, previous);
+  if constexpr(finds_lines<Graph>)
+    return append_line_back(search, node, end, length, path);
+  else if constexpr(has_crossing_arcs<Graph>)
+    append_backward([&](auto f) { return graph.for_each_crossing(previous, node, length, f); },
+                    path);
+  else
+    path.length += length;
+  append(end, graph.triangulation(), path);
+}
+
 // Appends what follows `node` on the path back to where the search has started. Returns the node
 // there.
 template <typename Search>
@@ -58,11 +94,7 @@ typename Search::Node append_tree_path(const Search& search, typename Search::No
   for(auto previous = search.predecessor(node); previous != Search::null_node;
       previous = search.predecessor(node))
   {
-    const double length =
-        (search.distance(node) - search.distance(previous)) / search.graph().unit();
-    append_backward(
-        [&](auto f) { return for_each_crossing(search.graph(), previous, node, length, f); }, path);
-    append(position(search.graph(), previous), search.graph().triangulation(), path);
+    append_arc_back(search, node, previous, path);
     node = previous;
   }
   return node;

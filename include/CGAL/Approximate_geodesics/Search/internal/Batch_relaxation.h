@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Search/internal/Bounded_labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/heuristics.h>
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -30,15 +32,38 @@ struct Candidate
   Labels::Node predecessor;
 };
 
+// The same with how the path arrives.
+template <typename Arrival>
+struct Arriving_candidate : Candidate
+{
+  Arrival arrival;
+};
+
+template <typename Graph, typename = void>
+struct Candidate_for
+{
+  using type = Candidate;
+};
+
+template <typename Graph>
+struct Candidate_for<Graph, std::enable_if_t<needs_bounds<Graph>>>
+{
+  using type = Arriving_candidate<typename Graph::Arrival>;
+};
+
+template <typename Graph>
+using Candidate_of = typename Candidate_for<Graph>::type;
+
 /*
  * The three loops that a search works through a batch of entries in. They are described where the
  * algorithm is, in `Propagation.h`. In the first and the second one, no branch depends on a
  * distance.
  */
-template <typename Graph, typename Queue, typename Heuristic, typename Counter>
+template <typename Graph, typename Queue, typename Labels, typename Heuristic, typename Counter>
 class Batch_relaxation
 {
-  using Node = Labels::Node;
+  using Node = internal::Labels::Node;
+  using Candidate = Candidate_of<Graph>;
 
 public:
   // `candidates` is memory to work in, and `limit` the largest distance, in units of the graph.
@@ -101,7 +126,12 @@ public:
       const Node node = order[i];
       const double distance = distances[node];
       Candidate* end = end_of_candidates();
-      m_graph.for_each_arc(node, m_labels, Arc_visitor{*this, distances, distance, node, end});
+      const Arc_visitor visitor{*this, distances, distance, node, end};
+      if constexpr(needs_bounds<Graph>)
+        m_graph.for_each_arc(
+            node, Limited_labels<Labels, Heuristic>(m_labels, m_limit, m_heuristic), visitor);
+      else
+        m_graph.for_each_arc(node, m_labels, visitor);
       m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
       if constexpr(needs_expansion_history<Graph>)
         m_labels.set_expanded(node);
@@ -120,6 +150,8 @@ public:
       {
         m_counter.on_improvement();
         m_labels.set(c.node, c.distance, c.predecessor);
+        if constexpr(needs_bounds<Graph>)
+          m_labels.set_arrival(c.node, c.arrival);
         m_queue.push(c.node, key(c));
       }
     }
@@ -134,6 +166,15 @@ private:
       if constexpr(!has_maximum_degree<Graph>)
         end = batch.with_room_at(end);
       end = append(end, target, length);
+    }
+
+    // an arc that arrives in a certain way
+    template <typename Arrival>
+    void operator()(const Node target, const double length, const Arrival& arrival) const
+    {
+      Candidate* const position = batch.with_room_at(end);
+      end = append(position, target, length);
+      position->arrival = arrival;
     }
 
     // arcs to consecutive nodes
@@ -155,7 +196,7 @@ private:
     {
       batch.m_counter.on_relaxation();
       CGAL_assertion(position < batch.m_candidates.data() + batch.m_candidates.size());
-      *position = {distance + length, target, node};
+      static_cast<internal::Candidate&>(*position) = {distance + length, target, node};
       return position + static_cast<std::ptrdiff_t>(position->distance < distances[target]);
     }
 

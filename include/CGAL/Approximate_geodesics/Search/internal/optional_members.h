@@ -34,6 +34,9 @@ using Prefetch =
 template <typename Graph>
 using Needs_expansion_history = std::bool_constant<Graph::needs_expansion_history>;
 
+template <typename Graph>
+using Arrival_at_node = typename Graph::Arrival;
+
 template <typename Queue>
 using Statistics = decltype(std::declval<const Queue&>().statistics());
 
@@ -50,6 +53,10 @@ constexpr bool has_prefetch = boost::is_detected_v<Prefetch, Graph>;
 template <typename Graph>
 constexpr bool needs_expansion_history =
     boost::detected_or_t<std::false_type, Needs_expansion_history, Graph>::value;
+
+// Whether a graph finds its arcs with the help of upper bounds.
+template <typename Graph>
+constexpr bool needs_bounds = boost::is_detected_v<Arrival_at_node, Graph>;
 
 // Whether a queue counts comparisons.
 template <typename Queue>

@@ -1,0 +1,205 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_SADDLE_VERTEX_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_SADDLE_VERTEX_GRAPH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Line_tracer.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsGraphs
+ *
+ * The graph whose shortest paths are the shortest ones on the surface: distances and paths are
+ * exact, up to rounding.
+ *
+ * A shortest path bends only at vertices whose angles add up to more than \f$2\pi\f$, saddle
+ * vertices, and at border vertices \cgalCite{cgal:mmp-dgp-87}; between them it is straight across
+ * unfolded faces. So the arcs of this graph \cgalCite{ywh-svg-13} are all straight lines from such
+ * vertices to others. They are not stored, but found when a node is expanded, and most of them are
+ * never looked for: upper bounds of all distances, which a search along edges finds first, tell
+ * that they are of no use. See the user manual for the algorithm and why it loses no vertex.
+ *
+ * Take it in place of \cgal's `Surface_mesh_shortest_path`, where a bound is not enough, or in
+ * order to measure errors. A search takes two to four times as long as one of
+ * `Lazy_discrete_geodesic_graph` does with the bound `0.1`, and on smooth surfaces the time per
+ * vertex grows with the square root of their number.
+ *
+ * An object of this class never changes after its construction and may be used by several threads.
+ *
+ * \cgalModels{SurfaceGraph}
+ */
+class Saddle_vertex_graph
+{
+public:
+  /// the number of a node; that of the vertex it stands for.
+  using Node = Intrinsic_triangulation::Index;
+
+  /// how a path arrives at a node: the edge that it has crossed last, and its direction.
+  using Arrival = internal::Arrival;
+
+  /// \name Creation
+  /// @{
+
+  /// the graph of an empty mesh.
+  Saddle_vertex_graph() : Saddle_vertex_graph(Intrinsic_triangulation()) {}
+
+  /*!
+   * prepares the graph of `triangulation`. It has no parameters; the named ones are looked at only
+   * to refuse those that it cannot give.
+   *
+   * \throws std::invalid_argument if a face breaks the triangle inequality, or if `triangulation`
+   *         has weights or barriers.
+   *
+   * Run time and memory are \cgalBigO{n}: 241 bytes per vertex, in addition to the triangulation.
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Saddle_vertex_graph(Intrinsic_triangulation triangulation,
+                               const NamedParameters& np = parameters::default_values())
+    : m_edges(checked(std::move(triangulation), np)),
+      m_steps(m_edges.triangulation()),
+      m_bends(m_edges.triangulation(), m_steps)
+  {
+  }
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the triangulation that the graph was built on.
+  const Intrinsic_triangulation& triangulation() const { return m_edges.triangulation(); }
+
+  /// returns the bound that holds in the graph: `0`.
+  double epsilon() const { return 0; }
+
+  /// returns the number of nodes.
+  std::size_t number_of_nodes() const { return m_edges.number_of_nodes(); }
+
+  /// returns the unit of lengths, that of the triangulation.
+  double unit() const { return m_edges.unit(); }
+
+  /// returns a summary of the lengths of the mesh's edges. Arcs can be longer.
+  const Arc_lengths& arc_lengths() const { return m_edges.arc_lengths(); }
+
+  /// returns the graph of the mesh's edges, which gives upper bounds of all distances.
+  const Edge_graph& edges() const { return m_edges; }
+
+  /*!
+   * calls `f(target, length, arrival)` for arcs that may be of use to a search with these labels.
+   *
+   * \tparam Labels the type of the labels of a search that knows upper bounds: see `GeodesicGraph`
+   */
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    Arc_visitor<Labels, F> visitor{{}, labels, f};
+    internal::Sight_expansion<Arc_visitor<Labels, F>> expansion(m_steps, m_bends,
+                                                                labels.distance(node), visitor);
+    internal::Vertex_sights(triangulation(), m_steps, m_bends)
+        .for_each(
+            node, labels.arrival(node),
+            [&](const Node h) {
+              f(triangulation().target(h), triangulation().length(h), Arrival::along(h));
+            },
+            [&](const internal::Sight& sight, const Node left_end, const Node right_end) {
+              expansion.look(sight, left_end, right_end);
+            });
+  }
+
+  /*!
+   * calls `f(h, t)` for every edge that the line of the given length crosses on its way back from
+   * `node`, where it arrives as `arrival` says, to `end`: at the point that is at the part `t` of
+   * the way from the source to the target of the halfedge `h`. Returns the length of the line.
+   * \pre A search has found this line.
+   */
+  template <typename F>
+  double for_each_crossing_back(const Node node,
+                                const Arrival& arrival,
+                                const Intrinsic_point& end,
+                                const double length,
+                                F f) const
+  {
+    return internal::Line_tracer(triangulation(), m_steps, m_bends)
+        .for_each_crossing(node, arrival, end, length, f);
+  }
+
+  /// attaches a point of the surface by straight lines: those in its faces if no labels are known,
+  /// and else all that are of use.
+  internal::Lines_of_sight attach(const Intrinsic_point& point) const
+  {
+    return {triangulation(), m_steps, m_bends, point};
+  }
+
+  /// prefetches what it takes to find the first arcs of `node`.
+  void prefetch(const Node node) const { m_edges.prefetch(node); }
+
+  /// returns the number of bytes that the graph takes, its triangulation included.
+  std::size_t memory() const { return m_edges.memory() + m_steps.memory() + m_bends.memory(); }
+
+  /// returns whether the triangulation is valid.
+  bool is_valid() const { return m_edges.is_valid(); }
+
+  /// @}
+
+private:
+  template <typename Labels, typename F>
+  struct Arc_visitor : internal::Sight_visitor_base
+  {
+    static constexpr bool knows_arrivals = true;
+
+    double bound(const Node v) const { return labels.bound(v); }
+    double label(const Node v) const { return labels.distance(v); }
+    const Arrival& arrival(const Node v) const { return labels.arrival(v); }
+
+    void on_vertex(const Node v,
+                   const double distance,
+                   const internal::Sight& sight,
+                   const internal::Plane_vector apex,
+                   const internal::Plane_vector left_edge)
+    {
+      f(v, distance, Arrival::across(sight.halfedge, apex, left_edge));
+    }
+
+    const Labels& labels;
+    F& f;
+  };
+
+  template <typename NamedParameters>
+  static Intrinsic_triangulation checked(Intrinsic_triangulation triangulation,
+                                         const NamedParameters& np)
+  {
+    internal::reject_weights(triangulation, np, "Saddle_vertex_graph");
+    return triangulation;
+  }
+
+  Edge_graph m_edges;
+  internal::Face_steps m_steps;
+  internal::Bends m_bends;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_SADDLE_VERTEX_GRAPH_H

@@ -1,0 +1,111 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_BENDS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_BENDS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Vertex_fan.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * Whether shortest paths can bend at a vertex: at saddle vertices, whose angles add up to more than
+ * 2 pi, and at border vertices; and where they cannot, whether the surface is flat there.
+ *
+ * A vertex at which a path bends for no reason costs time, and changes no distance. So a vertex
+ * counts as one if a face without area, or an edge without length, leaves doubts about its angle;
+ * and at such vertices, paths may bend by any angle.
+ */
+enum class Bend : std::uint8_t
+{
+  NONE,
+  NONE_AS_FLAT,
+  SADDLE,
+  SADDLE_AND_FLAT,
+  BORDER,
+  ANY
+};
+
+class Bends
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // What angles of faces that are not too thin may be wrong by.
+  static constexpr double ROUNDING = 1e-11;
+  static constexpr double FLAT = 1e-9;
+
+  Bends(const Intrinsic_triangulation& triangulation, const Face_steps& steps)
+  {
+    m_bends.reserve(triangulation.number_of_vertices());
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+      m_bends.push_back(bend(triangulation, steps, v));
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if(steps[h].has_face() && is_degenerate(triangulation, steps, h))
+        m_bends[steps[h].apex] = Bend::ANY;
+  }
+
+  Bend operator[](const Index v) const { return m_bends[v]; }
+
+  bool is_possible(const Index v) const { return m_bends[v] >= Bend::SADDLE; }
+
+  bool is_flat(const Index v) const
+  {
+    return m_bends[v] == Bend::NONE_AS_FLAT || m_bends[v] == Bend::SADDLE_AND_FLAT;
+  }
+
+  std::size_t memory() const { return m_bends.capacity() * sizeof(Bend); }
+
+private:
+  static bool is_degenerate(const Intrinsic_triangulation& triangulation,
+                            const Face_steps& steps,
+                            const Index h)
+  {
+    const Face_step& step = steps[h];
+    const bool has_area = step.across > 0 && step.across < 1e200 && std::abs(step.along) < 1e200;
+    const Index next = triangulation.next(h);
+    return !has_area || !(triangulation.length(h) > Sight::SHORTEST_EDGE) ||
+           !(triangulation.length(next) > Sight::SHORTEST_EDGE) ||
+           !(triangulation.length(triangulation.next(next)) > Sight::SHORTEST_EDGE);
+  }
+
+  static Bend
+  bend(const Intrinsic_triangulation& triangulation, const Face_steps& steps, const Index v)
+  {
+    Angle_sum sum;
+    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+    {
+      if(!steps[h].has_face())
+        return Bend::BORDER;
+      sum.add(unit_corner(steps[h]));
+    }
+    const double excess = sum.value() - 2 * straight_angle;
+    const bool is_flat = std::abs(excess) <= FLAT;
+    if(excess > ROUNDING)
+      return is_flat ? Bend::SADDLE_AND_FLAT : Bend::SADDLE;
+    return is_flat ? Bend::NONE_AS_FLAT : Bend::NONE;
+  }
+
+  std::vector<Bend> m_bends; // per vertex
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_BENDS_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_FACE_STEPS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_FACE_STEPS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * What it takes to go on across the face to the left of a halfedge whose edge is laid out: not as
+ * two points, but as one point and the vector to the other. Vectors of the edges ahead follow from
+ * that vector alone, by a rotation and a scaling. So each keeps its direction to the last bits,
+ * however far away it is and however short; the difference of two points would not.
+ */
+struct Face_step
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  Index apex;  // the third vertex, or null_index if the halfedge is a border halfedge
+  Index left;  // the halfedge from the source to the apex, or null_index if there is no face beyond
+  Index right; // likewise, the one from the apex to the target
+  double along, beyond, across; // as in `Apex_position`
+
+  bool has_face() const { return apex != Intrinsic_triangulation::null_index; }
+
+  Plane_vector left_edge(const Plane_vector edge) const
+  {
+    return {along * edge.x - across * edge.y, along * edge.y + across * edge.x};
+  }
+
+  Plane_vector right_edge(const Plane_vector edge) const
+  {
+    return {beyond * edge.x + across * edge.y, beyond * edge.y - across * edge.x};
+  }
+};
+
+inline Face_step face_step(const Intrinsic_triangulation& triangulation,
+                           const Intrinsic_triangulation::Index source,
+                           const Intrinsic_triangulation::Index h)
+{
+  constexpr auto null_index = Intrinsic_triangulation::null_index;
+  if(triangulation.is_border(h))
+    return {null_index, null_index, null_index, 0, 0, 0};
+
+  const auto left = triangulation.counterclockwise(source, h);
+  const auto apex = triangulation.target(left);
+  const auto right = triangulation.counterclockwise(apex, triangulation.opposite(left));
+  const Apex_position position = apex_position(triangulation, source, h);
+  return {apex,
+          triangulation.is_border(left) ? null_index : left,
+          triangulation.is_border(right) ? null_index : right,
+          position.along,
+          position.beyond,
+          position.across};
+}
+
+// The angle at the source of a halfedge in the face to its left, as a unit vector. At an edge of
+// length zero it is taken to be right.
+inline Plane_vector unit_corner(const Face_step& step)
+{
+  const Plane_vector corner{step.along, step.across};
+  const double l = length(corner);
+  return l > 0 && l < 1e300 ? 1 / l * corner : Plane_vector{0, 1};
+}
+
+// Those of all halfedges.
+class Face_steps
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // Throws if a face breaks the triangle inequality.
+  explicit Face_steps(const Intrinsic_triangulation& triangulation)
+    : m_steps(triangulation.number_of_halfedges())
+  {
+    bool is_suspicious = false;
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+      for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+      {
+        m_steps[h] = face_step(triangulation, v, h);
+        is_suspicious = is_suspicious || !(m_steps[h].across > 0);
+      }
+    if(is_suspicious) // an impossible face has got no area
+      triangulation.check_triangle_inequality();
+  }
+
+  const Face_step& operator[](const Index h) const { return m_steps[h]; }
+
+  std::size_t memory() const { return m_steps.capacity() * sizeof(Face_step); }
+
+private:
+  std::vector<Face_step> m_steps;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_FACE_STEPS_H

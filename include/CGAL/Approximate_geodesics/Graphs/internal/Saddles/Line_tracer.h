@@ -1,0 +1,151 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_LINE_TRACER_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_LINE_TRACER_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_trail.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Where a point is that a sight sees in the face ahead. Calls `f(position)`.
+template <typename F>
+void for_each_position(const Intrinsic_triangulation& triangulation,
+                       const Intrinsic_point& point,
+                       const Sight& sight,
+                       const Plane_vector apex,
+                       F f)
+{
+  for_each_face_point(triangulation, point, sight.halfedge, [&](const Face_point& p) {
+    const Plane_vector position = p.seen_from(triangulation, sight.halfedge)
+                                      .position({sight.left, sight.left + sight.edge, apex});
+    const double distance = length(position);
+    if(cross(sight.left_ray.direction, position) <= sight.left_ray.margin * distance &&
+       cross(position, sight.right_ray.direction) <= sight.right_ray.margin * distance)
+      f(position);
+  });
+}
+
+/*
+ * Follows a line back from the vertex where it arrives to the point that it has come from. Its
+ * length is known, and its direction nearly so; there are hardly any vertices so close to it that
+ * the search has to look on both sides of them.
+ */
+class Line_tracer
+{
+  using Index = Intrinsic_triangulation::Index;
+
+public:
+  Line_tracer(const Intrinsic_triangulation& triangulation,
+              const Face_steps& steps,
+              const Bends& bends)
+    : m_triangulation(triangulation), m_steps(steps), m_bends(bends)
+  {
+  }
+
+  // Calls `f(h, t)` for the halfedges that the line crosses on its way from the vertex to `end`, at
+  // the part `t` of the way from source to target. Returns its length.
+  template <typename F>
+  double for_each_crossing(const Index vertex,
+                           const Arrival& arrival,
+                           const Intrinsic_point& end,
+                           const double length,
+                           F f) const
+  {
+    Sought_line line{length};
+    Lines_in_faces(m_triangulation, end).for_each_node([&](const Index v, const double l) {
+      if(v == vertex && !end.is_vertex())
+        line.consider(l, {0, 0}, {}, {});
+    });
+    for(double angle = 4 * Arrival::ROUNDING; angle < 1 && !line.is_found(); angle *= 1000)
+      look_back(vertex, arrival, angle, end, line);
+    line.for_each_crossing(m_steps, f);
+    return length;
+  }
+
+private:
+  struct Visitor : Sight_visitor_base
+  {
+    static constexpr bool wants_sights = true;
+    static constexpr bool wants_faces = true;
+
+    double bound(Index /* v */) const { return largest_length; }
+
+    void on_sight(const Sight& sight) { trail.record(sight); }
+
+    void on_vertex(const Index v,
+                   const double distance,
+                   const Sight& /* sight */,
+                   const Plane_vector apex,
+                   const Plane_vector /* left_edge */)
+    {
+      if(v == end.vertex)
+        line.consider(distance, apex, first, trail.halfedges());
+    }
+
+    void on_face(const Sight& sight, const Plane_vector apex)
+    {
+      if(!end.is_vertex())
+        for_each_position(triangulation, end, sight, apex, [&](const Plane_vector position) {
+          line.consider(length(position), position, first, trail.halfedges());
+        });
+    }
+
+    const Intrinsic_triangulation& triangulation;
+    const Intrinsic_point& end;
+    double largest_length;
+    Sought_line& line;
+    Sight first;
+    Sight_trail trail;
+  };
+
+  void look_back(const Index vertex,
+                 const Arrival& arrival,
+                 const double angle,
+                 const Intrinsic_point& end,
+                 Sought_line& line) const
+  {
+    constexpr double slack = 1e-6;
+    Visitor visitor{{}, m_triangulation, end, line.length * (1 + slack), line, {}, {}};
+    Sight_expansion<Visitor> expansion(m_steps, m_bends, 0, visitor);
+    Vertex_sights(m_triangulation, m_steps, m_bends)
+        .for_each_back(
+            vertex, arrival, angle,
+            [&](const Index h) {
+              if(m_triangulation.target(h) == end.vertex)
+                line.consider(m_triangulation.length(h), {0, 0}, {}, {});
+            },
+            [&](const Sight& sight, const Index left_end, const Index right_end) {
+              visitor.first = sight;
+              expansion.look(sight, left_end, right_end);
+            });
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Face_steps& m_steps;
+  const Bends& m_bends;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_LINE_TRACER_H

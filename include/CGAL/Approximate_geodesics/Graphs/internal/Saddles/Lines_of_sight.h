@@ -1,0 +1,243 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_LINES_OF_SIGHT_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_LINES_OF_SIGHT_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Line_tracer.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_trail.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_layout.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The straight lines from a point that is not a vertex. Without labels, they are those in its
+ * faces; those across other faces are found with the help of upper bounds, as those from vertices.
+ */
+class Lines_of_sight : public Lines_in_faces
+{
+  using Index = Intrinsic_triangulation::Index;
+
+public:
+  using Lines_in_faces::for_each_crossing;
+
+  Lines_of_sight(const Intrinsic_triangulation& triangulation,
+                 const Face_steps& steps,
+                 const Bends& bends,
+                 const Intrinsic_point& point)
+    : Lines_in_faces(triangulation, point), m_steps(steps), m_bends(bends)
+  {
+  }
+
+  /*
+   * Calls `on_node(v, length, arrival)` for lines to vertices, and `on_point(i, length)` for lines
+   * to `points`: for those of use to paths that start with the label `label` here, and that are no
+   * longer than `bound(v)` at each vertex `v` that they could be reached over.
+   */
+  template <typename Bound, typename OnNode, typename OnPoint>
+  void for_each_line(const double label,
+                     const Bound& bound,
+                     const Points_by_face& points,
+                     OnNode on_node,
+                     OnPoint on_point) const
+  {
+    for_each_corner(on_node);
+    Lines_in_faces::for_each_point(points, on_point);
+    Visitor<Bound, OnNode, OnPoint> visitor{{}, triangulation(), bound, points, on_node, on_point};
+    Sight_expansion<decltype(visitor)> expansion(m_steps, m_bends, label, visitor);
+    for_each_sight([&](const Sight& sight) {
+      expansion.look(sight, triangulation().source(sight.halfedge),
+                     triangulation().target(sight.halfedge));
+    });
+  }
+
+  /*
+   * Calls `f(h, t)` for the edges that the line of the given length to `end` crosses. Returns its
+   * length. For each vertex, `bound(v)` is as for `for_each_line()`.
+   */
+  template <typename Bound, typename F>
+  double
+  for_each_crossing(const Bound& bound, const Intrinsic_point& end, const double length, F f) const
+  {
+    Sought_line line{length};
+    consider_lines_in_faces(end, line);
+    Tracing_visitor<Bound> visitor{{}, triangulation(), bound, end, line, {}, {}};
+    Sight_expansion<Tracing_visitor<Bound>> expansion(m_steps, m_bends, 0, visitor);
+    if(!line.is_found())
+      for_each_sight([&](const Sight& sight) {
+        visitor.first = sight;
+        expansion.look(sight, triangulation().source(sight.halfedge),
+                       triangulation().target(sight.halfedge));
+      });
+    line.for_each_crossing(m_steps, f);
+    return length;
+  }
+
+private:
+  template <typename Bound, typename OnNode, typename OnPoint>
+  struct Visitor : Sight_visitor_base
+  {
+    static constexpr bool wants_faces = true;
+
+    double bound(const Index v) const { return bounds(v); }
+
+    void on_vertex(const Index v,
+                   const double distance,
+                   const Sight& sight,
+                   const Plane_vector apex,
+                   const Plane_vector left_edge)
+    {
+      on_node(v, distance, Arrival::across(sight.halfedge, apex, left_edge));
+    }
+
+    void on_face(const Sight& sight, const Plane_vector apex)
+    {
+      points.for_each_in_face(sight.halfedge, [&](const std::size_t i) {
+        for_each_position(triangulation, points[i], sight, apex,
+                          [&](const Plane_vector position) { on_point(i, length(position)); });
+      });
+    }
+
+    const Intrinsic_triangulation& triangulation;
+    const Bound& bounds;
+    const Points_by_face& points;
+    OnNode& on_node;
+    OnPoint& on_point;
+  };
+
+  template <typename Bound>
+  struct Tracing_visitor : Sight_visitor_base
+  {
+    static constexpr bool wants_sights = true;
+    static constexpr bool wants_faces = true;
+
+    double bound(const Index v) const { return bounds(v); }
+
+    void on_sight(const Sight& sight) { trail.record(sight); }
+
+    void on_vertex(const Index v,
+                   const double distance,
+                   const Sight& /* sight */,
+                   const Plane_vector apex,
+                   const Plane_vector /* left_edge */)
+    {
+      if(v == end.vertex)
+        line.consider(distance, apex, first, trail.halfedges());
+    }
+
+    void on_face(const Sight& sight, const Plane_vector apex)
+    {
+      if(!end.is_vertex())
+        for_each_position(triangulation, end, sight, apex, [&](const Plane_vector position) {
+          line.consider(length(position), position, first, trail.halfedges());
+        });
+    }
+
+    const Intrinsic_triangulation& triangulation;
+    const Bound& bounds;
+    const Intrinsic_point& end;
+    Sought_line& line;
+    Sight first;
+    Sight_trail trail;
+  };
+
+  void consider_lines_in_faces(const Intrinsic_point& end, Sought_line& line) const
+  {
+    const auto consider = [&](const double length) { line.consider(length, {0, 0}, {}, {}); };
+    if(end.is_vertex())
+      Lines_in_faces::for_each_node([&](const Index v, const double length) {
+        if(v == end.vertex)
+          consider(length);
+      });
+    else
+      Lines_in_faces::for_each_point(Points_by_face(triangulation(), {end}),
+                                     [&](std::size_t, const double length) { consider(length); });
+  }
+
+  // The corners of the faces that the point lies in.
+  template <typename OnNode>
+  void for_each_corner(OnNode& on_node) const
+  {
+    for_each_side([&](const Index side, const Plane_vector start, const Plane_vector end) {
+      const Index opposite = triangulation().next(side); // of the corner that `side` starts from
+      on_node(triangulation().source(side), length(start),
+              Arrival::across(opposite, start, start - end));
+    });
+  }
+
+  // What is seen through the sides of these faces that one can look out of.
+  template <typename F>
+  void for_each_sight(F f) const
+  {
+    for_each_side([&](const Index side, const Plane_vector start, const Plane_vector end) {
+      const Index outside = triangulation().opposite(side);
+      if(triangulation().is_border(outside) || point().is_on_edge_of(side, triangulation()))
+        return;
+      const Sight sight = this->sight(outside, end, start);
+      if(sight.left_distance > 0 && sight.right_distance > 0)
+        f(sight);
+    });
+  }
+
+  // Calls `f(side, start, end)` for the sides of the faces, laid out around the point.
+  template <typename F>
+  void for_each_side(F f) const
+  {
+    point().for_each_face(triangulation(), [&](const Index h) {
+      for(const Index side : triangulation().halfedges_of_face(h))
+      {
+        const Face_layout layout(triangulation(), side);
+        layout.for_each_position(point(), [&](const Plane_vector p) {
+          f(side, layout.corner(0) - p, layout.corner(1) - p);
+        });
+      }
+    });
+  }
+
+  static Sight sight(const Index halfedge, Plane_vector left, Plane_vector right)
+  {
+    if(!(cross(right, left) > 0)) // the face has no area, and the point may be between its corners
+    {
+      const double sign = dot(right, left) < 0 ? -1 : 1;
+      left = {sign * length(left), 0};
+      right = {length(right), 0};
+    }
+    Sight result;
+    result.halfedge = halfedge;
+    result.left = left;
+    result.edge = right - left;
+    result.left_distance = length(left);
+    result.right_distance = length(right);
+    result.left_ray = Sight_ray(left, result.left_distance);
+    result.right_ray = Sight_ray(right, result.right_distance);
+    return result;
+  }
+
+  const Face_steps& m_steps;
+  const Bends& m_bends;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_LINES_OF_SIGHT_H

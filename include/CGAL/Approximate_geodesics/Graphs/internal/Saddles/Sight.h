@@ -1,0 +1,99 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SIGHT_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SIGHT_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// What closes a sight on one side: the direction of a vertex, or the boundary of a sector.
+struct Sight_ray
+{
+  // Vertices at smaller angles from a ray are on it. The way to one of them over the vertex on the
+  // ray is longer than the straight line by the square of this at most, which is nothing.
+  static constexpr double TOLERANCE = 1e-9;
+
+  Plane_vector direction;
+  double margin; // the length of the direction, times the tolerance
+
+  Sight_ray() = default;
+  Sight_ray(const Plane_vector d, const double length_of_d)
+    : direction(d), margin(TOLERANCE * length_of_d)
+  {
+  }
+};
+
+/*
+ * What is seen from a tip through an edge, between two rays; the tip is the origin of a plane that
+ * all faces on the way are unfolded into.
+ */
+struct Sight
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  // What sums of lengths may be wrong by, as a part of them.
+  static constexpr double ROUNDING = 1e-12;
+
+  // Edges shorter than this, in units of the triangulation, have no direction.
+  static constexpr double SHORTEST_EDGE = 1e-100;
+
+  Index halfedge;                       // that of the edge whose face lies ahead, to its left
+  Index checkpoint;                     // one of the halfedges on the way
+  std::uint32_t depth;                  // the number of faces on the way
+  Plane_vector left;                    // the position of the source of the halfedge
+  Plane_vector edge;                    // from there to its target
+  double left_distance, right_distance; // of source and target
+  double left_bound, right_bound;       // of their labels, and a bit more, for rounding
+  Sight_ray left_ray, right_ray;
+
+  /*
+   * Whether all that is seen can be reached on a shorter way, over an end of the edge. With s the
+   * label of the tip, and y a point of the edge between its ends a and b, the way through y is
+   * longer than that over a, by
+   *   s + |y| - (bound(a) + |ay|)  >=  s + |b| - (bound(a) + |ab|),
+   * as |y| - |ay| is smallest at b. If the two are equal, both ways stay. Through an edge without
+   * length, nothing is seen: paths may bend at its ends.
+   */
+  bool is_useless(const double label_of_tip) const
+  {
+    constexpr double factor = 1 + ROUNDING;
+    const double excess =
+        label_of_tip + (std::max)(right_distance - left_bound, left_distance - right_bound);
+    const double squared_length = dot(edge, edge);
+    return (excess > 0 && excess * excess > factor * squared_length) ||
+           !(squared_length > SHORTEST_EDGE * SHORTEST_EDGE);
+  }
+
+  // A shortest path meets a face only once. Straight lines may do so often, where they wind round a
+  // spike. To notice that they have come round again, they remember one halfedge that they met, a
+  // later one each time that the way is twice as long, as Brent does to find a cycle (R. P. Brent,
+  // An improved Monte Carlo factorization algorithm, 1980).
+  bool is_back()
+  {
+    if(halfedge == checkpoint)
+      return true;
+    if((depth & (depth + 1)) == 0)
+      checkpoint = halfedge;
+    ++depth;
+    return false;
+  }
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SIGHT_H

@@ -1,0 +1,208 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SIGHT_EXPANSION_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SIGHT_EXPANSION_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+#include <boost/container/small_vector.hpp>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// What visitors of sights have in common: they are not told of faces, nor of sights.
+struct Sight_visitor_base
+{
+  static constexpr bool knows_arrivals = false;
+  static constexpr bool wants_sights = false;
+  static constexpr bool wants_faces = false;
+};
+
+/*
+ * Follows straight lines from a tip, and tells a visitor which vertices they lead to, with what is
+ * needed of those: lines that end farther than bounds of the labels allow are given up.
+ *
+ * The visitor has
+ * - `bound(v)`: a number that no shortest path to `v` is longer than, or of no interest if it is;
+ * - `on_vertex(v, distance, sight, apex, left_edge)`: called for vertices that the tip may be the
+ *   last one before, when `sight` sees them in the face ahead;
+ * - `label(v)` and `arrival(v)`, if it knows the lengths of real paths, and how they arrive; the
+ *   latter is asked for where the former is finite;
+ * - `on_sight(sight)` and `on_face(sight, apex)`, if it wants to be told.
+ */
+template <typename Visitor>
+class Sight_expansion
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Stack = boost::container::small_vector<Sight, 32>;
+
+  static constexpr Index null_index = Intrinsic_triangulation::null_index;
+  static constexpr double rounding = Sight::ROUNDING;
+
+public:
+  Sight_expansion(const Face_steps& steps,
+                  const Bends& bends,
+                  const double label_of_tip,
+                  Visitor& visitor)
+    : m_steps(steps), m_bends(bends), m_label_of_tip(label_of_tip), m_visitor(visitor)
+  {
+  }
+
+  // Looks through an edge, of whose sight the bounds are found here.
+  void look(Sight sight, const Index left_end, const Index right_end)
+  {
+    sight.checkpoint = null_index;
+    sight.depth = 0;
+    sight.left_bound = bound(left_end);
+    sight.right_bound = bound(right_end);
+    bool is_open = !sight.is_useless(m_label_of_tip);
+    while(is_open || pop(sight))
+      is_open = advance(sight);
+  }
+
+private:
+  double bound(const Index v) const { return m_visitor.bound(v) * (1 + rounding); }
+
+  bool pop(Sight& sight)
+  {
+    if(m_stack.empty())
+      return false;
+    sight = m_stack.back();
+    m_stack.pop_back();
+    return true;
+  }
+
+  // Takes `sight` across the face ahead of it; a second part of it goes onto the stack. Returns
+  // whether there is something to be seen.
+  bool advance(Sight& sight)
+  {
+    const Face_step& step = m_steps[sight.halfedge];
+    if constexpr(Visitor::wants_sights)
+      m_visitor.on_sight(sight);
+    if(sight.is_back())
+      return false;
+    const Plane_vector left_edge = step.left_edge(sight.edge);
+    const Plane_vector apex = sight.left + left_edge;
+    const double distance = length(apex), bound = this->bound(step.apex);
+    if constexpr(Visitor::wants_faces)
+      m_visitor.on_face(sight, apex);
+    const double beyond_left = cross(sight.left_ray.direction, apex);
+    const double beyond_right = cross(apex, sight.right_ray.direction);
+    const double left_margin = sight.left_ray.margin * distance;
+    const double right_margin = sight.right_ray.margin * distance;
+
+    if(beyond_left <= left_margin && beyond_right <= right_margin &&
+       m_label_of_tip + distance <= bound)
+      m_visitor.on_vertex(step.apex, distance, sight, apex, left_edge);
+    if(beyond_left > 0 || (beyond_left > -left_margin && m_bends.is_flat(step.apex)))
+      return go_right(sight, step, apex, distance, bound);
+    if(beyond_right > 0 || (beyond_right > -right_margin && m_bends.is_flat(step.apex)))
+      return go_left(sight, step, left_edge, distance, bound);
+    const int side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
+    return split(sight, step, apex, left_edge, distance, bound, side);
+  }
+
+  /*
+   * Where a shorter path is known to the apex that has crossed the same edge, one of the two parts
+   * of a sight is useless: "one angle, one split" (J. Chen, Y. Han, Shortest paths on a polyhedron,
+   * 1990). Where that path comes from farther right, seen from the apex, it crosses all lines from
+   * the tip to points on the right of the apex, and makes them shorter from there on. Returns a
+   * positive number if only the right part is of use, a negative one for the left part, and else 0.
+   */
+  int useful_side(const Sight& sight,
+                  const Face_step& step,
+                  const Plane_vector apex,
+                  const Plane_vector left_edge,
+                  const double label_of_apex) const
+  {
+    if constexpr(Visitor::knows_arrivals)
+      if(label_of_apex > m_visitor.label(step.apex) * (1 + rounding))
+      {
+        const Arrival& other = m_visitor.arrival(step.apex);
+        if(other.halfedge == sight.halfedge && !other.is_along_halfedge())
+        {
+          const double way = Arrival::across(sight.halfedge, apex, left_edge).direction;
+          return int(way > other.direction + Arrival::ROUNDING) -
+                 int(way < other.direction - Arrival::ROUNDING);
+        }
+      }
+    return 0;
+  }
+
+  // The edge between the apex and the right end.
+  bool go_right(Sight& sight,
+                const Face_step& step,
+                const Plane_vector apex,
+                const double distance,
+                const double bound) const
+  {
+    sight.halfedge = step.right;
+    sight.left = apex;
+    sight.edge = step.right_edge(sight.edge);
+    sight.left_distance = distance;
+    sight.left_bound = bound;
+    return step.right != Intrinsic_triangulation::null_index && !sight.is_useless(m_label_of_tip);
+  }
+
+  bool go_left(Sight& sight,
+               const Face_step& step,
+               const Plane_vector left_edge,
+               const double distance,
+               const double bound) const
+  {
+    sight.halfedge = step.left;
+    sight.edge = left_edge;
+    sight.right_distance = distance;
+    sight.right_bound = bound;
+    return step.left != Intrinsic_triangulation::null_index && !sight.is_useless(m_label_of_tip);
+  }
+
+  bool split(Sight& sight,
+             const Face_step& step,
+             const Plane_vector apex,
+             const Plane_vector left_edge,
+             const double distance,
+             const double bound,
+             const int useful_side)
+  {
+    const Sight_ray between(apex, distance);
+    if(useful_side > 0)
+    {
+      sight.left_ray = between;
+      return go_right(sight, step, apex, distance, bound);
+    }
+    if(useful_side == 0)
+    {
+      m_stack.push_back(sight);
+      Sight& right = m_stack.back();
+      right.left_ray = between;
+      if(!go_right(right, step, apex, distance, bound))
+        m_stack.pop_back();
+    }
+    sight.right_ray = between;
+    return go_left(sight, step, left_edge, distance, bound);
+  }
+
+  const Face_steps& m_steps;
+  const Bends& m_bends;
+  const double m_label_of_tip;
+  Visitor& m_visitor;
+  Stack m_stack;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SIGHT_EXPANSION_H

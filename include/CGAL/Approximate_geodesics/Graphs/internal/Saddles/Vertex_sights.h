@@ -1,0 +1,144 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_VERTEX_SIGHTS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_VERTEX_SIGHTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bend_sectors.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * What is seen from a vertex by those who arrive there on a given line: edges, and sights across
+ * the faces around.
+ */
+class Vertex_sights
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Boundary = Bend_sectors::Boundary;
+
+public:
+  Vertex_sights(const Intrinsic_triangulation& triangulation,
+                const Face_steps& steps,
+                const Bends& bends)
+    : m_triangulation(triangulation), m_steps(steps), m_bends(bends)
+  {
+  }
+
+  // Calls `on_edge(h)` for edges, and `on_sight(sight, left_end, right_end)`.
+  template <typename OnEdge, typename OnSight>
+  void for_each(const Index v, const Arrival& arrival, OnEdge on_edge, OnSight on_sight) const
+  {
+    const Index first = m_triangulation.first_halfedge(v),
+                beyond = m_triangulation.beyond_halfedge(v);
+    if(arrival.is_none() || m_bends[v] == Bend::ANY)
+    {
+      for(Index h = first; h < beyond; ++h)
+      {
+        on_edge(h);
+        open(h, Plane_vector{1, 0}, unit_corner(m_steps[h]), on_sight);
+      }
+      return;
+    }
+    if(!m_bends.is_possible(v))
+      return;
+    const Bend_sectors sectors(m_triangulation, m_steps, v);
+    const Boundary right = sectors.right_boundary(arrival), left = sectors.left_boundary(arrival);
+    if(right.exists())
+      open_sector(v, right, left, on_edge, on_sight);
+    if(left.exists() && m_bends[v] == Bend::BORDER)
+      open_sector(v, {first_after_border(v)}, left, on_edge, on_sight);
+  }
+
+  // The same for those who look back along the line, give or take an angle.
+  template <typename OnEdge, typename OnSight>
+  void for_each_back(const Index v,
+                     const Arrival& arrival,
+                     const double angle,
+                     OnEdge on_edge,
+                     OnSight on_sight) const
+  {
+    const Bend_sectors sectors(m_triangulation, m_steps, v);
+    open_sector(v, sectors.right_of(arrival, angle), sectors.left_of(arrival, angle), on_edge,
+                on_sight);
+  }
+
+private:
+  // From one boundary counterclockwise to the other, or to the border.
+  template <typename OnEdge, typename OnSight>
+  void open_sector(const Index v,
+                   const Boundary& right,
+                   const Boundary& left,
+                   OnEdge& on_edge,
+                   OnSight& on_sight) const
+  {
+    Index h = right.halfedge;
+    Plane_vector start = right.direction;
+    if(start.y == 0)
+      on_edge(h);
+    for(Index n = m_triangulation.degree(v); n > 0; --n)
+    {
+      if(!m_steps[h].has_face())
+        return;
+      if(h == left.halfedge)
+        return open(h, start, left.direction, on_sight);
+      open(h, start, unit_corner(m_steps[h]), on_sight);
+      h = m_triangulation.counterclockwise(v, h);
+      start = {1, 0};
+      on_edge(h);
+    }
+  }
+
+  Index first_after_border(const Index v) const
+  {
+    Index h = m_triangulation.first_halfedge(v);
+    while(m_steps[h].has_face())
+      ++h;
+    return m_triangulation.counterclockwise(v, h);
+  }
+
+  // Looks across the face to the left of `h`, between two directions; `h` is the x axis.
+  template <typename OnSight>
+  void open(const Index h,
+            const Plane_vector right_direction,
+            const Plane_vector left_direction,
+            OnSight& on_sight) const
+  {
+    const Face_step& step = m_steps[h];
+    const double distance = m_triangulation.length(h);
+    if(!step.has_face() || step.right == Intrinsic_triangulation::null_index || !(distance > 0) ||
+       !(step.across > 0 || step.along < 0))
+      return;
+    Sight sight;
+    sight.halfedge = step.right;
+    sight.left = {distance * step.along, distance * step.across};
+    sight.edge = step.right_edge({distance, 0});
+    sight.left_distance = length(sight.left);
+    sight.right_distance = distance;
+    sight.left_ray = Sight_ray(left_direction, 1);
+    sight.right_ray = Sight_ray(right_direction, 1);
+    on_sight(sight, step.apex, m_triangulation.target(h));
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Face_steps& m_steps;
+  const Bends& m_bends;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_VERTEX_SIGHTS_H
