@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
@@ -21,6 +22,8 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <utility>
@@ -66,11 +69,11 @@ public:
   Saddle_vertex_graph() : Saddle_vertex_graph(Intrinsic_triangulation()) {}
 
   /*!
-   * prepares the graph of `triangulation`. It has no parameters; the named ones are looked at only
-   * to refuse those that it cannot give.
+   * prepares the graph of `triangulation`. It has no parameters but `epsilon`, which has to be `0`;
+   * others are looked at only to refuse what it cannot give.
    *
-   * \throws std::invalid_argument if a face breaks the triangle inequality, or if `triangulation`
-   *         has weights or barriers.
+   * \throws std::invalid_argument if `epsilon` is given and not `0`, if a face breaks the triangle
+   * inequality, or if `triangulation` has weights or barriers.
    *
    * Run time and memory are \cgalBigO{n}: 241 bytes per vertex, in addition to the triangulation.
    */
@@ -191,6 +194,9 @@ private:
                                          const NamedParameters& np)
   {
     internal::reject_weights(triangulation, np, "Saddle_vertex_graph");
+    if constexpr(internal::is_given<NamedParameters, internal_np::epsilon_t>)
+      if(CGAL::to_double(parameters::get_parameter(np, internal_np::epsilon)) != 0)
+        internal::reject("Saddle_vertex_graph gives exact distances: epsilon must be 0, if given");
     return triangulation;
   }
 

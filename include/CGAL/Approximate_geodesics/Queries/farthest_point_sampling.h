@@ -14,7 +14,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/graph_for_one_run.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -33,18 +33,6 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-// Builds the graph that named parameters ask for. Unlike for a single run, all arcs of a graph with
-// a bound are computed in advance, which pays off from about ten points on.
-template <typename TriangleMesh, typename NamedParameters>
-auto graph_for_many_runs(const TriangleMesh& tmesh, const NamedParameters& np)
-{
-  using Graph = decltype(graph_for_one_run(tmesh, np));
-  if constexpr(std::is_same_v<Graph, Lazy_discrete_geodesic_graph>)
-    return Discrete_geodesic_graph(Intrinsic_triangulation(tmesh, np), np);
-  else
-    return graph_for_one_run(tmesh, np);
-}
 
 /*
  * Finds which of the numbers `0`, `1`, ... is farthest away, while distances fall. An entry is
@@ -192,25 +180,27 @@ farthest_point_sampling(const TriangleMesh& tmesh,
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   internal::check_number_of_points(number_of_points);
-  const auto graph = internal::graph_for_many_runs(tmesh, np);
-  const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
-                                     graph.triangulation());
-  Propagation<std::decay_t<decltype(graph)>> search(graph);
-  search.run(internal::seeds<decltype(search)>(sources, translation));
+  // all arcs are computed in advance, which pays off from about ten points on
+  return internal::with_graph<Discrete_geodesic_graph>(tmesh, np, [&](const auto& graph) {
+    const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
+                                       graph.triangulation());
+    Propagation<std::decay_t<decltype(graph)>> search(graph);
+    search.run(internal::seeds<decltype(search)>(sources, translation));
 
-  const std::vector<vertex_descriptor> candidates(vertices(tmesh).begin(), vertices(tmesh).end());
-  const auto distance = [&](const std::size_t i) {
-    return search.distance(translation.node(candidates[i]));
-  };
-  internal::Farthest_first farthest_first(candidates.size());
-  auto farthest = farthest_first.find(distance);
-  for(Integer i = 0; i < number_of_points && farthest.distance > 0; ++i)
-  {
-    search.run_further({{translation.node(candidates[farthest.number])}});
-    *points++ = candidates[farthest.number];
-    farthest = farthest_first.find(distance);
-  }
-  return farthest.distance;
+    const std::vector<vertex_descriptor> candidates(vertices(tmesh).begin(), vertices(tmesh).end());
+    const auto distance = [&](const std::size_t i) {
+      return search.distance(translation.node(candidates[i]));
+    };
+    internal::Farthest_first farthest_first(candidates.size());
+    auto farthest = farthest_first.find(distance);
+    for(Integer i = 0; i < number_of_points && farthest.distance > 0; ++i)
+    {
+      search.run_further({{translation.node(candidates[farthest.number])}});
+      *points++ = candidates[farthest.number];
+      farthest = farthest_first.find(distance);
+    }
+    return farthest.distance;
+  });
 }
 
 /*!

@@ -37,6 +37,9 @@ double checked_epsilon(const NamedParameters& np)
   constexpr double by_default = 0.1, largest = 1e6;
   const double epsilon = CGAL::to_double(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::epsilon), by_default));
+  if(epsilon == 0)
+    reject("epsilon is 0; exact distances are those of Saddle_vertex_graph, which supports neither "
+           "weights nor barriers");
   return (std::min)(checked_positive(epsilon, "epsilon"), largest);
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
@@ -19,8 +20,8 @@
 #include <CGAL/Approximate_geodesics/Paths/internal/Vertex_predecessors.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Vertex_visitor.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/graph_for_one_run.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -263,16 +264,17 @@ Vertex_positions positions_for_one_run(const MeshSearch& search, const NamedPara
 template <typename TriangleMesh, typename NamedParameters, typename F>
 auto search_once(const TriangleMesh& tmesh, const NamedParameters& np, const bool finds_path, F f)
 {
-  const auto graph = graph_for_one_run(tmesh, np);
-  Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
-  if(finds_path ||
-     is_any_given<NamedParameters, internal_np::visitor_t, internal_np::geodesic_predecessor_t>)
-    translation.list_vertices();
-  auto point_map = vertex_point_map(tmesh, np);
-  Mesh_search<std::decay_t<decltype(graph)>, Adaptive_bucket_queue, decltype(translation),
-              decltype(point_map)>
-      search(graph, translation, std::move(point_map));
-  return f(search);
+  return with_graph<Lazy_discrete_geodesic_graph>(tmesh, np, [&](const auto& graph) {
+    Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
+    if(finds_path ||
+       is_any_given<NamedParameters, internal_np::visitor_t, internal_np::geodesic_predecessor_t>)
+      translation.list_vertices();
+    auto point_map = vertex_point_map(tmesh, np);
+    Mesh_search<std::decay_t<decltype(graph)>, Adaptive_bucket_queue, decltype(translation),
+                decltype(point_map)>
+        search(graph, translation, std::move(point_map));
+    return f(search);
+  });
 }
 
 } // namespace internal

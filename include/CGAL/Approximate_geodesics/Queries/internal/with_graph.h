@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_GRAPH_FOR_ONE_RUN_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_GRAPH_FOR_ONE_RUN_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_WITH_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_WITH_GRAPH_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -12,10 +12,12 @@
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
 
 #include <utility>
 
@@ -23,10 +25,18 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Builds the graph that named parameters ask for, for a single run: one with weights and barriers
-// if there are any, one with a bound if a bound is wanted, and else that of the edges.
-template <typename TriangleMesh, typename NamedParameters>
-auto graph_for_one_run(const TriangleMesh& tmesh, const NamedParameters& np)
+// Whether named parameters ask for exact distances, which are those of another graph.
+template <typename NamedParameters>
+bool is_exact(const NamedParameters& np)
+{
+  return CGAL::to_double(parameters::get_parameter(np, internal_np::epsilon)) == 0;
+}
+
+// Calls `f` with the graph that named parameters ask for: one with weights and barriers if there
+// are any, one with a bound, and of the given type, if a bound is wanted, and else that of the
+// edges. Returns what `f` returns.
+template <typename GraphWithBound, typename TriangleMesh, typename NamedParameters, typename F>
+auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
 {
   constexpr bool has_epsilon = is_given<NamedParameters, internal_np::epsilon_t>;
   constexpr bool has_number = is_given<NamedParameters, internal_np::number_of_points_per_edge_t>;
@@ -37,20 +47,24 @@ auto graph_for_one_run(const TriangleMesh& tmesh, const NamedParameters& np)
 
   Intrinsic_triangulation triangulation(tmesh, np);
   if constexpr(has_number)
-    return Steiner_graph<Fixed_number_of_points>(std::move(triangulation), np);
+    return f(Steiner_graph<Fixed_number_of_points>(std::move(triangulation), np));
   else if constexpr(has_weights && has_epsilon)
-    return Steiner_graph<Geometric_points>(std::move(triangulation), np);
+    return f(Steiner_graph<Geometric_points>(std::move(triangulation), np));
   else if constexpr(has_weights)
-    return Steiner_graph<Fixed_number_of_points>(std::move(triangulation),
-                                                 Fixed_number_of_points(0));
+    return f(
+        Steiner_graph<Fixed_number_of_points>(std::move(triangulation), Fixed_number_of_points(0)));
   else if constexpr(has_epsilon)
-    return Lazy_discrete_geodesic_graph(std::move(triangulation), np);
+  {
+    if(is_exact(np))
+      return f(Saddle_vertex_graph(std::move(triangulation), np));
+    return f(GraphWithBound(std::move(triangulation), np));
+  }
   else
-    return Edge_graph(std::move(triangulation), np);
+    return f(Edge_graph(std::move(triangulation), np));
 }
 
 } // namespace internal
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_GRAPH_FOR_ONE_RUN_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_WITH_GRAPH_H
