@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
@@ -82,7 +83,8 @@ public:
                                const NamedParameters& np = parameters::default_values())
     : m_edges(checked(std::move(triangulation), np)),
       m_steps(m_edges.triangulation()),
-      m_bends(m_edges.triangulation(), m_steps)
+      m_bends(m_edges.triangulation(), m_steps),
+      m_loop(internal::Loop::with_tag<Concurrency_tag<NamedParameters>>())
   {
   }
 
@@ -117,19 +119,36 @@ public:
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    Arc_visitor<Labels, F> visitor{{}, labels, f};
-    internal::Sight_expansion<Arc_visitor<Labels, F>> expansion(m_steps, m_bends,
-                                                                labels.distance(node), visitor);
-    internal::Vertex_sights(triangulation(), m_steps, m_bends)
-        .for_each(
-            node, labels.arrival(node),
-            [&](const Node h) {
-              f(triangulation().target(h), triangulation().length(h), Arrival::along(h));
-            },
-            [&](const internal::Sight& sight, const Node left_end, const Node right_end) {
-              expansion.look(sight, left_end, right_end);
-            });
+    for_each_arc(node, labels, f, {});
   }
+
+  /// \cond SKIP_IN_MANUAL
+
+  // Whether several threads may look for arcs at the same time, and how they are called.
+  bool is_parallel() const { return m_loop.is_parallel(); }
+  const internal::Loop& loop() const { return m_loop; }
+
+  // Into how many parts the arcs of a node can be divided: those of a source, which can be most of
+  // all, into many, which differ in the sides that they take where sights are split.
+  template <typename Labels>
+  std::size_t number_of_parts(const Node node, const Labels& labels) const
+  {
+    if(labels.arrival(node).is_none())
+      return NUMBER_OF_PARTS;
+    return m_bends.is_possible(node) ? 1 : 0;
+  }
+
+  template <typename Labels, typename F>
+  void
+  for_each_arc_of_part(const Node node, const std::size_t part, const Labels& labels, F f) const
+  {
+    if(labels.arrival(node).is_none())
+      for_each_arc(node, labels, f, {part, NUMBER_OF_PARTS});
+    else
+      for_each_arc(node, labels, f, {});
+  }
+
+  /// \endcond
 
   /*!
    * calls `f(h, t)` for every edge that the line of the given length crosses on its way back from
@@ -189,6 +208,24 @@ private:
     F& f;
   };
 
+  template <typename Labels, typename F>
+  void
+  for_each_arc(const Node node, const Labels& labels, F& f, const internal::Sight_part part) const
+  {
+    Arc_visitor<Labels, F> visitor{{}, labels, f};
+    internal::Sight_expansion<Arc_visitor<Labels, F>> expansion(
+        m_steps, m_bends, labels.distance(node), visitor, part);
+    internal::Vertex_sights(triangulation(), m_steps, m_bends)
+        .for_each(
+            node, labels.arrival(node),
+            [&](const Node h) {
+              f(triangulation().target(h), triangulation().length(h), Arrival::along(h));
+            },
+            [&](const internal::Sight& sight, const Node left_end, const Node right_end) {
+              expansion.look(sight, left_end, right_end);
+            });
+  }
+
   template <typename NamedParameters>
   static Intrinsic_triangulation checked(Intrinsic_triangulation triangulation,
                                          const NamedParameters& np)
@@ -200,9 +237,16 @@ private:
     return triangulation;
   }
 
+  template <typename NamedParameters>
+  using Concurrency_tag = typename internal_np::
+      Lookup_named_param_def<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type;
+
+  static constexpr std::size_t NUMBER_OF_PARTS = 64;
+
   Edge_graph m_edges;
   internal::Face_steps m_steps;
   internal::Bends m_bends;
+  internal::Loop m_loop;
 };
 
 } // namespace Approximate_geodesics

@@ -106,17 +106,11 @@ public:
    * until the next call of `extract_min()` or `clear()`.
    * \pre `!is_empty()`
    */
-  Batch extract_min()
-  {
-    CGAL_precondition(!is_empty());
-    if(m_next == m_round.size())
-      start_next_round();
-    const Entry* const first = m_round.data() + m_next;
-    const std::size_t size = (std::min)(m_round.size() - m_next, LARGEST_BATCH);
-    m_next += size;
-    m_size -= size;
-    return Batch(first, first + size);
-  }
+  Batch extract_min() { return extract(LARGEST_BATCH); }
+
+  /// removes all entries of the first bucket that is not empty, but for those that enter it from
+  /// now on, and returns them: a batch that keeps several threads busy. \pre `!is_empty()`
+  Batch extract_round() { return extract((std::numeric_limits<std::size_t>::max)()); }
 
   /// the largest number of entries in a batch.
   static constexpr std::size_t LARGEST_BATCH = 32;
@@ -180,6 +174,18 @@ private:
     }
     std::size_t& comparisons;
   };
+
+  Batch extract(const std::size_t largest_batch)
+  {
+    CGAL_precondition(!is_empty());
+    if(m_next == m_round.size())
+      start_next_round();
+    const Entry* const first = m_round.data() + m_next;
+    const std::size_t size = (std::min)(m_round.size() - m_next, largest_batch);
+    m_next += size;
+    m_size -= size;
+    return Batch(first, first + size);
+  }
 
   // Monotone in `key`, which is all that correctness needs of it.
   Index bucket_index(const Key key) const

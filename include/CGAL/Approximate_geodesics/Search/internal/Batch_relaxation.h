@@ -9,7 +9,9 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Search/internal/Bounded_labels.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Candidate.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Parallel_expansion.h>
 #include <CGAL/Approximate_geodesics/Search/internal/heuristics.h>
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/assertions.h>
@@ -23,36 +25,6 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-// A path that ends with an arc just looked at.
-struct Candidate
-{
-  double distance;
-  Labels::Node node;
-  Labels::Node predecessor;
-};
-
-// The same with how the path arrives.
-template <typename Arrival>
-struct Arriving_candidate : Candidate
-{
-  Arrival arrival;
-};
-
-template <typename Graph, typename = void>
-struct Candidate_for
-{
-  using type = Candidate;
-};
-
-template <typename Graph>
-struct Candidate_for<Graph, std::enable_if_t<needs_bounds<Graph>>>
-{
-  using type = Arriving_candidate<typename Graph::Arrival>;
-};
-
-template <typename Graph>
-using Candidate_of = typename Candidate_for<Graph>::type;
 
 /*
  * The three loops that a search works through a batch of entries in. They are described where the
@@ -87,7 +59,7 @@ public:
   // The first loop: appends the nodes of a batch to the order, but for those of stale entries.
   void extract()
   {
-    const auto& batch = m_queue.extract_min();
+    const auto& batch = next_batch();
     const double* const distances = m_labels.distances(); // kept in a register
     auto& order = m_labels.order();
     const std::size_t first = order.size();
@@ -120,6 +92,9 @@ public:
     const auto& order = m_labels.order();
     const double* const distances = m_labels.distances(); // kept in a register
     m_number_of_candidates = 0;
+    if constexpr(needs_bounds<Graph>)
+      if(Parallel_expansion<Graph>::is_useful(m_graph, number_of_tasks()))
+        return find_candidates_in_parallel();
     for(std::size_t i = order.size() - m_size; i < order.size(); ++i)
     {
       m_counter.on_expansion();
@@ -128,8 +103,7 @@ public:
       Candidate* end = end_of_candidates();
       const Arc_visitor visitor{*this, distances, distance, node, end};
       if constexpr(needs_bounds<Graph>)
-        m_graph.for_each_arc(
-            node, Limited_labels<Labels, Heuristic>(m_labels, m_limit, m_heuristic), visitor);
+        m_graph.for_each_arc(node, limited_labels(), visitor);
       else
         m_graph.for_each_arc(node, m_labels, visitor);
       m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
@@ -158,6 +132,43 @@ public:
   }
 
 private:
+  decltype(auto) next_batch()
+  {
+    if constexpr(needs_bounds<Graph> && has_rounds<Queue>)
+      if(m_graph.is_parallel())
+        return m_queue.extract_round();
+    return m_queue.extract_min();
+  }
+
+  Limited_labels<Labels, Heuristic> limited_labels() const
+  {
+    return Limited_labels<Labels, Heuristic>(m_labels, m_limit, m_heuristic);
+  }
+
+  // What threads can do at the same time for the nodes of the batch.
+  std::size_t number_of_tasks() const
+  {
+    const auto& order = m_labels.order();
+    std::size_t result = 0;
+    for(std::size_t i = order.size() - m_size; i < order.size(); ++i)
+      result += m_graph.number_of_parts(order[i], limited_labels());
+    return result;
+  }
+
+  void find_candidates_in_parallel()
+  {
+    const auto& order = m_labels.order();
+    m_parallel_expansion.expand(
+        m_graph, order.data() + (order.size() - m_size), m_size, limited_labels(),
+        [&](const std::vector<Candidate>& found) {
+          if(m_candidates.size() < m_number_of_candidates + found.size())
+            m_candidates.resize(2 * (m_number_of_candidates + found.size()));
+          std::copy(found.begin(), found.end(),
+                    m_candidates.begin() + static_cast<std::ptrdiff_t>(m_number_of_candidates));
+          m_number_of_candidates += found.size();
+        });
+  }
+
   // Writes down where the arcs of a node lead.
   struct Arc_visitor
   {
@@ -246,6 +257,7 @@ private:
   double m_smallest_key = 0; // of the batch, if there is a heuristic
   std::size_t m_size = 0;
   Counter m_counter;
+  Parallel_expansion<Graph> m_parallel_expansion; // empty unless the graph has threads
 };
 
 } // namespace internal

@@ -40,6 +40,9 @@ using Arrival_at_node = typename Graph::Arrival;
 template <typename Queue>
 using Statistics = decltype(std::declval<const Queue&>().statistics());
 
+template <typename Queue>
+using Extract_round = decltype(std::declval<Queue&>().extract_round());
+
 // Whether a graph knows how many arcs a node has at most.
 template <typename Graph>
 constexpr bool has_maximum_degree =
@@ -57,6 +60,10 @@ constexpr bool needs_expansion_history =
 // Whether a graph finds its arcs with the help of upper bounds.
 template <typename Graph>
 constexpr bool needs_bounds = boost::is_detected_v<Arrival_at_node, Graph>;
+
+// Whether a queue can hand out batches that are larger than usual.
+template <typename Queue>
+constexpr bool has_rounds = boost::is_detected_v<Extract_round, Queue>;
 
 // Whether a queue counts comparisons.
 template <typename Queue>

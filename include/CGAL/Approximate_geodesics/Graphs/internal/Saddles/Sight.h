@@ -13,11 +13,29 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
+
+/*
+ * Part of all that is seen: the first times that a sight is divided, only one of its two parts is
+ * followed, according to the digits of a number.
+ */
+struct Sight_part
+{
+  std::size_t number = 0;
+  std::size_t number_of_parts = 1; // a power of two
+
+  // Which side is followed where a sight is divided for the `i`th time: a positive number for the
+  // right one, a negative one for the left one, 0 for both.
+  int side(const std::uint32_t i) const
+  {
+    return (number_of_parts >> i) <= 1 ? 0 : (number >> i & 1) != 0 ? 1 : -1;
+  }
+};
 
 // What closes a sight on one side: the direction of a vertex, or the boundary of a sector.
 struct Sight_ray
@@ -53,6 +71,7 @@ struct Sight
   Index halfedge;                       // that of the edge whose face lies ahead, to its left
   Index checkpoint;                     // one of the halfedges on the way
   std::uint32_t depth;                  // the number of faces on the way
+  std::uint32_t splits;                 // how often the sight was divided in two parts
   Plane_vector left;                    // the position of the source of the halfedge
   Plane_vector edge;                    // from there to its target
   double left_distance, right_distance; // of source and target

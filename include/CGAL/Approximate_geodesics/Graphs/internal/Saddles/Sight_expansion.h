@@ -54,8 +54,9 @@ public:
   Sight_expansion(const Face_steps& steps,
                   const Bends& bends,
                   const double label_of_tip,
-                  Visitor& visitor)
-    : m_steps(steps), m_bends(bends), m_label_of_tip(label_of_tip), m_visitor(visitor)
+                  Visitor& visitor,
+                  const Sight_part part = Sight_part())
+    : m_steps(steps), m_bends(bends), m_label_of_tip(label_of_tip), m_visitor(visitor), m_part(part)
   {
   }
 
@@ -64,6 +65,7 @@ public:
   {
     sight.checkpoint = null_index;
     sight.depth = 0;
+    sight.splits = 0;
     sight.left_bound = bound(left_end);
     sight.right_bound = bound(right_end);
     bool is_open = !sight.is_useless(m_label_of_tip);
@@ -109,7 +111,9 @@ private:
       return go_right(sight, step, apex, distance, bound);
     if(beyond_right > 0 || (beyond_right > -right_margin && m_bends.is_flat(step.apex)))
       return go_left(sight, step, left_edge, distance, bound);
-    const int side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
+    int side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
+    if(side == 0)
+      side = m_part.side(sight.splits++);
     return split(sight, step, apex, left_edge, distance, bound, side);
   }
 
@@ -198,6 +202,7 @@ private:
   const Bends& m_bends;
   const double m_label_of_tip;
   Visitor& m_visitor;
+  const Sight_part m_part;
   Stack m_stack;
 };
 
