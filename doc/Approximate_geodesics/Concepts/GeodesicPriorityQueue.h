@@ -126,8 +126,8 @@ public:
   /// \name Optional
   /// @{
 
-  /// does what `extract_min()` does, and removes more entries if there are more that may come in any
-  /// order. Graphs that are searched by several threads get larger batches in this way. A queue
+  /// does what `extract_min()` does, and removes more entries if there are more that may come in
+  /// any order. Graphs that are searched by several threads get larger batches in this way. A queue
   /// without this member function works with them, too, but keeps threads less busy.
   Batch extract_round();
 

@@ -1,0 +1,114 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_DISTANCE_INTERVALS_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_DISTANCE_INTERVALS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// What sums of lengths may be wrong by, as a part of them.
+constexpr double rounding_of_distances = 1e-12;
+
+// The smallest distance that a search with this bound may have found as `distance`.
+inline double smallest_distance(const double distance, const double epsilon)
+{
+  return distance / (1 + epsilon) * (1 - rounding_of_distances);
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgApproximateGeodesicsQueries
+ *
+ * computes, for each vertex, an interval that contains its geodesic distance to the nearest source.
+ *
+ * A search with the bound \f$\varepsilon\f$ finds the length \f$d\f$ of a path that is at most
+ * \f$1 + \varepsilon\f$ times as long as the shortest one; so that one has a length between
+ * \f$d/(1 + \varepsilon)\f$ and \f$d\f$. With the bound `0`, the interval is the exact distance,
+ * give or take \f$10^{-12}\f$ of it, by which all intervals are extended for rounding.
+ *
+ * A vertex that no path connects with a source has the distance infinity; so both ends are
+ * infinity. One that was not reached within `maximum_distance` has an interval without upper end.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam VertexIntervalMap a model of `WritablePropertyMap` with
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type that
+ *         is made of two numbers of type `double`, the lower and the upper end: for example
+ *         `std::pair<double, double>`, or `CGAL::Interval_nt<>`
+ * \tparam Sources as for `approximate_geodesic_distances()`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param intervals receives the intervals, in the unit of the mesh
+ * \param sources a vertex, another point of the surface, or a range of them
+ * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which has to be
+ *           given, and those among `vertex_point_map`, `edge_length_map`, `face_weight_map`,
+ *           `edge_is_constrained_map`, `initial_distances`, `maximum_distance`, `visitor`,
+ *           `concurrency_tag`, `vertex_index_map`, `halfedge_index_map`, and `geom_traits` that
+ *           `approximate_geodesic_distances()` reads
+ *
+ * \pre A visitor does not end the run.
+ *
+ * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does;
+ *         nothing has been written then.
+ *
+ * Run time and memory are those of `approximate_geodesic_distances()`.
+ *
+ * \sa `approximate_geodesic_distances()`
+ */
+template <typename TriangleMesh,
+          typename VertexIntervalMap,
+          typename Sources,
+          typename NamedParameters>
+void distance_intervals(const TriangleMesh& tmesh,
+                        VertexIntervalMap intervals,
+                        const Sources& sources,
+                        const NamedParameters& np)
+{
+  static_assert(internal::is_given<NamedParameters, internal_np::epsilon_t>,
+                "distance_intervals() needs epsilon, the error bound: 0 for exact distances");
+  static_assert(
+      !internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::edge_length_t,
+                             internal_np::face_weight_t, internal_np::edge_is_constrained_t,
+                             internal_np::initial_distances_t, internal_np::maximum_distance_t,
+                             internal_np::visitor_t>,
+      "distance_intervals() does not read one of these named parameters: its documentation lists "
+      "those that it does");
+  using Interval = typename boost::property_traits<VertexIntervalMap>::value_type;
+
+  const double limit = CGAL::to_double(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_distance),
+                                   std::numeric_limits<double>::infinity()));
+  internal::search_once(tmesh, np, false, [&](auto& search) {
+    search.run_from(sources, np);
+    const auto& distances = search.search().search();
+    const double epsilon = distances.graph().epsilon();
+    for(const auto v : vertices(tmesh))
+    {
+      const double upper = distances.distance(search.translation().node(v));
+      const double lower = internal::smallest_distance((std::min)(upper, limit), epsilon);
+      put(intervals, v, Interval(lower, upper * (1 + internal::rounding_of_distances)));
+    }
+  });
+}
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_DISTANCE_INTERVALS_H
