@@ -39,7 +39,7 @@ namespace Approximate_geodesics {
  * exact, up to rounding.
  *
  * A shortest path bends only at vertices whose angles add up to more than \f$2\pi\f$, saddle
- * vertices, and at border vertices \cgalCite{cgal:mmp-dgp-87}; between them it is straight across
+ * vertices, and at border vertices \cgalCite{mmp-dgp-87}; between them it is straight across
  * unfolded faces. So the arcs of this graph \cgalCite{ywh-svg-13} are all straight lines from such
  * vertices to others. They are not stored, but found when a node is expanded, and most of them are
  * never looked for: upper bounds of all distances, which a search along edges finds first, tell
