@@ -20,7 +20,8 @@ namespace CGAL {
  *
  * If an error bound `epsilon` is given, paths run across faces, and are at most
  * \f$1 + \varepsilon\f$ times as long as the shortest ones on the surface; on scanned models, the
- * mean error is below \f$\varepsilon/50\f$. If not, paths are the shortest ones along the edges of
+ * mean error is below \f$\varepsilon/50\f$. With the bound `0`, distances are exact, up to
+ * rounding. If no bound is given, paths are the shortest ones along the edges of
  * the mesh, which are about 4 % too long on average on scanned models, and for which there is no
  * bound in general. A distance is never below that along the surface. Distances are in the unit of
  * the coordinates. Vertices that no source reaches, or that are not final when the run ends
@@ -68,6 +69,16 @@ namespace CGAL {
  *                           `1 + epsilon` times as long as the shortest ones on the surface}
  *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
  *     \cgalParamDefault{none: paths run along edges}
+ *     \cgalParamExtra{`0` means exact, up to rounding; there must be neither weights nor barriers
+ *                     then.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{concurrency_tag}
+ *     \cgalParamDescription{whether several threads take part if `epsilon` is `0`; else only one
+ *                           does}
+ *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
+ *                    `CGAL::Parallel_if_available_tag`}
+ *     \cgalParamDefault{`CGAL::Sequential_tag`}
+ *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_points_per_edge}
  *     \cgalParamDescription{paths run across faces, and from one to the next through one of so many
@@ -166,17 +177,20 @@ namespace CGAL {
  *         `CGAL::Approximate_geodesics::Intrinsic_triangulation` requires, if a source or target is
  *         not a point of its surface, if an initial distance is negative or infinite or there are
  *         more or fewer than sources, if `maximum_distance` is negative or not a number, if the
- *         bound `epsilon` is not a finite number above `0`, if `number_of_points_per_edge` is
- *         negative or not an integer, or if paths run across faces and a face breaks the triangle
- *         inequality. The message says what is wrong and where. If an exception leaves this
- *         function, nothing has been written to any property map.
+ *         bound `epsilon` is not a finite number or is negative, or `0` with weights or barriers,
+ *         if `number_of_points_per_edge` is negative or not an integer, or if paths run across
+ *         faces and a face breaks the triangle inequality. The message says what is wrong and
+ *         where. If an exception leaves this function, nothing has been written to any property
+ *         map.
  * \throws std::length_error if `tmesh` has more halfedges, or the graph more nodes, than 32-bit
  *         numbers can tell apart.
  *
  * Run time is \cgalBigO{n} in practice for `n` vertices, and \cgalBigO{n \log n} in the worst case
  * if their degrees are bounded; memory is \cgalBigO{n}. The method is Dijkstra's algorithm
  * \cgalCite{d-ntpcg-59} with buckets in place of a heap; given `epsilon`, on a
- * `CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph`; given weights, barriers or a number
+ * `CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph`, or, if it is `0`, on a
+ * `CGAL::Approximate_geodesics::Saddle_vertex_graph`, where run time is more than linear on smooth
+ * surfaces; given weights, barriers or a number
  * of points per edge, on a `CGAL::Approximate_geodesics::Steiner_graph`, where the number of nodes
  * takes the place of that of vertices. The mesh is read again by every
  * call: if it is used more than once, `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is

@@ -22,7 +22,8 @@ namespace CGAL {
  * computes an approximately shortest path from `source` to `target`, and returns its length.
  *
  * If an error bound `epsilon` is given, the path runs across faces, and is at most
- * \f$1 + \varepsilon\f$ times as long as the shortest one on the surface. If not, it is the
+ * \f$1 + \varepsilon\f$ times as long as the shortest one on the surface; with the bound `0`, it
+ * is a shortest one. If no bound is given, it is the
  * shortest one along the edges of the mesh, for which there is no bound in general.
  *
  * The run ends when the distance to `target` is final. Across faces it is led there by the
@@ -72,6 +73,16 @@ namespace CGAL {
  *                           `1 + epsilon` times as long as the shortest ones on the surface}
  *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
  *     \cgalParamDefault{none: paths run along edges}
+ *     \cgalParamExtra{`0` means exact, up to rounding; there must be neither weights nor barriers
+ *                     then.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{concurrency_tag}
+ *     \cgalParamDescription{whether several threads take part if `epsilon` is `0`; else only one
+ *                           does}
+ *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
+ *                    `CGAL::Parallel_if_available_tag`}
+ *     \cgalParamDefault{`CGAL::Sequential_tag`}
+ *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_points_per_edge}
  *     \cgalParamDescription{paths run across faces, and from one to the next through one of so many

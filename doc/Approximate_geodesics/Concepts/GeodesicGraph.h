@@ -14,6 +14,10 @@ graph. They can be costs.
 computed then. They may also depend on how the search got there: `for_each_arc()` is given the
 labels of the search.
 
+`CGAL::Approximate_geodesics::Saddle_vertex_graph` finds its arcs with the help of upper bounds of
+all distances. The search finds them for it; the members that this takes are not part of the
+concept.
+
 All member functions are `const`, and several threads may call them for the same object at the same
 time.
 
@@ -21,6 +25,7 @@ time.
 \cgalHasModels{CGAL::Approximate_geodesics::Edge_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Discrete_geodesic_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph}
+\cgalHasModels{CGAL::Approximate_geodesics::Saddle_vertex_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Steiner_graph}
 \cgalHasModelsEnd
 

@@ -27,6 +27,7 @@ Lines_in_faces attach(const Intrinsic_point& p) const { return {m_triangulation,
 \cgalHasModels{CGAL::Approximate_geodesics::Edge_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Discrete_geodesic_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph}
+\cgalHasModels{CGAL::Approximate_geodesics::Saddle_vertex_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Steiner_graph}
 \cgalHasModelsEnd
 

@@ -111,8 +111,8 @@ public:
    * \param tmesh the triangle mesh
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the
    *           constructor of `Intrinsic_triangulation` and those of the constructor of the graph,
-   *           which it is passed to: `epsilon` and `concurrency_tag` in the case of
-   *           `Discrete_geodesic_graph`, those of the placement in that of `Steiner_graph`
+   *           which it is passed to: `epsilon` and `concurrency_tag` for most of them, those of the
+   *           placement for `Steiner_graph`
    *
    * \warning `tmesh` is referred to, and must neither change nor go away before this object does.
    *

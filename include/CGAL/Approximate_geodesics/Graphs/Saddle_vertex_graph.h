@@ -60,9 +60,6 @@ public:
   /// the number of a node; that of the vertex it stands for.
   using Node = Intrinsic_triangulation::Index;
 
-  /// how a path arrives at a node: the edge that it has crossed last, and its direction.
-  using Arrival = internal::Arrival;
-
   /// \name Creation
   /// @{
 
@@ -70,8 +67,29 @@ public:
   Saddle_vertex_graph() : Saddle_vertex_graph(Intrinsic_triangulation()) {}
 
   /*!
-   * prepares the graph of `triangulation`. It has no parameters but `epsilon`, which has to be `0`;
-   * others are looked at only to refuse what it cannot give.
+   * prepares the graph of `triangulation`.
+   *
+   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * \param triangulation the triangulation
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+   *           listed below; those that ask for what the graph cannot give are refused
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{epsilon}
+   *     \cgalParamDescription{the error bound; only `0` is accepted}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{`0`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{concurrency_tag}
+   *     \cgalParamDescription{whether several threads take part in each search of the graph. The
+   *                           result does not depend on their number.}
+   *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
+   *                    `CGAL::Parallel_if_available_tag`}
+   *     \cgalParamDefault{`CGAL::Sequential_tag`}
+   *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB.}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
    *
    * \throws std::invalid_argument if `epsilon` is given and not `0`, if a face breaks the triangle
    * inequality, or if `triangulation` has weights or barriers.
@@ -108,14 +126,8 @@ public:
   /// returns a summary of the lengths of the mesh's edges. Arcs can be longer.
   const Arc_lengths& arc_lengths() const { return m_edges.arc_lengths(); }
 
-  /// returns the graph of the mesh's edges, which gives upper bounds of all distances.
-  const Edge_graph& edges() const { return m_edges; }
-
-  /*!
-   * calls `f(target, length, arrival)` for arcs that may be of use to a search with these labels.
-   *
-   * \tparam Labels the type of the labels of a search that knows upper bounds: see `GeodesicGraph`
-   */
+  /// calls `f(target, length, arrival)` for arcs that may be of use to a search with these labels,
+  /// which know upper bounds of all distances, and how paths arrive.
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
@@ -123,6 +135,12 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
+
+  // How a path arrives at a node, for the search to keep.
+  using Arrival = internal::Arrival;
+
+  // The graph of the mesh's edges, which gives upper bounds of all distances.
+  const Edge_graph& edges() const { return m_edges; }
 
   // Whether several threads may look for arcs at the same time, and how they are called.
   bool is_parallel() const { return m_loop.is_parallel(); }
@@ -148,14 +166,8 @@ public:
       for_each_arc(node, labels, f, {});
   }
 
-  /// \endcond
-
-  /*!
-   * calls `f(h, t)` for every edge that the line of the given length crosses on its way back from
-   * `node`, where it arrives as `arrival` says, to `end`: at the point that is at the part `t` of
-   * the way from the source to the target of the halfedge `h`. Returns the length of the line.
-   * \pre A search has found this line.
-   */
+  // Calls `f(h, t)` for every edge that the line of the given length crosses on its way back from
+  // `node`, where it arrives as `arrival` says, to `end`. Returns the length of the line.
   template <typename F>
   double for_each_crossing_back(const Node node,
                                 const Arrival& arrival,
@@ -166,6 +178,8 @@ public:
     return internal::Line_tracer(triangulation(), m_steps, m_bends)
         .for_each_crossing(node, arrival, end, length, f);
   }
+
+  /// \endcond
 
   /// attaches a point of the surface by straight lines: those in its faces if no labels are known,
   /// and else all that are of use.

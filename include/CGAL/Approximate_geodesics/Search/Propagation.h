@@ -182,19 +182,11 @@ public:
     search(seeds, stop, visitor, internal::No_heuristic(), internal::Same_seeds());
   }
 
-  /*!
-   * runs from seeds that are found with the help of upper bounds.
-   *
-   * \param seeds where to start in order to find upper bounds
-   * \param stop when the run may end early
-   * \param visitor a model of `GeodesicVisitor` for vertices of type `Node`
-   * \param find_seeds called with the labels, which have bounds by then, and a function object that
-   *        it calls with each seed, and with how the path arrives there. They replace `seeds`.
-   *
-   * \pre The graph needs bounds: see `GeodesicGraph::edges()`.
-   *
-   * \throws std::invalid_argument as `run()` does.
-   */
+  /// \cond SKIP_IN_MANUAL
+
+  // For graphs that need bounds: runs from seeds that are found with the help of these, while
+  // `seeds` are only where the search for them starts. `find_seeds` is called with the labels, and
+  // with a function object that it calls with each seed, and with how the path arrives there.
   template <typename Visitor, typename FindSeeds>
   void run(const std::vector<Seed>& seeds,
            const Stop_rule& stop,
@@ -205,6 +197,8 @@ public:
     forget();
     search(seeds, stop, visitor, internal::No_heuristic(), find_seeds);
   }
+
+  /// \endcond
 
   /// finds the distances from the nearest of the seeds to all nodes.
   void run(const std::vector<Seed>& seeds) { run(seeds, Stop_rule()); }
@@ -235,7 +229,9 @@ public:
     run_toward(seeds, stop, heuristic, internal::Same_seeds());
   }
 
-  /// does the same from seeds that are found with the help of upper bounds.
+  /// \cond SKIP_IN_MANUAL
+
+  // does the same from seeds that are found with the help of upper bounds
   template <typename AStarHeuristic, typename FindSeeds>
   void run_toward(const std::vector<Seed>& seeds,
                   const Stop_rule& stop,
@@ -251,6 +247,8 @@ public:
       search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_seeds);
     }
   }
+
+  /// \endcond
 
   /*!
    * adds seeds to those of the last run, and lowers the distances of the nodes that are nearer to
@@ -302,9 +300,12 @@ public:
     return is_reached(node) ? m_labels.predecessor(node) : null_node;
   }
 
-  /// returns how the path to `node` arrives there, if the graph needs bounds: the `Arrival` that it
-  /// has reported. \pre `node` was reached.
+  /// \cond SKIP_IN_MANUAL
+
+  // How the path to `node`, which was reached, arrives there, if the graph needs bounds.
   const auto& arrival(const Node node) const { return m_labels.arrival(node); }
+
+  /// \endcond
 
   /*!
    * returns the index of the source nearest to `node`, or `null_source` if `node` was not reached.
