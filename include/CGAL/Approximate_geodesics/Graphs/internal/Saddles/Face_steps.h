@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
@@ -98,6 +99,9 @@ public:
   }
 
   const Face_step& operator[](const Index h) const { return m_steps[h]; }
+
+  // `h` may be null_index
+  void prefetch(const Index h) const { internal::prefetch(m_steps.data(), h); }
 
   std::size_t memory() const { return m_steps.capacity() * sizeof(Face_step); }
 

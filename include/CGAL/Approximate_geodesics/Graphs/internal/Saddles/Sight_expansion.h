@@ -90,6 +90,8 @@ private:
   bool advance(Sight& sight)
   {
     const Face_step& step = m_steps[sight.halfedge];
+    m_steps.prefetch(step.left); // the next step is one of these
+    m_steps.prefetch(step.right);
     if constexpr(Visitor::wants_sights)
       m_visitor.on_sight(sight);
     if(sight.is_back())
