@@ -148,14 +148,13 @@ private:
   // Whether the path does not bend at a vertex, and the angle on the other side is below pi.
   bool is_promising(const Gate_range& vertex) const
   {
-    using Bend = Funnel::Bend;
     const auto& bends = m_string.bends();
     const auto first = std::partition_point(
-        bends.begin(), bends.end(), [&](const Bend& b) { return b.beyond <= vertex.first; });
+        bends.begin(), bends.end(), [&](const auto& b) { return b.beyond <= vertex.first; });
     const auto beyond =
-        std::find_if(first, bends.end(), [&](const Bend& b) { return b.first >= vertex.beyond; });
+        std::find_if(first, bends.end(), [&](const auto& b) { return b.first >= vertex.beyond; });
     return std::none_of(first, beyond,
-                        [&](const Bend& b) { return b.is_left == vertex.is_left; }) &&
+                        [&](const auto& b) { return b.is_left == vertex.is_left; }) &&
            is_convex(vertex, static_cast<std::size_t>(first - bends.begin()),
                      static_cast<std::size_t>(beyond - bends.begin()));
   }
