@@ -4,13 +4,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What accuracy costs: errors, times and memory of the discrete geodesic graphs for several
-// epsilons, beside those of the edge graph, and of CGAL's heat method and exact class. See --help.
+// epsilons, beside those of the edge graph, of the one of exact distances, and of CGAL's heat
+// method and exact class. Errors are those against the package's exact distances. See --help.
 
 #include "measuring/Errors.h"
 #include "measuring/measure.h"
 #include "meshes/Mesh.h"
 #include "output/Options.h"
 #include "output/Table.h"
+#include "peers/Exact_case.h"
 #include "peers/Exact_search.h"
 #include "peers/searches_of_arrays.h"
 
@@ -21,6 +23,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/tags.h>
@@ -41,8 +44,8 @@ static constexpr std::array<double, 6> EPSILONS = {0.5, 0.2, 0.1, 0.05, 0.02, 0.
 static constexpr std::size_t SHOWN = 2;      // the position of the default
 static constexpr std::size_t FEW_ROUNDS = 3; // of what takes seconds
 
-// Exact distances are only found on meshes of up to so many vertices; others take minutes.
-static constexpr std::size_t LARGEST_FOR_EXACT = 60000;
+// CGAL's exact class is asked for meshes of up to so many vertices; others take it minutes.
+static constexpr std::size_t LARGEST_FOR_CLASS = 60000;
 
 static constexpr bool HAS_THREADS =
     std::is_same_v<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>;
@@ -76,7 +79,8 @@ public:
   }
 
   double lazy_seconds() const { return m_first_answers.median_seconds(0); }
-  double heat_seconds() const { return HAS_HEAT ? m_first_answers.median_seconds(1) : 0; }
+  double exact_seconds() const { return m_first_answers.median_seconds(1); }
+  double heat_seconds() const { return HAS_HEAT ? m_first_answers.median_seconds(2) : 0; }
 
 private:
   // The triangulation is copied, which takes no time to speak of.
@@ -100,10 +104,11 @@ private:
   // The distances from one source, with everything included that they take.
   void measure_first_answers(const std::vector<Vertex>& sources, const std::size_t number_of_rounds)
   {
-    m_first_answers.add([&](const auto round) {
-      CGAL::approximate_geodesic_distances(m_mesh, m_distances, sources[round],
-                                           CGAL::parameters::epsilon(EPSILONS[SHOWN]));
-    });
+    for(const double epsilon : {EPSILONS[SHOWN], 0.})
+      m_first_answers.add([&, epsilon](const auto round) {
+        CGAL::approximate_geodesic_distances(m_mesh, m_distances, sources[round],
+                                             CGAL::parameters::epsilon(epsilon));
+      });
 #ifdef CGAL_EIGEN3_ENABLED
     m_first_answers.add([&](const auto round) { Heat_search(m_mesh).run(sources[round]); });
 #endif
@@ -136,17 +141,16 @@ public:
       m_sources(sources),
       m_triangulation(mesh),
       m_priority_queue(m_triangulation),
-      m_has_exact(mesh.number_of_vertices() <= LARGEST_FOR_EXACT)
+      m_has_class(mesh.number_of_vertices() <= LARGEST_FOR_CLASS)
   {
     add_methods();
     for(const Method& method : m_methods)
       m_contest.add([&](const auto round) { method.run(m_sources[round]); });
     m_contest.add([&](const auto round) { m_priority_queue.run_from(node(m_sources[round])); });
-    if(m_has_exact)
-      m_contest.add([&](const auto round) { find_exact_distances(m_sources[round]); });
+    if(m_has_class)
+      m_contest.add([&](const auto round) { ask_class(m_sources[round]); });
     m_contest.run(m_sources.size(), 5);
-    if(m_has_exact)
-      find_errors();
+    find_errors();
   }
 
   const Method& method(const std::string& name, const std::string& epsilon = "-") const
@@ -161,11 +165,11 @@ public:
 
   const std::vector<Method>& methods() const { return m_methods; }
   double priority_queue_seconds() const { return m_contest.median_seconds(m_methods.size()); }
-  bool has_exact() const { return m_has_exact; }
+  bool has_class() const { return m_has_class; }
 
-  double exact_seconds() const
+  double class_seconds() const
   {
-    return m_has_exact ? m_contest.median_seconds(m_methods.size() + 1) : 0;
+    return m_has_class ? m_contest.median_seconds(m_methods.size() + 1) : 0;
   }
 
   // of the built graphs
@@ -204,6 +208,7 @@ private:
       add_graph("lazy", text_of(epsilon),
                 std::make_shared<AG::Lazy_discrete_geodesic_graph>(
                     m_triangulation, CGAL::parameters::epsilon(epsilon)));
+    add_graph("exact graph", "-", std::make_shared<AG::Saddle_vertex_graph>(m_triangulation));
 #ifdef CGAL_EIGEN3_ENABLED
     const auto heat = std::make_shared<Heat_search>(m_mesh);
     m_methods.push_back({"heat", "-", [heat](const Vertex source) { heat->run(source); },
@@ -222,36 +227,33 @@ private:
          [this, search](const Vertex v) { return search->distance(node(v)); }});
   }
 
-  void find_exact_distances(const Vertex source)
+  void ask_class(const Vertex source) const
   {
     Exact_search search(m_mesh);
     search.run(source);
     for(const Vertex v : m_mesh.vertices())
-      m_exact_distances.push_back(search.distance(v));
+      search.distance(v);
   }
 
   void find_errors()
   {
+    const Exact_case expected("", m_mesh, m_sources);
     for(Method& method : m_methods)
-    {
-      auto exact = m_exact_distances.begin();
-      for(const Vertex source : m_sources)
+      for(std::size_t i = 0; i < m_sources.size(); ++i)
       {
-        method.run(source);
+        method.run(m_sources[i]);
         for(const Vertex v : m_mesh.vertices())
-          method.errors.add(method.distance(v), *exact++);
+          method.errors.add(method.distance(v), expected.distance(i, v));
       }
-    }
   }
 
   Mesh& m_mesh;
   const std::vector<Vertex>& m_sources;
   AG::Intrinsic_triangulation m_triangulation;
   Priority_queue_dijkstra m_priority_queue;
-  bool m_has_exact;
+  bool m_has_class;
   std::vector<std::shared_ptr<AG::Discrete_geodesic_graph>> m_built; // one per epsilon
   std::vector<Method> m_methods;
-  std::vector<double> m_exact_distances; // of all vertices from the first source, and so on
   Contest m_contest;
 };
 
@@ -268,7 +270,8 @@ public:
                            "parallel build us/vertex", "build : parallel"});
     Table first_answers =
         Table({"mesh", "lazy ms", "heat ms", "lazy : heat", "lazy mean %", "heat mean %",
-               "heat error : lazy error", "exact ms", "exact : lazy"});
+               "heat error : lazy error", "exact class ms", "exact class : lazy", "exact graph ms",
+               "exact graph : lazy", "exact class : exact graph"});
     Table accuracy = Table({"mesh", "method", "epsilon", "ms", "mean %", "largest %"});
   };
 
@@ -309,8 +312,8 @@ private:
     table.add_row()
         .add(m_name)
         .add(epsilon)
-        .add_if(m_source.has_exact(), errors.mean() * 100, 4)
-        .add_if(m_source.has_exact(), errors.largest() * 100, 2)
+        .add(errors.mean() * 100, 4)
+        .add(errors.largest() * 100, 2)
         .add(m_source.arcs_per_vertex(i), 1)
         .add(m_source.bytes_per_vertex(i), 1)
         .add(per_vertex(m_preparation.build_seconds(i)), 2)
@@ -340,34 +343,41 @@ private:
     const double heat = m_preparation.heat_seconds();
     const double our_error = m_source.method("lazy", text_of(EPSILONS[SHOWN])).errors.mean();
     const double error_of_heat = HAS_HEAT ? m_source.method("heat").errors.mean() : 0;
-    const bool has_exact = m_source.has_exact();
+    const double exact = m_preparation.exact_seconds();
+    const bool has_class = m_source.has_class();
     table.add_row()
         .add(m_name)
         .add(ours * 1e3, 1)
         .add_if(HAS_HEAT, heat * 1e3, 1)
         .add_if(HAS_HEAT, ours / heat, 3)
-        .add_if(has_exact, our_error * 100, 4)
-        .add_if(has_exact && HAS_HEAT, error_of_heat * 100, 4)
-        .add_if(has_exact && HAS_HEAT, error_of_heat / our_error, 1)
-        .add_if(has_exact, m_source.exact_seconds() * 1e3, 0)
-        .add_if(has_exact, m_source.exact_seconds() / ours, 1);
+        .add(our_error * 100, 4)
+        .add_if(HAS_HEAT, error_of_heat * 100, 4)
+        .add_if(HAS_HEAT, error_of_heat / our_error, 1)
+        .add_if(has_class, m_source.class_seconds() * 1e3, 0)
+        .add_if(has_class, m_source.class_seconds() / ours, 1)
+        .add(exact * 1e3, 1)
+        .add(exact / ours, 2)
+        .add_if(has_class, m_source.class_seconds() / exact, 1);
   }
 
   void add_methods(Table& table) const
   {
-    const auto add = [&](const Method& method, const double seconds, const bool has_errors) {
+    for(const Method& method : m_source.methods())
       table.add_row()
           .add(m_name)
           .add(method.name)
           .add(method.epsilon)
-          .add(seconds * 1e3, 3)
-          .add_if(has_errors, method.errors.mean() * 100, 4)
-          .add_if(has_errors, method.errors.largest() * 100, 2);
-    };
-    for(const Method& method : m_source.methods())
-      add(method, m_source.seconds(method.name, method.epsilon), m_source.has_exact());
-    if(m_source.has_exact())
-      add({"exact", "-", {}, {}}, m_source.exact_seconds(), false);
+          .add(m_source.seconds(method.name, method.epsilon) * 1e3, 3)
+          .add(method.errors.mean() * 100, 4)
+          .add(method.errors.largest() * 100, 2);
+    if(m_source.has_class())
+      table.add_row()
+          .add(m_name)
+          .add("exact class")
+          .add("-")
+          .add(m_source.class_seconds() * 1e3, 3)
+          .add("-")
+          .add("-");
   }
 
   std::string m_name;
@@ -391,7 +401,7 @@ int main(int argc, char* argv[])
                  tables.targets);
     report.print("first_answers",
                  "One source with everything included, " + epsilon +
-                     ", and CGAL's heat method and exact class",
+                     ", CGAL's heat method and exact class, and the package's exact graph",
                  tables.first_answers);
     report.print("accuracy", "Time for one source, with everything prepared that sources share",
                  tables.accuracy);

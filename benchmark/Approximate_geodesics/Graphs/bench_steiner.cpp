@@ -137,7 +137,7 @@ int main(int argc, char* argv[])
     for(const std::string& name : options.meshes)
       add_unweighted(unweighted, name, options.number_of_rounds);
     report.print("steiner",
-                 "Points on edges and CGAL's exact class (" + description_of_rounds(options) + ")",
+                 "Points on edges and exact distances (" + description_of_rounds(options) + ")",
                  unweighted);
     report.print("steiner_weighted",
                  "Points on edges of a weighted terrain and " + Dense_reference::description() +

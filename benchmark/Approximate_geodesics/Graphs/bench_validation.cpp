@@ -3,14 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whether the discrete geodesic graphs keep within epsilon, on all sample meshes that CGAL's exact
-// class can cope with. See --help.
+// Whether the discrete geodesic graphs keep within epsilon, and whether the exact distances of the
+// package are those of CGAL's exact class, on all sample meshes. See --help.
 
 #include "measuring/Errors.h"
 #include "meshes/Mesh.h"
 #include "output/Options.h"
 #include "output/Table.h"
 #include "peers/Exact_case.h"
+#include "peers/Exact_class_comparison.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
@@ -24,6 +25,7 @@
 #include <filesystem>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -153,13 +155,89 @@ private:
   double m_largest = -std::numeric_limits<double>::infinity();
 };
 
+// The exact distances of the package and of CGAL's exact class, on all meshes.
+class Exact_trial
+{
+public:
+  Exact_trial()
+    : m_differences({"mesh", "differ", "exact class wrong", "ours wrong", "largest difference",
+                     "source", "vertex", "ours", "exact class"}),
+      m_not_compared({"mesh", "why"})
+  {
+  }
+
+  // Nothing if the class does not come to an end.
+  std::optional<Exact_class_comparison> run(const Exact_case& ours, const Limits& limits)
+  {
+    try
+    {
+      const Exact_class_comparison result(ours, limits);
+      ++m_number_of_meshes;
+      m_number_of_distances += result.number_of_distances();
+      if(result.number_of_differences() > 0)
+        add_difference(ours.name(), result);
+      else
+        m_largest = (std::max)(m_largest, result.largest().relative);
+      return result;
+    }
+    catch(const std::exception& e)
+    {
+      m_not_compared.add_row().add(ours.name()).add(e.what());
+      return {};
+    }
+  }
+
+  void print(const Report& report) const
+  {
+    Table summary({"meshes", "distances", "meshes that differ", "largest difference of others"});
+    summary.add_row()
+        .add(double(m_number_of_meshes), 0)
+        .add(double(m_number_of_distances), 0)
+        .add(double(m_number_of_differing_meshes), 0)
+        .add(Table::scientific(m_largest));
+    report.print("exact_class", "Exact distances, and those of CGAL's exact class", summary);
+    if(!m_differences.is_empty())
+      report.print("differences",
+                   "Where they differ, how many distances are proved to be too long by a shorter "
+                   "path, and the largest difference",
+                   m_differences);
+    if(!m_not_compared.is_empty())
+      report.print("not_compared", "Where the exact class does not come to an end", m_not_compared);
+  }
+
+private:
+  void add_difference(const std::string& name, const Exact_class_comparison& comparison)
+  {
+    ++m_number_of_differing_meshes;
+    const Exact_class_comparison::Difference& largest = comparison.largest();
+    m_differences.add_row()
+        .add(name)
+        .add(double(comparison.number_of_differences()), 0)
+        .add(double(comparison.number_of_theirs_too_long()), 0)
+        .add(double(comparison.number_of_ours_too_long()), 0)
+        .add(Table::scientific(largest.relative))
+        .add(std::to_string(largest.source.idx()))
+        .add(std::to_string(largest.vertex.idx()))
+        .add(Table::scientific(largest.ours))
+        .add(Table::scientific(largest.theirs));
+  }
+
+  Table m_differences;
+  Table m_not_compared;
+  std::size_t m_number_of_meshes = 0;
+  std::size_t m_number_of_distances = 0;
+  std::size_t m_number_of_differing_meshes = 0;
+  double m_largest = 0; // on meshes where no difference is larger than rounding
+};
+
 // All graphs on all meshes.
 class Validation_benchmark
 {
 public:
   Validation_benchmark()
     : m_per_mesh({"mesh", "vertices", "arcs/vertex", "mean %", "largest %", "least", "lazy mean %",
-                  "lazy largest %", "lazy least", "exact class wrong", "holds"}),
+                  "lazy largest %", "lazy least", "exact class wrong", "ours wrong",
+                  "largest difference", "holds"}),
       m_violations(Trial::header_of_violations()),
       m_left_out({"mesh", "why"})
   {
@@ -174,7 +252,7 @@ public:
   {
     try
     {
-      run(Exact_case(name, number_of_sources, limits));
+      run(Exact_case(name, number_of_sources), limits);
     }
     catch(const std::exception& e)
     {
@@ -190,17 +268,19 @@ public:
       report.print("validation", "Relative errors on all meshes", summary());
     report.print("validation_meshes",
                  "Relative errors for epsilon = " + Table::text_of(SHOWN, 1) +
-                     "; how many distances the exact class had too long, and whether every "
-                     "epsilon holds",
+                     "; how many distances the exact class and the package's exact graph had too "
+                     "long, how much they differ, and whether every epsilon holds",
                  m_per_mesh);
+    m_exact.print(report);
     if(!m_left_out.is_empty())
       report.print("left_out", "Left out", m_left_out);
   }
 
 private:
-  void run(const Exact_case& expected)
+  void run(const Exact_case& expected, const Limits& limits)
   {
-    bool holds = true;
+    const auto comparison = m_exact.run(expected, limits);
+    bool holds = !comparison || comparison->number_of_ours_too_long() == 0;
     for(std::size_t i = 0; i < m_built.size(); ++i)
     {
       m_built[i].run<AG::Discrete_geodesic_graph>(expected);
@@ -212,10 +292,12 @@ private:
           trial->add_violation_to(m_violations, expected.name());
         }
     }
-    add_row(expected, holds);
+    add_row(expected, comparison, holds);
   }
 
-  void add_row(const Exact_case& expected, const bool holds)
+  void add_row(const Exact_case& expected,
+               const std::optional<Exact_class_comparison>& comparison,
+               const bool holds)
   {
     const auto is_shown = [](const Trial& trial) { return trial.epsilon() == SHOWN; };
     const Trial& built = *std::find_if(m_built.begin(), m_built.end(), is_shown);
@@ -228,7 +310,13 @@ private:
       row.add(errors.mean() * 100, 4)
           .add(errors.largest() * 100, 3)
           .add(Table::scientific(errors.least()));
-    row.add(double(expected.number_of_corrections()), 0).add(holds ? "yes" : "NO");
+    if(comparison)
+      row.add(double(comparison->number_of_theirs_too_long()), 0)
+          .add(double(comparison->number_of_ours_too_long()), 0)
+          .add(Table::scientific(comparison->largest().relative));
+    else
+      row.add("-").add("-").add("-");
+    row.add(holds ? "yes" : "NO");
   }
 
   Table summary() const
@@ -241,6 +329,7 @@ private:
   }
 
   std::vector<Trial> m_built, m_lazy; // one per epsilon
+  Exact_trial m_exact;
   Table m_per_mesh;
   Table m_violations;
   Table m_left_out;

@@ -13,8 +13,10 @@
 #include <CGAL/property_map.h>
 
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 // The distances along the surface, by CGAL's exact class. It takes seconds where a graph takes
 // milliseconds. The mesh has no isolated vertices, which the class cannot do with.
@@ -50,6 +52,16 @@ public:
     const double result = m_paths.shortest_distance_to_source_points(v).first;
     if(!(result >= 0))
       throw std::runtime_error("the exact class does not reach vertex " + std::to_string(v.idx()));
+    return result;
+  }
+
+  std::vector<Kernel::Point_3> path(const Vertex v)
+  {
+    std::vector<Exact_kernel::Point_3> points;
+    m_paths.shortest_path_points_to_source_points(v, std::back_inserter(points));
+    std::vector<Kernel::Point_3> result;
+    for(const auto& p : points)
+      result.emplace_back(p.x(), p.y(), p.z());
     return result;
   }
 

@@ -1,0 +1,444 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What exact distances cost: the saddle vertex graph beside CGAL's exact class and beside graphs
+// with a bound, how its time grows with the mesh, and errors against time from edges to exact ones.
+// See --help.
+
+#include "measuring/Errors.h"
+#include "measuring/Window_counting_graph.h"
+#include "measuring/child_process.h"
+#include "measuring/measure.h"
+#include "measuring/resident_memory.h"
+#include "meshes/Mesh.h"
+#include "meshes/Terrain.h"
+#include "meshes/Wavy_torus.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/Exact_case.h"
+#include "peers/Exact_class_comparison.h"
+#include "peers/Exact_search.h"
+
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/approximate_geodesic_distances.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace AG = CGAL::Approximate_geodesics;
+namespace parameters = CGAL::parameters;
+
+static constexpr double COARSE = 0.1, FINE = 0.01; // the bounds of the lazy graphs compared with
+
+// CGAL's exact class is asked for meshes of up to so many vertices; others take its memory.
+static constexpr std::size_t LARGEST_FOR_CLASS = 60000;
+
+static constexpr Limits LIMITS{600, (std::numeric_limits<std::size_t>::max)()};
+
+using Map = Mesh::Property_map<Vertex, double>;
+
+// ----- one source on a scan
+
+// One source with everything included that it takes, by one call of the free function.
+class First_sources
+{
+public:
+  First_sources(Mesh& mesh, const std::vector<Vertex>& sources)
+    : m_distances(mesh.add_property_map<Vertex, double>("v:distance").first),
+      m_has_class(mesh.number_of_vertices() <= LARGEST_FOR_CLASS)
+  {
+    for(const double epsilon : {0., COARSE, FINE})
+      m_contest.add([&, epsilon](const auto round) {
+        CGAL::approximate_geodesic_distances(mesh, m_distances, sources[round],
+                                             parameters::epsilon(epsilon));
+      });
+    if(m_has_class)
+      m_contest.add([&](const auto round) {
+        Exact_search search(mesh);
+        search.run(sources[round]);
+        for(const Vertex v : mesh.vertices())
+          m_distances[v] = search.distance(v);
+      });
+    m_contest.run(sources.size());
+  }
+
+  static Table empty_table()
+  {
+    return Table({"mesh", "vertices", "exact ms", "exact class ms", "class : exact", "lazy 0.1 ms",
+                  "lazy 0.1 : exact", "lazy 0.01 ms", "lazy 0.01 : exact"});
+  }
+
+  void add_to(Table& table, const std::string& name, const Mesh& mesh) const
+  {
+    table.add_row()
+        .add(name)
+        .add(double(mesh.number_of_vertices()), 0)
+        .add(m_contest.median_seconds(0) * 1e3, 1)
+        .add_if(m_has_class, m_has_class ? m_contest.median_seconds(3) * 1e3 : 0, 0)
+        .add_if(m_has_class, m_has_class ? m_contest.ratio(3, 0) : 0, 1)
+        .add(m_contest.median_seconds(1) * 1e3, 1)
+        .add(m_contest.ratio(1, 0), 2)
+        .add(m_contest.median_seconds(2) * 1e3, 1)
+        .add(m_contest.ratio(2, 0), 2);
+  }
+
+private:
+  Map m_distances;
+  bool m_has_class;
+  Contest m_contest;
+};
+
+// What the time for a first source consists of, and what a further one takes.
+class Parts
+{
+  using Graph = AG::Saddle_vertex_graph;
+
+public:
+  Parts(const Mesh& mesh, const std::vector<Vertex>& sources)
+  {
+    const auto run = [&](const std::size_t i) {
+      m_search->run_from(m_graph->triangulation().vertex(sources[i % sources.size()].idx()));
+    };
+    m_contest.add([&](auto) { m_triangulation.emplace(mesh); });
+    m_contest.add([&](auto) { m_graph.emplace(std::move(*m_triangulation)); });
+    m_contest.add([&](const auto round) {
+      m_search.emplace(*m_graph);
+      run(round);
+    });
+    m_contest.add([&](const auto round) { run(round + 1); });
+    m_contest.add([&](auto) { measure_and_release(double(mesh.number_of_vertices())); });
+    m_contest.run(sources.size());
+  }
+
+  static Table empty_table()
+  {
+    return Table({"mesh", "triangulation ms", "graph ms", "first search ms", "further search ms",
+                  "graph bytes/vertex", "workspace bytes/vertex", "bytes/vertex"});
+  }
+
+  void add_to(Table& table, const std::string& name) const
+  {
+    Table::Row row = table.add_row();
+    row.add(name);
+    for(const std::size_t part : {0, 1, 2, 3})
+      row.add(m_contest.median_seconds(part) * 1e3, 1);
+    row.add(m_graph_bytes, 1).add(m_workspace_bytes, 1).add(m_graph_bytes + m_workspace_bytes, 1);
+  }
+
+private:
+  void measure_and_release(const double number_of_vertices)
+  {
+    m_graph_bytes = double(m_graph->memory()) / number_of_vertices;
+    m_workspace_bytes = double(m_search->memory()) / number_of_vertices;
+    m_search.reset();
+    m_graph.reset();
+    m_triangulation.reset();
+  }
+
+  std::optional<AG::Intrinsic_triangulation> m_triangulation;
+  std::optional<Graph> m_graph;
+  std::optional<AG::Propagation<Graph>> m_search;
+  double m_graph_bytes = 0, m_workspace_bytes = 0; // per vertex
+  Contest m_contest;
+};
+
+// The memory at its largest, in bytes per vertex, beside the mesh, in a process of its own.
+template <typename F>
+double peak_bytes(const Mesh& mesh, F f)
+{
+  const std::vector<double> numbers =
+      numbers_from_child(1, LIMITS.seconds, [&](double* const result) {
+        const double before = resident_memory();
+        f();
+        result[0] = peak_memory() - before;
+      });
+  return numbers[0] / double(mesh.number_of_vertices());
+}
+
+// The memory that one source takes in the free function and in CGAL's exact class, and how their
+// distances differ.
+class Class_benchmark
+{
+public:
+  static Table empty_table()
+  {
+    return Table({"mesh", "peak bytes/vertex", "class peak bytes/vertex", "class : exact",
+                  "distances", "largest difference", "differ", "class wrong", "ours wrong"});
+  }
+
+  Class_benchmark(Mesh& mesh, const std::vector<Vertex>& sources) : m_mesh(mesh), m_sources(sources)
+  {
+    const Map distances = mesh.add_property_map<Vertex, double>("v:distance").first;
+    m_our_bytes = peak_bytes(mesh, [&] {
+      CGAL::approximate_geodesic_distances(mesh, distances, sources[0], parameters::epsilon(0));
+    });
+  }
+
+  void add_to(Table& table, const std::string& name) const
+  {
+    Table::Row row = table.add_row();
+    row.add(name).add(m_our_bytes, 0);
+    if(m_mesh.number_of_vertices() > LARGEST_FOR_CLASS)
+    {
+      row.add("-").add("-").add("-").add("-").add("-").add("-").add("-");
+      return;
+    }
+    const double class_bytes = peak_bytes(m_mesh, [&] { Exact_search(m_mesh).run(m_sources[0]); });
+    const Exact_case ours(name, m_mesh, m_sources);
+    const Exact_class_comparison comparison(ours, LIMITS);
+    row.add(class_bytes, 0)
+        .add(class_bytes / m_our_bytes, 1)
+        .add(double(comparison.number_of_distances()), 0)
+        .add(Table::scientific(comparison.largest().relative))
+        .add(double(comparison.number_of_differences()), 0)
+        .add(double(comparison.number_of_theirs_too_long()), 0)
+        .add(double(comparison.number_of_ours_too_long()), 0);
+  }
+
+private:
+  const Mesh& m_mesh;
+  const std::vector<Vertex>& m_sources;
+  double m_our_bytes;
+};
+
+static void compare_on_scans(const Options& options, const Report& report)
+{
+  Table first_sources = First_sources::empty_table(), parts = Parts::empty_table(),
+        memory = Class_benchmark::empty_table();
+  bool is_large = false;
+  for(const std::string& name : options.meshes)
+  {
+    Mesh mesh = read_mesh(name);
+    const std::vector<Vertex> sources = random_sources(mesh, options.number_of_rounds);
+    is_large = is_large || mesh.number_of_vertices() > LARGEST_FOR_CLASS;
+    Class_benchmark(mesh, sources).add_to(memory, short_name(name)); // before others take memory
+    First_sources(mesh, sources).add_to(first_sources, short_name(name), mesh);
+    Parts(mesh, sources).add_to(parts, short_name(name));
+  }
+  const std::string rounds = std::to_string(options.number_of_rounds) + " sources";
+  report.print("exact",
+               "One source with everything included: exact distances, CGAL's exact class, and the "
+               "lazy graph (medians of " +
+                   rounds + ")",
+               first_sources);
+  report.print("exact_parts", "The parts of it, and a further source (medians)", parts);
+  report.print("exact_memory",
+               "Memory at its largest for one source, and how distances from " + rounds +
+                   " differ from those of the exact class",
+               memory);
+  if(is_large)
+    std::cout << "The exact class is not asked on meshes of more than " << LARGEST_FOR_CLASS
+              << " vertices: they take its memory.\n\n";
+}
+
+// ----- growth
+
+class Growth_benchmark
+{
+public:
+  explicit Growth_benchmark(const std::size_t number_of_rounds)
+    : m_number_of_rounds(number_of_rounds),
+      m_table({"surface", "vertices", "us/vertex", "windows/vertex", "ns/window", "exact : edges",
+               "exact : lazy 0.1"})
+  {
+  }
+
+  void run(const std::string& surface, const Mesh& mesh)
+  {
+    std::cerr << surface << ", " << mesh.number_of_vertices() << " vertices ...\n";
+    const AG::Intrinsic_triangulation triangulation(mesh);
+    const auto sources = random_sources(mesh, m_number_of_rounds);
+    Contest contest;
+    const auto add = [&](const auto& graph) {
+      const auto search = std::make_shared<AG::Propagation<std::decay_t<decltype(graph)>>>(graph);
+      contest.add([&triangulation, &sources, search](const auto round) {
+        search->run_from(triangulation.vertex(sources[round].idx()));
+      });
+      return search;
+    };
+    const AG::Saddle_vertex_graph exact(triangulation);
+    const AG::Edge_graph edges(triangulation);
+    const AG::Lazy_discrete_geodesic_graph lazy(triangulation, parameters::epsilon(COARSE));
+    const auto exact_search = add(exact);
+    add(edges);
+    add(lazy);
+    contest.run(m_number_of_rounds);
+
+    const double vertices = double(mesh.number_of_vertices()), seconds = contest.median_seconds(0);
+    const double windows = double(number_of_windows(*exact_search, sources.back()));
+    m_table.add_row()
+        .add(surface)
+        .add(vertices, 0)
+        .add(seconds / vertices * 1e6, 2)
+        .add(windows / vertices, 1)
+        .add(seconds / windows * 1e9, 1)
+        .add(contest.ratio(0, 1), 1)
+        .add(contest.ratio(0, 2), 2);
+  }
+
+  const Table& table() const { return m_table; }
+
+private:
+  using Index = AG::Intrinsic_triangulation::Index;
+
+  // Those of one more search from the same source, which must find the same.
+  static std::size_t number_of_windows(const AG::Propagation<AG::Saddle_vertex_graph>& search,
+                                       const Vertex source)
+  {
+    const AG::Intrinsic_triangulation& triangulation = search.graph().triangulation();
+    const Window_counting_graph graph(triangulation);
+    AG::Propagation<Window_counting_graph> counting_search(graph);
+    counting_search.run_from(triangulation.vertex(source.idx()));
+    for(Index node = 0; node < triangulation.number_of_vertices(); ++node)
+    {
+      // fused multiply-add may round lengths differently in the two searches
+      const double difference = counting_search.distance(node) - search.distance(node);
+      if(!(std::abs(difference) <= 1e-12 * search.distance(node)))
+        throw std::runtime_error("the search that counts windows finds other distances");
+    }
+    return graph.number_of_windows();
+  }
+
+  std::size_t m_number_of_rounds;
+  Table m_table;
+};
+
+static void measure_growth(const Options& options, const Report& report)
+{
+  Growth_benchmark benchmark(options.is_quick ? 1 : 3);
+  const std::vector<std::size_t> sides = {100, 178, 317, 563, 1000};
+  const std::vector<std::size_t> steps = {1, 2, 3, 4};
+  for(const std::size_t side : options.is_quick ? std::vector<std::size_t>{20, 50} : sides)
+    benchmark.run("smooth", wavy_torus(side));
+  for(const std::size_t side : options.is_quick ? std::vector<std::size_t>{20, 50} : sides)
+    benchmark.run("terrain", terrain(side));
+  for(const std::size_t step : options.is_quick ? std::vector<std::size_t>{0} : steps)
+    benchmark.run("subdivided", read_mesh("elephant+" + std::to_string(step)));
+  report.print("exact_growth",
+               "Exact distances on a smooth torus, on jittered terrain, and on a scan after steps "
+               "of Loop subdivision: one source, with everything prepared",
+               benchmark.table());
+}
+
+// ----- errors against time
+
+class Error_benchmark
+{
+public:
+  Error_benchmark(const std::string& name, const std::size_t number_of_rounds)
+    : m_mesh(read_mesh(name)),
+      m_expected(name, m_mesh, random_sources(m_mesh, number_of_rounds)),
+      m_triangulation(m_mesh),
+      m_distances(m_mesh.add_property_map<Vertex, double>("v:distance").first)
+  {
+    add<AG::Edge_graph>("edges", parameters::default_values());
+    for(const unsigned number : {1, 3})
+      add<AG::Steiner_graph<AG::Fixed_number_of_points>>(
+          "points per edge: " + std::to_string(number),
+          parameters::number_of_points_per_edge(number));
+    for(const double epsilon : {1., 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001})
+      add<AG::Lazy_discrete_geodesic_graph>("epsilon " + text_of(epsilon),
+                                            parameters::epsilon(epsilon));
+    add<AG::Saddle_vertex_graph>("exact", parameters::epsilon(0));
+    m_first.run(number_of_rounds);
+    m_further.run(number_of_rounds);
+  }
+
+  Table table()
+  {
+    Table result({"method", "first source ms", "further source ms", "mean %", "largest %"});
+    for(std::size_t i = 0; i < m_methods.size(); ++i)
+    {
+      const Errors errors = this->errors(m_methods[i]);
+      result.add_row()
+          .add(m_methods[i].name)
+          .add(m_first.median_seconds(i) * 1e3, 2)
+          .add(m_further.median_seconds(i) * 1e3, 2)
+          .add(errors.mean() * 100, 5)
+          .add(errors.largest() * 100, 4);
+    }
+    return result;
+  }
+
+private:
+  struct Method
+  {
+    std::string name;
+    std::function<void(Vertex)> run;
+    std::function<double(Vertex)> distance; // in the last run
+  };
+
+  static std::string text_of(const double epsilon)
+  {
+    std::ostringstream text;
+    text << epsilon;
+    return text.str();
+  }
+
+  template <typename Graph, typename NamedParameters>
+  void add(const std::string& name, const NamedParameters& np)
+  {
+    const auto graph = std::make_shared<Graph>(m_triangulation, np);
+    const auto search = std::make_shared<AG::Propagation<Graph>>(*graph);
+    const auto node = [graph](const Vertex v) { return graph->triangulation().vertex(v.idx()); };
+    const auto run = [search, node](const Vertex source) { search->run_from(node(source)); };
+    m_methods.push_back({name, run, [=](const Vertex v) { return search->distance(node(v)); }});
+    m_first.add([this, np](const auto round) {
+      CGAL::approximate_geodesic_distances(m_mesh, m_distances, m_expected.sources()[round], np);
+    });
+    m_further.add([this, run](const auto round) { run(m_expected.sources()[round]); });
+  }
+
+  Errors errors(const Method& method) const
+  {
+    Errors result;
+    for(std::size_t i = 0; i < m_expected.sources().size(); ++i)
+    {
+      method.run(m_expected.sources()[i]);
+      for(const Vertex v : m_mesh.vertices())
+        result.add(method.distance(v), m_expected.distance(i, v));
+    }
+    return result;
+  }
+
+  Mesh m_mesh;
+  Exact_case m_expected;
+  AG::Intrinsic_triangulation m_triangulation;
+  Map m_distances;
+  std::vector<Method> m_methods;
+  Contest m_first, m_further;
+};
+
+int main(int argc, char* argv[])
+{
+  const auto measure = [](const Options& options, const Report& report) {
+    compare_on_scans(options, report);
+    measure_growth(options, report);
+    const std::string& name = options.meshes.front();
+    report.print("exact_errors",
+                 "Errors against time on " + short_name(name) +
+                     ": a first source with everything included, and a further one (medians of " +
+                     std::to_string(options.number_of_rounds) + ")",
+                 Error_benchmark(name, options.number_of_rounds).table());
+  };
+  return run_benchmark(argc, argv, "bench_exact", {usual_meshes(), 5, ""}, measure);
+}

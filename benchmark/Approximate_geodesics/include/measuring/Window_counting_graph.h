@@ -1,0 +1,88 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef BENCHMARK_WINDOW_COUNTING_GRAPH_H
+#define BENCHMARK_WINDOW_COUNTING_GRAPH_H
+
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <cstddef>
+#include <utility>
+
+// A saddle vertex graph that counts windows: the parts of edges that its expansions look through.
+// It finds the same arcs in the same order. As it counts, it is for one search at a time.
+class Window_counting_graph : public CGAL::Approximate_geodesics::Saddle_vertex_graph
+{
+public:
+  explicit Window_counting_graph(CGAL::Approximate_geodesics::Intrinsic_triangulation triangulation)
+    : Saddle_vertex_graph(std::move(triangulation)),
+      m_steps(this->triangulation()),
+      m_bends(this->triangulation(), m_steps)
+  {
+  }
+
+  // since the construction
+  std::size_t number_of_windows() const { return m_number_of_windows; }
+
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    namespace internal = CGAL::Approximate_geodesics::internal;
+    Visitor<Labels, F> visitor{{}, labels, f, m_number_of_windows};
+    internal::Sight_expansion<Visitor<Labels, F>> expansion(m_steps, m_bends, labels.distance(node),
+                                                            visitor);
+    internal::Vertex_sights(triangulation(), m_steps, m_bends)
+        .for_each(
+            node, labels.arrival(node),
+            [&](const Node h) {
+              f(triangulation().target(h), triangulation().length(h), Arrival::along(h));
+            },
+            [&](const internal::Sight& sight, const Node left_end, const Node right_end) {
+              expansion.look(sight, left_end, right_end);
+            });
+  }
+
+private:
+  template <typename Labels, typename F>
+  struct Visitor : CGAL::Approximate_geodesics::internal::Sight_visitor_base
+  {
+    using Sight = CGAL::Approximate_geodesics::internal::Sight;
+    using Plane_vector = CGAL::Approximate_geodesics::internal::Plane_vector;
+
+    static constexpr bool knows_arrivals = true;
+    static constexpr bool wants_sights = true;
+
+    double bound(const Node v) const { return labels.bound(v); }
+    double label(const Node v) const { return labels.distance(v); }
+    const Arrival& arrival(const Node v) const { return labels.arrival(v); }
+
+    void on_sight(const Sight&) { ++number_of_windows; }
+
+    void on_vertex(const Node v,
+                   const double distance,
+                   const Sight& sight,
+                   const Plane_vector apex,
+                   const Plane_vector left_edge)
+    {
+      f(v, distance, Arrival::across(sight.halfedge, apex, left_edge));
+    }
+
+    const Labels& labels;
+    F& f;
+    std::size_t& number_of_windows;
+  };
+
+  CGAL::Approximate_geodesics::internal::Face_steps m_steps;
+  CGAL::Approximate_geodesics::internal::Bends m_bends;
+  mutable std::size_t m_number_of_windows = 0;
+};
+
+#endif // BENCHMARK_WINDOW_COUNTING_GRAPH_H
