@@ -51,9 +51,9 @@ inline boost::program_options::options_description describe_options(Options& opt
       "do not go farther than this, in the unit of the mesh's coordinates");
   add("seed", po::value(&options.seed)->value_name("N"), "what random vertices depend on");
   add("compare,c", po::bool_switch(&options.compares),
-      "compute the exact distances with CGAL's Surface_mesh_shortest_path too, and print the "
-      "errors; "
-      "takes some seconds and a gigabyte for 40,000 vertices, and grows fast");
+      "compute the exact distances too, with CGAL's Surface_mesh_shortest_path and with epsilon 0, "
+      "and print the errors; the former takes some seconds and a gigabyte for 40,000 vertices, and "
+      "grows fast");
   add("output,o",
       po::value(&options.output)->default_value("geodesic_distances")->value_name("NAME"),
       "what the names of the files written begin with");
