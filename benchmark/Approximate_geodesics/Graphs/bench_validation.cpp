@@ -218,8 +218,8 @@ private:
         .add(Table::scientific(largest.relative))
         .add(std::to_string(largest.source.idx()))
         .add(std::to_string(largest.vertex.idx()))
-        .add(Table::scientific(largest.ours))
-        .add(Table::scientific(largest.theirs));
+        .add(largest.ours, 6)
+        .add(largest.theirs, 6);
   }
 
   Table m_differences;

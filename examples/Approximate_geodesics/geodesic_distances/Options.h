@@ -15,7 +15,8 @@ struct Options
   std::string input;
   std::vector<std::string> sources;
   std::vector<std::string> targets;
-  double epsilon = 0; // 0: none, along edges
+  bool is_along_edges = true; // no epsilon is given
+  double epsilon = 0;
   double maximum_distance = std::numeric_limits<double>::infinity();
   std::uint64_t seed = 0;
   std::string output;
@@ -46,7 +47,7 @@ inline boost::program_options::options_description describe_options(Options& opt
       "where paths from the nearest source shall lead to, given likewise");
   add("epsilon,e", po::value(&options.epsilon)->value_name("E"),
       "let paths run across faces, and be at most 1 + E times as long as the shortest ones on the "
-      "surface (default: along edges, without a bound)");
+      "surface; 0 gives the shortest ones (default: along edges, without a bound)");
   add("maximum-distance,m", po::value(&options.maximum_distance)->value_name("D"),
       "do not go farther than this, in the unit of the mesh's coordinates");
   add("seed", po::value(&options.seed)->value_name("N"), "what random vertices depend on");
@@ -101,6 +102,7 @@ inline Options parse_options(const int argc, char* argv[])
   po::variables_map values;
   po::store(po::command_line_parser(argc, argv).options(all).positional(positions).run(), values);
   po::notify(values);
+  options.is_along_edges = values.count("epsilon") == 0;
   if(options.sources.empty())
     options.sources = {"0"};
   if(options.asks_for_help)

@@ -7,6 +7,7 @@
 #include "results.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -27,6 +28,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 using CGAL::Approximate_geodesics::Discrete_geodesic_graph;
 using CGAL::Approximate_geodesics::Edge_graph;
+using CGAL::Approximate_geodesics::Saddle_vertex_graph;
 template <typename Graph>
 using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh, Graph>;
 
@@ -121,8 +123,10 @@ int main(int argc, char* argv[])
     const Options options = parse_options(argc, argv);
     if(options.asks_for_help)
       return EXIT_SUCCESS;
-    if(options.epsilon == 0)
+    if(options.is_along_edges)
       run<Edge_graph>(options);
+    else if(options.epsilon == 0)
+      run<Saddle_vertex_graph>(options);
     else
       run<Discrete_geodesic_graph>(options, parameters::epsilon(options.epsilon));
     return EXIT_SUCCESS;
