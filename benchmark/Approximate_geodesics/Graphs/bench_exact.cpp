@@ -139,7 +139,7 @@ public:
   {
     Table::Row row = table.add_row();
     row.add(name);
-    for(const std::size_t part : {0, 1, 2, 3})
+    for(std::size_t part = 0; part < 4; ++part)
       row.add(m_contest.median_seconds(part) * 1e3, 1);
     row.add(m_graph_bytes, 1).add(m_workspace_bytes, 1).add(m_graph_bytes + m_workspace_bytes, 1);
   }
@@ -351,7 +351,7 @@ public:
       m_distances(m_mesh.add_property_map<Vertex, double>("v:distance").first)
   {
     add<AG::Edge_graph>("edges", parameters::default_values());
-    for(const unsigned number : {1, 3})
+    for(const unsigned number : {1u, 3u})
       add<AG::Steiner_graph<AG::Fixed_number_of_points>>(
           "points per edge: " + std::to_string(number),
           parameters::number_of_points_per_edge(number));
