@@ -36,7 +36,6 @@ enum class Bend : std::uint8_t
   NONE,
   NONE_AS_FLAT,
   SADDLE,
-  SADDLE_AND_FLAT,
   BORDER,
   ANY
 };
@@ -64,10 +63,11 @@ public:
 
   bool is_possible(const Index v) const { return m_bends[v] >= Bend::SADDLE; }
 
-  bool is_flat(const Index v) const
-  {
-    return m_bends[v] == Bend::NONE_AS_FLAT || m_bends[v] == Bend::SADDLE_AND_FLAT;
-  }
+  // Whether a vertex on one of the rays of a sight hides nothing from those who look past it on the
+  // inside only: what is beyond lies straight ahead on both sides, or paths can bend there. If
+  // lines went on between two border vertices on them, one to the left and one to the right,
+  // rounding would decide whether a line is found on the way back.
+  bool hides_nothing(const Index v) const { return m_bends[v] != Bend::NONE; }
 
   std::size_t memory() const { return m_bends.capacity() * sizeof(Bend); }
 
@@ -95,10 +95,9 @@ private:
       sum.add(unit_corner(steps[h]));
     }
     const double excess = sum.value() - 2 * straight_angle;
-    const bool is_flat = std::abs(excess) <= FLAT;
     if(excess > ROUNDING)
-      return is_flat ? Bend::SADDLE_AND_FLAT : Bend::SADDLE;
-    return is_flat ? Bend::NONE_AS_FLAT : Bend::NONE;
+      return Bend::SADDLE;
+    return excess >= -FLAT ? Bend::NONE_AS_FLAT : Bend::NONE;
   }
 
   std::vector<Bend> m_bends; // per vertex

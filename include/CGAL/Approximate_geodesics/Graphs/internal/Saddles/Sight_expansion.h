@@ -105,9 +105,10 @@ private:
     if(beyond_left <= left_margin && beyond_right <= right_margin &&
        m_label_of_tip + distance <= bound)
       m_visitor.on_vertex(step.apex, distance, sight, apex, left_edge);
-    if(beyond_left > 0 || (beyond_left > -left_margin && m_bends.is_flat(step.apex)))
+    const bool is_passed_inside = m_bends.hides_nothing(step.apex);
+    if(beyond_left > 0 || (beyond_left > -left_margin && is_passed_inside))
       return go_right(sight, step, apex, distance, bound);
-    if(beyond_right > 0 || (beyond_right > -right_margin && m_bends.is_flat(step.apex)))
+    if(beyond_right > 0 || (beyond_right > -right_margin && is_passed_inside))
       return go_left(sight, step, left_edge, distance, bound);
     const int side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
     return split(sight, step, apex, left_edge, distance, bound, side);
