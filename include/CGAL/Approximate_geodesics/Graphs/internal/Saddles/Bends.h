@@ -31,12 +31,11 @@ namespace internal {
  * counts as one if a face without area, or an edge without length, leaves doubts about its angle;
  * and at such vertices, paths may bend by any angle.
  */
-enum class Bend : std::uint8_t
+enum class Bend_kind : std::uint8_t
 {
   NONE,
   NONE_AS_FLAT,
   SADDLE,
-  SADDLE_AND_FLAT,
   BORDER,
   ANY
 };
@@ -57,19 +56,20 @@ public:
       m_bends.push_back(bend(triangulation, steps, v));
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(steps[h].has_face() && is_degenerate(triangulation, steps, h))
-        m_bends[steps[h].apex] = Bend::ANY;
+        m_bends[steps[h].apex] = Bend_kind::ANY;
   }
 
-  Bend operator[](const Index v) const { return m_bends[v]; }
+  Bend_kind operator[](const Index v) const { return m_bends[v]; }
 
-  bool is_possible(const Index v) const { return m_bends[v] >= Bend::SADDLE; }
+  bool is_possible(const Index v) const { return m_bends[v] >= Bend_kind::SADDLE; }
 
-  bool is_flat(const Index v) const
-  {
-    return m_bends[v] == Bend::NONE_AS_FLAT || m_bends[v] == Bend::SADDLE_AND_FLAT;
-  }
+  // Whether a vertex on one of the rays of a sight hides nothing from those who look past it on the
+  // inside only: what is beyond lies straight ahead on both sides, or paths can bend there. If
+  // lines went on between two border vertices on them, one to the left and one to the right,
+  // rounding would decide whether a line is found on the way back.
+  bool hides_nothing(const Index v) const { return m_bends[v] != Bend_kind::NONE; }
 
-  std::size_t memory() const { return m_bends.capacity() * sizeof(Bend); }
+  std::size_t memory() const { return m_bends.capacity() * sizeof(Bend_kind); }
 
 private:
   static bool is_degenerate(const Intrinsic_triangulation& triangulation,
@@ -84,24 +84,23 @@ private:
            !(triangulation.length(triangulation.next(next)) > Sight::SHORTEST_EDGE);
   }
 
-  static Bend
+  static Bend_kind
   bend(const Intrinsic_triangulation& triangulation, const Face_steps& steps, const Index v)
   {
     Angle_sum sum;
     for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
     {
       if(!steps[h].has_face())
-        return Bend::BORDER;
+        return Bend_kind::BORDER;
       sum.add(unit_corner(steps[h]));
     }
     const double excess = sum.value() - 2 * straight_angle;
-    const bool is_flat = std::abs(excess) <= FLAT;
     if(excess > ROUNDING)
-      return is_flat ? Bend::SADDLE_AND_FLAT : Bend::SADDLE;
-    return is_flat ? Bend::NONE_AS_FLAT : Bend::NONE;
+      return Bend_kind::SADDLE;
+    return excess >= -FLAT ? Bend_kind::NONE_AS_FLAT : Bend_kind::NONE;
   }
 
-  std::vector<Bend> m_bends; // per vertex
+  std::vector<Bend_kind> m_bends; // per vertex
 };
 
 } // namespace internal

@@ -17,6 +17,8 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
@@ -109,14 +111,28 @@ private:
     if(beyond_left <= left_margin && beyond_right <= right_margin &&
        m_label_of_tip + distance <= bound)
       m_visitor.on_vertex(step.apex, distance, sight, apex, left_edge);
-    if(beyond_left > 0 || (beyond_left > -left_margin && m_bends.is_flat(step.apex)))
+    const bool hides_nothing = m_bends.hides_nothing(step.apex);
+    if(is_beyond(sight.left_ray, apex, beyond_left, left_margin, hides_nothing))
       return go_right(sight, step, apex, distance, bound);
-    if(beyond_right > 0 || (beyond_right > -right_margin && m_bends.is_flat(step.apex)))
+    if(is_beyond(sight.right_ray, apex, beyond_right, right_margin, hides_nothing))
       return go_left(sight, step, left_edge, distance, bound);
     int side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
     if(side == 0)
       side = m_part.side(sight.splits++);
     return split(sight, step, apex, left_edge, distance, bound, side);
+  }
+
+  // Whether a sight goes on only on the side of the apex that is away from the ray. If it is as
+  // wide as half a plane, an apex on the other ray is in line with this one, too.
+  static bool is_beyond(const Sight_ray& ray,
+                        const Plane_vector apex,
+                        const double beyond,
+                        const double margin,
+                        const bool hides_nothing)
+  {
+    if(std::abs(beyond) > margin)
+      return beyond > 0;
+    return (beyond > 0 || hides_nothing) && dot(ray.direction, apex) > 0;
   }
 
   /*

@@ -43,7 +43,7 @@ public:
   {
     const Index first = m_triangulation.first_halfedge(v),
                 beyond = m_triangulation.beyond_halfedge(v);
-    if(arrival.is_none() || m_bends[v] == Bend::ANY)
+    if(arrival.is_none() || m_bends[v] == Bend_kind::ANY)
     {
       for(Index h = first; h < beyond; ++h)
       {
@@ -58,7 +58,7 @@ public:
     const Boundary right = sectors.right_boundary(arrival), left = sectors.left_boundary(arrival);
     if(right.exists())
       open_sector(v, right, left, on_edge, on_sight);
-    if(left.exists() && m_bends[v] == Bend::BORDER)
+    if(left.exists() && m_bends[v] == Bend_kind::BORDER)
       open_sector(v, {first_after_border(v)}, left, on_edge, on_sight);
   }
 
