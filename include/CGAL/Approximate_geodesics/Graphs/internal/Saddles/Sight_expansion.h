@@ -122,17 +122,20 @@ private:
     return split(sight, step, apex, left_edge, distance, bound, side);
   }
 
-  // Whether a sight goes on only on the side of the apex that is away from the ray. If it is as
-  // wide as half a plane, an apex on the other ray is in line with this one, too.
+  // Whether a sight goes on only on the side of the apex that is away from the ray: what it gives
+  // up then is no wider than rounding errors are. If the sight is as wide as half a plane, an apex
+  // on the other ray is in line with this one, too.
   static bool is_beyond(const Sight_ray& ray,
                         const Plane_vector apex,
                         const double beyond,
                         const double margin,
                         const bool hides_nothing)
   {
+    constexpr double rounding_in_margin = 1e-3;
     if(std::abs(beyond) > margin)
       return beyond > 0;
-    return (beyond > 0 || hides_nothing) && dot(ray.direction, apex) > 0;
+    const bool is_inside = !(beyond > (hides_nothing ? -rounding_in_margin * margin : 0));
+    return !is_inside && dot(ray.direction, apex) > 0;
   }
 
   /*
