@@ -8,7 +8,7 @@
 // See --help.
 
 #include "measuring/Errors.h"
-#include "measuring/Window_counting_graph.h"
+#include "measuring/Sight_counting_graph.h"
 #include "measuring/child_process.h"
 #include "measuring/measure.h"
 #include "measuring/resident_memory.h"
@@ -29,6 +29,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/tags.h>
 
 #include <cmath>
 #include <cstddef>
@@ -40,6 +41,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -54,6 +56,9 @@ static constexpr double COARSE = 0.1, FINE = 0.01; // the bounds of the lazy gra
 static constexpr std::size_t LARGEST_FOR_CLASS = 60000;
 
 static constexpr Limits LIMITS{600, (std::numeric_limits<std::size_t>::max)()};
+
+static constexpr bool HAS_THREADS =
+    std::is_same_v<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>;
 
 using Map = Mesh::Property_map<Vertex, double>;
 
@@ -162,6 +167,57 @@ private:
   Contest m_contest;
 };
 
+// What threads do for a first source, with everything included, and for a further one.
+class Threads
+{
+  using Graph = AG::Saddle_vertex_graph;
+
+public:
+  Threads(Mesh& mesh, const std::vector<Vertex>& sources)
+  {
+    add<CGAL::Sequential_tag>(mesh, sources);
+    add<CGAL::Parallel_if_available_tag>(mesh, sources);
+    m_contest.run(sources.size());
+  }
+
+  static Table empty_table()
+  {
+    return Table({"mesh", "one thread ms", "all threads ms", "one : all", "further, one thread ms",
+                  "further, all threads ms", "further, one : all"});
+  }
+
+  void add_to(Table& table, const std::string& name) const
+  {
+    Table::Row row = table.add_row();
+    row.add(name);
+    for(const std::size_t first : {FIRST_SOURCE, FURTHER_SOURCE})
+      row.add(m_contest.median_seconds(first) * 1e3, 1)
+          .add(m_contest.median_seconds(first + 2) * 1e3, 1)
+          .add(m_contest.ratio(first, first + 2), 2);
+  }
+
+private:
+  static constexpr std::size_t FIRST_SOURCE = 0, FURTHER_SOURCE = 1; // numbers of contestants
+
+  template <typename Tag>
+  void add(Mesh& mesh, const std::vector<Vertex>& sources)
+  {
+    const Map distances = mesh.add_property_map<Vertex, double>("v:distance").first;
+    m_contest.add([&mesh, &sources, distances](const auto round) {
+      CGAL::approximate_geodesic_distances(mesh, distances, sources[round],
+                                           parameters::epsilon(0).concurrency_tag(Tag()));
+    });
+    const auto graph = std::make_shared<Graph>(AG::Intrinsic_triangulation(mesh),
+                                               parameters::concurrency_tag(Tag()));
+    const auto search = std::make_shared<AG::Propagation<Graph>>(*graph);
+    m_contest.add([&sources, graph, search](const auto round) {
+      search->run_from(graph->triangulation().vertex(sources[round].idx()));
+    });
+  }
+
+  Contest m_contest;
+};
+
 // The memory at its largest, in bytes per vertex, beside the mesh, in a process of its own.
 template <typename F>
 double peak_bytes(const Mesh& mesh, F f)
@@ -225,7 +281,7 @@ private:
 static void compare_on_scans(const Options& options, const Report& report)
 {
   Table first_sources = First_sources::empty_table(), parts = Parts::empty_table(),
-        memory = Class_benchmark::empty_table();
+        threads = Threads::empty_table(), memory = Class_benchmark::empty_table();
   bool is_large = false;
   for(const std::string& name : options.meshes)
   {
@@ -235,6 +291,8 @@ static void compare_on_scans(const Options& options, const Report& report)
     Class_benchmark(mesh, sources).add_to(memory, short_name(name));
     First_sources(mesh, sources).add_to(first_sources, short_name(name), mesh);
     Parts(mesh, sources).add_to(parts, short_name(name));
+    if(HAS_THREADS)
+      Threads(mesh, sources).add_to(threads, short_name(name));
   }
   const std::string rounds = std::to_string(options.number_of_rounds) + " sources";
   report.print("exact",
@@ -243,6 +301,11 @@ static void compare_on_scans(const Options& options, const Report& report)
                    rounds + ")",
                first_sources);
   report.print("exact_parts", "The parts of it, and a further source (medians)", parts);
+  if(HAS_THREADS)
+    report.print("exact_threads",
+                 "One source with everything included, and a further one, with " +
+                     std::to_string(std::thread::hardware_concurrency()) + " threads (medians)",
+                 threads);
   report.print("exact_memory",
                "Memory at its largest for one source, and how distances from " + rounds +
                    " differ from those of the exact class",
@@ -259,7 +322,7 @@ class Growth_benchmark
 public:
   explicit Growth_benchmark(const std::size_t number_of_rounds)
     : m_number_of_rounds(number_of_rounds),
-      m_table({"surface", "vertices", "us/vertex", "windows/vertex", "ns/window", "exact : edges",
+      m_table({"surface", "vertices", "us/vertex", "sights/vertex", "ns/sight", "exact : edges",
                "exact : lazy 0.1"})
   {
   }
@@ -286,13 +349,13 @@ public:
     contest.run(m_number_of_rounds);
 
     const double vertices = double(mesh.number_of_vertices()), seconds = contest.median_seconds(0);
-    const double windows = double(number_of_windows(*exact_search, sources.back()));
+    const double sights = double(number_of_sights(*exact_search, sources.back()));
     m_table.add_row()
         .add(surface)
         .add(vertices, 0)
         .add(seconds / vertices * 1e6, 2)
-        .add(windows / vertices, 1)
-        .add(seconds / windows * 1e9, 1)
+        .add(sights / vertices, 1)
+        .add(seconds / sights * 1e9, 1)
         .add(contest.ratio(0, 1), 1)
         .add(contest.ratio(0, 2), 2);
   }
@@ -303,21 +366,21 @@ private:
   using Index = AG::Intrinsic_triangulation::Index;
 
   // Those of one more search from the same source, which must find the same.
-  static std::size_t number_of_windows(const AG::Propagation<AG::Saddle_vertex_graph>& search,
-                                       const Vertex source)
+  static std::size_t number_of_sights(const AG::Propagation<AG::Saddle_vertex_graph>& search,
+                                      const Vertex source)
   {
     const AG::Intrinsic_triangulation& triangulation = search.graph().triangulation();
-    const Window_counting_graph graph(triangulation);
-    AG::Propagation<Window_counting_graph> counting_search(graph);
+    const Sight_counting_graph graph(triangulation);
+    AG::Propagation<Sight_counting_graph> counting_search(graph);
     counting_search.run_from(triangulation.vertex(source.idx()));
     for(Index node = 0; node < triangulation.number_of_vertices(); ++node)
     {
       // fused multiply-add may round lengths differently in the two searches
       const double difference = counting_search.distance(node) - search.distance(node);
       if(!(std::abs(difference) <= 1e-12 * search.distance(node)))
-        throw std::runtime_error("the search that counts windows finds other distances");
+        throw std::runtime_error("the search that counts sights finds other distances");
     }
-    return graph.number_of_windows();
+    return graph.number_of_sights();
   }
 
   std::size_t m_number_of_rounds;

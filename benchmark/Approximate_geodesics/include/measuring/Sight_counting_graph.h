@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef BENCHMARK_WINDOW_COUNTING_GRAPH_H
-#define BENCHMARK_WINDOW_COUNTING_GRAPH_H
+#ifndef BENCHMARK_SIGHT_COUNTING_GRAPH_H
+#define BENCHMARK_SIGHT_COUNTING_GRAPH_H
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
@@ -17,12 +17,12 @@
 #include <cstddef>
 #include <utility>
 
-// A saddle vertex graph that counts windows: the parts of edges that its expansions look through.
+// A saddle vertex graph that counts sights: the parts of edges that its expansions look through.
 // It finds the same arcs in the same order. As it counts, it is for one search at a time.
-class Window_counting_graph : public CGAL::Approximate_geodesics::Saddle_vertex_graph
+class Sight_counting_graph : public CGAL::Approximate_geodesics::Saddle_vertex_graph
 {
 public:
-  explicit Window_counting_graph(CGAL::Approximate_geodesics::Intrinsic_triangulation triangulation)
+  explicit Sight_counting_graph(CGAL::Approximate_geodesics::Intrinsic_triangulation triangulation)
     : Saddle_vertex_graph(std::move(triangulation)),
       m_steps(this->triangulation()),
       m_bends(this->triangulation(), m_steps)
@@ -30,13 +30,13 @@ public:
   }
 
   // since the construction
-  std::size_t number_of_windows() const { return m_number_of_windows; }
+  std::size_t number_of_sights() const { return m_number_of_sights; }
 
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
     namespace internal = CGAL::Approximate_geodesics::internal;
-    Visitor<Labels, F> visitor{{}, labels, f, m_number_of_windows};
+    Visitor<Labels, F> visitor{{}, labels, f, m_number_of_sights};
     internal::Sight_expansion<Visitor<Labels, F>> expansion(m_steps, m_bends, labels.distance(node),
                                                             visitor);
     internal::Vertex_sights(triangulation(), m_steps, m_bends)
@@ -64,7 +64,7 @@ private:
     double label(const Node v) const { return labels.distance(v); }
     const Arrival& arrival(const Node v) const { return labels.arrival(v); }
 
-    void on_sight(const Sight&) { ++number_of_windows; }
+    void on_sight(const Sight&) { ++number_of_sights; }
 
     void on_vertex(const Node v,
                    const double distance,
@@ -77,12 +77,12 @@ private:
 
     const Labels& labels;
     F& f;
-    std::size_t& number_of_windows;
+    std::size_t& number_of_sights;
   };
 
   CGAL::Approximate_geodesics::internal::Face_steps m_steps;
   CGAL::Approximate_geodesics::internal::Bends m_bends;
-  mutable std::size_t m_number_of_windows = 0;
+  mutable std::size_t m_number_of_sights = 0;
 };
 
-#endif // BENCHMARK_WINDOW_COUNTING_GRAPH_H
+#endif // BENCHMARK_SIGHT_COUNTING_GRAPH_H
