@@ -13,7 +13,7 @@ set key inside left top
 file = data . 'exact_growth.csv'
 set datafile missing NaN
 of(surface, name) = strcol('surface') eq surface ? column(name) : NaN
-surfaces = 'smooth terrain subdivided'
+surfaces = 'smooth terrain rough subdivided'
 plot for [i = 1:words(surfaces)] file \
        using 'vertices':(of(word(surfaces, i), 'us/vertex')) \
        with linespoints linetype i title word(surfaces, i) . ', time', \

@@ -46,4 +46,16 @@ terrain(const std::size_t side, const double grading = 1, const double largest_s
   return mesh;
 }
 
+// The same terrain with rough ground: heights differ at random by up to a third of the spacing,
+// too.
+inline Mesh rough_terrain(const std::size_t side)
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> shift(-1. / 3, 1. / 3);
+  Mesh result = terrain(side);
+  for(const Vertex v : result.vertices())
+    result.point(v) = result.point(v) + Kernel::Vector_3(0, 0, shift(random));
+  return result;
+}
+
 #endif // BENCHMARK_TERRAIN_H
