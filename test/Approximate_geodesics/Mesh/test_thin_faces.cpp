@@ -326,7 +326,9 @@ void expect_no_shortcuts(const Soup& soup, const Triangulation& t, const Kind& k
                 line * (1 - Long(tolerance)) - units_in_the_last_place * 0x1p-53 * longest);
       if(v == s)
         continue;
-      EXPECT_LE(search.distance(v), line * (1 + Long(kind.epsilon)) * (1 + Long(single_precision)));
+      EXPECT_LE(search.distance(v),
+                line * (1 + Long(kind.epsilon)) *
+                    (1 + Long(kind.epsilon > 0 ? single_precision : tolerance)));
     }
   }
 }
@@ -346,6 +348,7 @@ TEST(Thin_faces, make_no_shortcuts)
     check(lazy_graph(0.01, Lazy_discrete_geodesic_graph::Arcs::FORGOTTEN));
     check(graph_with_spaced_points(1));
     check(graph_with_spaced_points(3));
+    check(saddle_vertex_graph());
   });
 }
 

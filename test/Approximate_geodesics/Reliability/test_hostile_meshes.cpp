@@ -9,6 +9,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 
 #include <gtest/gtest.h>
@@ -43,6 +44,17 @@ TEST(Hostile_meshes, lazy_discrete_geodesic_graph)
 {
   for(const double epsilon : {0.1, 0.02})
     expect_everything<AG::Lazy_discrete_geodesic_graph>(parameters::epsilon(epsilon), {});
+}
+
+// Beside much longer edges, short ones vanish when faces are unfolded, and so do widths of faces.
+TEST(Hostile_meshes, saddle_vertex_graph)
+{
+  expect_everything<AG::Saddle_vertex_graph>(
+      parameters::default_values(),
+      {"caps of 1e9", "caps of 1e12", "caps of 1e200", "coordinates of 1e-322",
+       "edges from 1 to 1e12", "edges from 1e-30 to 1", "edges from 1e-60 to 1",
+       "edges from 1e-120 to 1", "edges of length zero", "needles of 1e9", "needles of 1e12",
+       "needles of 1e200"});
 }
 
 // ----- a vertex with very many neighbors, in every graph

@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
 #include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 
 #include <gtest/gtest.h>
@@ -30,6 +31,7 @@ using CGAL::Approximate_geodesics::Geometric_points;
 using CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph;
 using CGAL::Approximate_geodesics::Points_at_interval;
 using CGAL::Approximate_geodesics::Published_geometric_points;
+using CGAL::Approximate_geodesics::Saddle_vertex_graph;
 using CGAL::Approximate_geodesics::Steiner_graph;
 
 // A graph with its parameters.
@@ -81,6 +83,17 @@ lazy_graph(const double epsilon, const Lazy_discrete_geodesic_graph::Arcs arcs)
           forgets ? epsilon : single_precision};
 }
 
+// Whether a node is expanded again depends on the queue, and so do roundings.
+inline Kind_of_graph<Saddle_vertex_graph> saddle_vertex_graph()
+{
+  return {"saddle vertex graph",
+          [](Triangulation t) { return Saddle_vertex_graph(std::move(t)); },
+          0,
+          1e-12,
+          1e-12,
+          1e-12};
+}
+
 // Arcs that are left out can be as good as others, but for their rounding.
 template <typename Placement>
 Kind_of_graph<Steiner_graph<Placement>>
@@ -114,6 +127,7 @@ void for_each_graph_of_lengths(const double epsilon, F f)
   call(discrete_geodesic_graph(epsilon));
   call(lazy_graph(epsilon, Arcs::FORGOTTEN));
   call(lazy_graph(epsilon, Arcs::KEPT));
+  call(saddle_vertex_graph());
 }
 
 // Calls `f(kind)` for each of those that heed weights.

@@ -29,7 +29,8 @@ namespace internal {
  *
  * A vertex at which a path bends for no reason costs time, and changes no distance. So a vertex
  * counts as one if a face without area, or an edge without length, leaves doubts about its angle;
- * and at such vertices, paths may bend by any angle.
+ * and at such vertices, paths may bend by any angle. So they may at a vertex where parts of the
+ * surface meet, with a border between them: they go from one part to the others.
  */
 enum class Bend_kind : std::uint8_t
 {
@@ -88,12 +89,16 @@ private:
   bend(const Intrinsic_triangulation& triangulation, const Face_steps& steps, const Index v)
   {
     Angle_sum sum;
+    int number_of_borders = 0;
     for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
     {
-      if(!steps[h].has_face())
-        return Bend_kind::BORDER;
-      sum.add(unit_corner(steps[h]));
+      if(steps[h].has_face())
+        sum.add(unit_corner(steps[h]));
+      else
+        ++number_of_borders;
     }
+    if(number_of_borders > 0)
+      return number_of_borders == 1 ? Bend_kind::BORDER : Bend_kind::ANY;
     const double excess = sum.value() - 2 * straight_angle;
     if(excess > ROUNDING)
       return Bend_kind::SADDLE;

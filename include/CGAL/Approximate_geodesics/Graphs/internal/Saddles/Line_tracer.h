@@ -77,6 +77,8 @@ public:
     });
     for(double angle = 4 * Arrival::ROUNDING; angle < 1 && !line.is_found(); angle *= 1000)
       look_back(vertex, arrival, angle, end, line);
+    if(!line.is_found() && !arrival.is_along_halfedge())
+      look_through(arrival.halfedge, end, line);
     line.for_each_crossing(m_steps, f);
     return length;
   }
@@ -123,8 +125,7 @@ private:
                  const Intrinsic_point& end,
                  Sought_line& line) const
   {
-    constexpr double slack = 1e-6;
-    Visitor visitor{{}, m_triangulation, end, line.length * (1 + slack), line, {}, {}};
+    Visitor visitor = this->visitor(end, line);
     Sight_expansion<Visitor> expansion(m_steps, m_bends, 0, visitor);
     Vertex_sights(m_triangulation, m_steps, m_bends)
         .for_each_back(
@@ -137,6 +138,49 @@ private:
               visitor.first = sight;
               expansion.look(sight, left_end, right_end);
             });
+  }
+
+  // Looks back through a whole edge: where an end of it is at the vertex that the line arrives at,
+  // directions say nothing.
+  void look_through(const Index halfedge, const Intrinsic_point& end, Sought_line& line) const
+  {
+    Visitor visitor = this->visitor(end, line);
+    visitor.first = sight_through(halfedge);
+    const Index back = visitor.first.halfedge;
+    if(!m_steps[back].has_face())
+      return;
+    Sight_expansion<Visitor>(m_steps, m_bends, 0, visitor)
+        .look(visitor.first, m_triangulation.source(back), m_triangulation.target(back));
+  }
+
+  // From the third vertex of the face of `halfedge` through that.
+  Sight sight_through(const Index halfedge) const
+  {
+    const auto [edge, left, right] = m_triangulation.halfedges_of_face(halfedge);
+    const double distance = m_triangulation.length(right);
+    Sight result;
+    result.halfedge = m_triangulation.opposite(edge);
+    if(distance > 0)
+    {
+      result.left = {distance * m_steps[right].along, distance * m_steps[right].across};
+      result.edge = m_steps[right].right_edge({distance, 0});
+    }
+    else
+    {
+      result.left = {m_triangulation.length(left), 0};
+      result.edge = {-result.left.x, 0};
+    }
+    result.left_distance = length(result.left);
+    result.right_distance = distance;
+    result.left_ray = Sight_ray(result.left, result.left_distance);
+    result.right_ray = Sight_ray({distance, 0}, distance);
+    return result;
+  }
+
+  Visitor visitor(const Intrinsic_point& end, Sought_line& line) const
+  {
+    constexpr double slack = 1e-6;
+    return {{}, m_triangulation, end, line.length * (1 + slack), line, {}, {}};
   }
 
   const Intrinsic_triangulation& m_triangulation;
