@@ -46,7 +46,7 @@ namespace Approximate_geodesics {
  * that they are of no use. See the user manual for the algorithm and why it loses no vertex.
  *
  * Take it in place of \cgal's `Surface_mesh_shortest_path`, where a bound is not enough, or in
- * order to measure errors. A search takes two to four times as long as one of
+ * order to measure errors. On scanned models, a search takes two to six times as long as one of
  * `Lazy_discrete_geodesic_graph` does with the bound `0.1`, and on smooth surfaces the time per
  * vertex grows with the square root of their number.
  *
