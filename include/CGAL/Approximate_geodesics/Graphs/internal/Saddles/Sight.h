@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -33,7 +34,10 @@ struct Sight_part
   // right one, a negative one for the left one, 0 for both.
   int side(const std::uint32_t i) const
   {
-    return (number_of_parts >> i) <= 1 ? 0 : (number >> i & 1) != 0 ? 1 : -1;
+    constexpr std::uint32_t digits = std::numeric_limits<std::size_t>::digits;
+    if(i >= digits || (number_of_parts >> i) <= 1)
+      return 0;
+    return (number >> i & 1) != 0 ? 1 : -1;
   }
 };
 
