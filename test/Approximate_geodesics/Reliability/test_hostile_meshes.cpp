@@ -51,10 +51,8 @@ TEST(Hostile_meshes, saddle_vertex_graph)
 {
   expect_everything<AG::Saddle_vertex_graph>(
       parameters::default_values(),
-      {"caps of 1e9", "caps of 1e12", "caps of 1e200", "coordinates of 1e-322",
-       "edges from 1 to 1e12", "edges from 1e-30 to 1", "edges from 1e-60 to 1",
-       "edges from 1e-120 to 1", "edges of length zero", "needles of 1e9", "needles of 1e12",
-       "needles of 1e200"});
+      {"caps of 1e9", "caps of 1e200", "edges from 1e-30 to 1", "edges from 1e-60 to 1",
+       "edges from 1e-120 to 1", "needles of 1e9", "needles of 1e12"});
 }
 
 // ----- a vertex with very many neighbors, in every graph

@@ -142,6 +142,15 @@ public:
   // The graph of the mesh's edges, which gives upper bounds of all distances.
   const Edge_graph& edges() const { return m_edges; }
 
+  // How a path arrives at a node along an edge.
+  Arrival arrival_along_edge(const Node from, const Node node) const
+  {
+    Node h = triangulation().first_halfedge(from);
+    while(triangulation().target(h) != node)
+      ++h;
+    return Arrival::along(h);
+  }
+
   // Whether several threads may look for arcs at the same time, and how they are called.
   bool is_parallel() const { return m_loop.is_parallel(); }
   const internal::Loop& loop() const { return m_loop; }
@@ -167,7 +176,8 @@ public:
   }
 
   // Calls `f(h, t)` for every edge that the line of the given length crosses on its way back from
-  // `node`, where it arrives as `arrival` says, to `end`. Returns the length of the line.
+  // `node`, where it arrives as `arrival` says, to `end`. Returns the length of the line,
+  // or a negative number if it cannot be found.
   template <typename F>
   double for_each_crossing_back(const Node node,
                                 const Arrival& arrival,

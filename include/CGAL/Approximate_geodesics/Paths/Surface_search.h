@@ -12,6 +12,8 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Euclidean_heuristic.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/append_detour.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/append_point.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
@@ -493,8 +495,14 @@ private:
       path.points.push_back(Intrinsic_point::on_edge(h, t));
     };
     if constexpr(internal::finds_lines<Graph>)
-      path.length += m_graph->attach(from).for_each_crossing(bound_before(answer.distance), end,
-                                                             answer.last_length, append_crossing);
+    {
+      const double found = m_graph->attach(from).for_each_crossing(
+          bound_before(answer.distance), end, answer.last_length, append_crossing);
+      if(found >= 0)
+        path.length += found;
+      else
+        internal::append_detour(m_graph->edges(), from, end, path);
+    }
     else
       path.length +=
           m_graph->attach(from).for_each_crossing(to, answer.last_length, append_crossing);

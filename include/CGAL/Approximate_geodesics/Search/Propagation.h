@@ -241,7 +241,7 @@ public:
     check(seeds, stop);
     forget();
     search(seeds, stop, Geodesic_visitor_base(), heuristic, find_seeds);
-    if(reopens_too_often())
+    if(reopens_too_often() || has_lost_goal(stop))
     {
       forget();
       search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_seeds);
@@ -348,15 +348,39 @@ private:
   {
     internal::Batch_relaxation<Graph, Queue, Labels, Heuristic, Counter> batch(
         *m_graph, m_queue, m_labels, m_candidates, heuristic, largest_label(stop), counter);
-    while(!m_queue.is_empty() && !(internal::is_heuristic<Heuristic> && reopens_too_often()))
-    {
-      batch.extract();
-      if(!watch.go_further(batch.size()))
-        return end_early<Heuristic>(batch.size());
-      batch.find_candidates();
-      batch.lower_labels();
-    }
+    do
+      while(!m_queue.is_empty() && !(internal::is_heuristic<Heuristic> && reopens_too_often()))
+      {
+        batch.extract();
+        if(!watch.go_further(batch.size()))
+          return end_early<Heuristic>(batch.size());
+        batch.find_candidates();
+        batch.lower_labels();
+      }
+    while(enter_lost_nodes(stop, heuristic));
     watch.finish();
+  }
+
+  // Where faces are thinner than numbers can tell, lines may be longer than upper bounds, and be
+  // given up. Nodes that no line has led to get the paths that the bounds are from. Returns whether
+  // there are any.
+  template <typename Heuristic>
+  bool enter_lost_nodes([[maybe_unused]] const Stop_rule& stop, const Heuristic& /* heuristic */)
+  {
+    if constexpr(internal::needs_bounds<Graph> && !internal::is_heuristic<Heuristic>)
+    {
+      m_queue.clear();
+      m_labels.for_each_lost_node(largest_label(stop), [&](const Node node, const double bound) {
+        const Node from = m_labels.predecessor(node);
+        if(from == null_node)
+          return;
+        m_labels.set(node, bound, from);
+        m_labels.set_arrival(node, m_graph->arrival_along_edge(from, node));
+        m_queue.push(node, bound);
+      });
+    }
+    return internal::needs_bounds<Graph> && !internal::is_heuristic<Heuristic> &&
+           !m_queue.is_empty();
   }
 
   // What is still in the queue, or was extracted last, is not final, and is taken back. After A*,
@@ -391,6 +415,7 @@ private:
   void
   find_bounds(const std::vector<Seed>& seeds, const Stop_rule& stop, const Heuristic& heuristic)
   {
+    constexpr double slack = 1e-6; // much more than rounding, and not much more to search
     const std::size_t size_of_order = m_labels.order().size();
     const auto number_of_seeds = static_cast<std::ptrdiff_t>(m_seeds.size());
     for(const Seed& seed : seeds)
@@ -413,7 +438,7 @@ private:
       batch.lower_labels();
     }
     m_queue.for_each_node([this](const Node node) { m_labels.order().push_back(node); });
-    m_limit = distance_of_goal(stop) * (1 + rounding);
+    m_limit = distance_of_goal(stop) * (1 + slack);
     m_labels.turn_into_bounds(size_of_order, largest_label(stop), heuristic);
     m_queue.clear();
     m_seeds.erase(m_seeds.begin() + number_of_seeds, m_seeds.end());
@@ -435,6 +460,13 @@ private:
       result = (std::max)(result, shortest);
     }
     return result;
+  }
+
+  // Whether upper bounds say that the goal can be reached, and it was not.
+  bool has_lost_goal(const Stop_rule& stop) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return m_limit < infinity && distance_of_goal(stop) == infinity;
   }
 
   // in units of the graph
@@ -562,8 +594,6 @@ private:
 
   using Labels = internal::Labels_of<Graph>;
   using Candidate = internal::Candidate_of<Graph>;
-
-  static constexpr double rounding = 1e-12; // of sums of lengths
 
   const Graph* m_graph;
   Labels m_labels;

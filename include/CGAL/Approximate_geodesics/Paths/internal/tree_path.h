@@ -9,6 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/append_detour.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/append_point.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -21,22 +23,6 @@ namespace Approximate_geodesics {
 namespace internal {
 
 // Paths in the shortest-path tree of a search, whose lengths are in units of the graph.
-
-// Appends a point to a path, unless it is where the path has got to. Removes the last point if the
-// path goes straight on there, along an edge.
-inline void
-append(const Intrinsic_point& point, const Intrinsic_triangulation& triangulation, Path& path)
-{
-  auto& points = path.points;
-  if(point.is_same(points.back(), triangulation))
-    return;
-  const auto h = points.back().halfedge;
-  if(points.size() > 1 && points.back().is_on_edge() &&
-     points[points.size() - 2].is_on_edge_of(h, triangulation) &&
-     point.is_on_edge_of(h, triangulation))
-    points.pop_back();
-  points.push_back(point);
-}
 
 // Appends the edges that a line crosses, which `for_each_crossing(f)` finds in the opposite order
 // and whose length it returns.
@@ -58,10 +44,14 @@ void append_line_back(const Search& search,
                       const double length,
                       Path& path)
 {
-  path.length += search.graph().for_each_crossing_back(
+  const double found = search.graph().for_each_crossing_back(
       node, search.arrival(node), end, length, [&](const Intrinsic_point::Index h, const double t) {
         path.points.push_back(Intrinsic_point::on_edge(h, t));
       });
+  if(found >= 0)
+    path.length += found;
+  else
+    append_detour(search.graph().edges(), Intrinsic_point::at_vertex(node), end, path);
   append(end, search.graph().triangulation(), path);
 }
 

@@ -65,6 +65,15 @@ public:
     order().resize(first);
   }
 
+  // Calls `f(node, bound)` for nodes that have a bound below `limit` and no label.
+  template <typename F>
+  void for_each_lost_node(const double limit, F f) const
+  {
+    for(const Node node : m_bounded)
+      if(!is_reached(node) && m_bound[node] < limit)
+        f(node, m_bound[node]);
+  }
+
   void discard(const Node node)
   {
     Labels::discard(node);

@@ -62,7 +62,8 @@ public:
   }
 
   // Calls `f(h, t)` for the halfedges that the line crosses on its way from the vertex to `end`, at
-  // the part `t` of the way from source to target. Returns its length.
+  // the part `t` of the way from source to target. Returns its length, or a negative number if it
+  // cannot be found, as can happen in faces that are thinner than numbers can tell.
   template <typename F>
   double for_each_crossing(const Index vertex,
                            const Arrival& arrival,
@@ -79,8 +80,7 @@ public:
       look_back(vertex, arrival, angle, end, line);
     if(!line.is_found() && !arrival.is_along_halfedge())
       look_through(arrival.halfedge, end, line);
-    line.for_each_crossing(m_steps, f);
-    return length;
+    return line.for_each_crossing(m_steps, f);
   }
 
 private:

@@ -72,7 +72,8 @@ public:
 
   /*
    * Calls `f(h, t)` for the edges that the line of the given length to `end` crosses. Returns its
-   * length. For each vertex, `bound(v)` is as for `for_each_line()`.
+   * length, or a negative number if it cannot be found. For each vertex, `bound(v)` is as for
+   * `for_each_line()`.
    */
   template <typename Bound, typename F>
   double
@@ -88,8 +89,7 @@ public:
         expansion.look(sight, triangulation().source(sight.halfedge),
                        triangulation().target(sight.halfedge));
       });
-    line.for_each_crossing(m_steps, f);
-    return length;
+    return line.for_each_crossing(m_steps, f);
   }
 
 private:

@@ -50,6 +50,7 @@ struct Sought_line
 
   double length; // what is sought
   double smallest_difference = std::numeric_limits<double>::infinity();
+  double length_found = 0;
   Plane_vector end = {0, 0};
   Sight start = {};
   std::vector<Index> halfedges = {};
@@ -63,22 +64,34 @@ struct Sought_line
     if(!(difference < smallest_difference))
       return;
     smallest_difference = difference;
+    length_found = other_length;
     end = position;
     start = first;
     halfedges = crossed;
   }
 
   // There are no lines but those of about this length: what else was found leads round something.
-  bool is_found() const
+  bool is_found(const double tolerance = 1e-9) const
   {
-    constexpr double tolerance = 1e-9;
     return smallest_difference <= tolerance * length ||
            smallest_difference < std::numeric_limits<double>::min();
   }
 
-  // Calls `f(h, t)` for the halfedges, at the part `t` of the way from source to target.
+  // Calls `f(h, t)` for the halfedges, at the part `t` of the way from source to target. Returns
+  // the length of the line, or a negative number if it was not found.
   template <typename F>
-  void for_each_crossing(const Face_steps& steps, F f) const
+  double for_each_crossing(const Face_steps& steps, F f) const
+  {
+    constexpr double tolerance = 1e-6;
+    if(!is_found(tolerance))
+      return -1;
+    walk(steps, f);
+    return length_found;
+  }
+
+private:
+  template <typename F>
+  void walk(const Face_steps& steps, F& f) const
   {
     Line_walk walk(end);
     Plane_vector left = start.left, edge = start.edge;

@@ -1,0 +1,39 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_APPEND_POINT_H
+#define CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_APPEND_POINT_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Appends a point to a path, unless it is where the path has got to. Removes the last point if the
+// path goes straight on there, along an edge.
+inline void
+append(const Intrinsic_point& point, const Intrinsic_triangulation& triangulation, Path& path)
+{
+  auto& points = path.points;
+  if(point.is_same(points.back(), triangulation))
+    return;
+  const auto h = points.back().halfedge;
+  if(points.size() > 1 && points.back().is_on_edge() &&
+     points[points.size() - 2].is_on_edge_of(h, triangulation) &&
+     point.is_on_edge_of(h, triangulation))
+    points.pop_back();
+  points.push_back(point);
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_APPEND_POINT_H
