@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -19,6 +20,7 @@
 namespace {
 
 using namespace geodesics_test;
+namespace AG = CGAL::Approximate_geodesics;
 
 // ----- the plane
 
@@ -66,6 +68,59 @@ TEST(Saddle_vertex_graph, is_exact_in_units_of_all_sizes)
       const auto scaled = [&](const Point& p) { return Point(unit * p.x(), unit * p.y(), 0); };
       Exactness(flat_surface(soup.transformed(scaled))).expect_all(random, 2);
     }
+}
+
+double distance_in_plane(const Mesh& mesh, const Vertex a, const Point& b)
+{
+  return std::sqrt(CGAL::squared_distance(mesh.point(a), b));
+}
+
+// The line from the lower source crosses an edge of the face that the other one lies in, whose line
+// to the corner ahead has crossed no edge.
+TEST(Saddle_vertex_graph, a_source_in_a_face_hides_nothing_behind_it)
+{
+  Mesh mesh;
+  const Vertex a = mesh.add_vertex(Point(-1, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0));
+  const Vertex c = mesh.add_vertex(Point(0, 1, 0)), lower = mesh.add_vertex(Point(0, -0.1, 0));
+  const Vertex p = mesh.add_vertex(Point(-0.9, 0.3, 0));
+  mesh.add_face(a, lower, b);
+  mesh.add_face(a, b, c);
+  mesh.add_face(a, c, p);
+  const Triangulation t(mesh);
+  const AG::Saddle_vertex_graph graph(t);
+  AG::Surface_search<AG::Saddle_vertex_graph> search(graph);
+  Triangulation::Index h = t.first_halfedge(t.vertex(a));
+  while(t.target(h) != t.vertex(b) || t.target(t.next(h)) != t.vertex(c))
+    ++h;
+  const Point inner(-0.01, 0.9, 0);
+  search.run({{AG::Intrinsic_point::at_vertex(t.vertex(lower))},
+              {AG::Intrinsic_point::in_face(h, 0.045, 0.9)}});
+  const double expected =
+      (std::min)(distance_in_plane(mesh, lower, mesh.point(p)), distance_in_plane(mesh, p, inner));
+  EXPECT_NEAR(search.distance(AG::Intrinsic_point::at_vertex(t.vertex(p))), expected, 1e-14);
+}
+
+// Near to a corner, and at it but for rounding.
+TEST(Saddle_vertex_graph, is_exact_from_points_next_to_a_vertex)
+{
+  const Mesh mesh = to_mesh(flat_grid(12, 11));
+  const Triangulation t(mesh);
+  const AG::Saddle_vertex_graph graph(t);
+  AG::Surface_search<AG::Saddle_vertex_graph> search(graph);
+  const Vertex center(5 * 12 + 6);
+  const auto v = t.vertex(center);
+  for(Triangulation::Index h = t.first_halfedge(v); h < t.beyond_halfedge(v); ++h)
+    for(const double part : {1e-4, 1e-7, 1e-10, 1e-13, 1e-16, 1e-17, 1e-200, 0.})
+      for(const auto& source :
+          {AG::Intrinsic_point::in_face(h, part, part), AG::Intrinsic_point::on_edge(h, part),
+           AG::Intrinsic_point::on_edge(t.opposite(h), 1 - part)})
+      {
+        SCOPED_TRACE(part);
+        search.run({{source}});
+        for(const Vertex w : mesh.vertices())
+          EXPECT_NEAR(search.distance(AG::Intrinsic_point::at_vertex(t.vertex(w))),
+                      distance_in_plane(mesh, w, mesh.point(center)), 3 * part + 1e-13);
+      }
 }
 
 // ----- cones

@@ -21,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -217,6 +218,18 @@ TEST_F(Exact_queries, threads_find_the_same)
   const auto in_parallel = np.concurrency_tag(CGAL::Parallel_tag());
   expect_near(distances(mesh, source, in_parallel), exact);
   EXPECT_EQ(distances(mesh, source, in_parallel), distances(mesh, source, in_parallel));
+}
+
+// Where nearly all vertices divide what is seen, threads share what one source sees.
+TEST(Exact_queries_alone, threads_find_the_same_in_the_plane)
+{
+  const Mesh mesh = to_mesh(flat_grid(140, 140));
+  const std::vector<double> found =
+      distances(mesh, Vertex(0), parameters::epsilon(0).concurrency_tag(CGAL::Parallel_tag()));
+  std::vector<double> expected;
+  for(const Vertex v : mesh.vertices())
+    expected.push_back(std::sqrt(CGAL::squared_distance(mesh.point(Vertex(0)), mesh.point(v))));
+  expect_near(found, expected);
 }
 #endif
 

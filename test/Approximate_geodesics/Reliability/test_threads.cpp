@@ -255,6 +255,21 @@ TEST(Parallel_build, gives_the_class_the_same_graph)
   EXPECT_TRUE(have_same_bits(distances(paths.graph(), 0), distances(graph, 0)));
 }
 
+// Threads that search from one source.
+TEST(Parallel_search, gives_the_same_distances)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(50, 45, random));
+  const AG::Saddle_vertex_graph alone{Triangulation(mesh)};
+  const AG::Saddle_vertex_graph together(Triangulation(mesh),
+                                         parameters::concurrency_tag(CGAL::Parallel_tag()));
+  const Values expected = distances(alone, 0), found = distances(together, 0);
+  ASSERT_EQ(found.size(), expected.size());
+  for(std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i], expected[i], 1e-12 * expected[i]);
+  EXPECT_TRUE(have_same_bits(found, distances(together, 0)));
+}
+
 #endif
 
 } // namespace

@@ -341,7 +341,7 @@ void check(const Mesh& mesh, Fuzzed_data& data)
 {
   using Steiner_graph = AG::Steiner_graph<AG::Fixed_number_of_points>;
   using parameters::epsilon;
-  switch(data.below(9))
+  switch(data.below(10))
   {
   case 0:
     return use<AG::Edge_graph>(mesh, data, parameters::default_values());
@@ -354,10 +354,12 @@ void check(const Mesh& mesh, Fuzzed_data& data)
   case 4:
     return use<AG::Steiner_graph<>>(mesh, data, epsilon(0.3));
   case 5:
-    return call_functions(mesh, data, parameters::maximum_distance(data.number()));
+    return use<AG::Saddle_vertex_graph>(mesh, data, epsilon(0));
   case 6:
-    return call_functions(mesh, data, parameters::epsilon(fuzzed_epsilon(data)));
+    return call_functions(mesh, data, parameters::maximum_distance(data.number()));
   case 7:
+    return call_functions(mesh, data, parameters::epsilon(fuzzed_epsilon(data)));
+  case 8:
     return call_functions_of_fields(mesh, data);
   default:
     call_functions_of_vertices(mesh, data);

@@ -142,13 +142,17 @@ public:
   // The graph of the mesh's edges, which gives upper bounds of all distances.
   const Edge_graph& edges() const { return m_edges; }
 
-  // How a path arrives at a node along an edge.
-  Arrival arrival_along_edge(const Node from, const Node node) const
+  // The length of the shortest edge from one node to another, and how a path arrives along it.
+  std::pair<double, Arrival> shortest_edge(const Node from, const Node node) const
   {
-    Node h = triangulation().first_halfedge(from);
-    while(triangulation().target(h) != node)
-      ++h;
-    return Arrival::along(h);
+    Node shortest = Intrinsic_triangulation::null_index;
+    for(Node h = triangulation().first_halfedge(from); h < triangulation().beyond_halfedge(from);
+        ++h)
+      if(triangulation().target(h) == node &&
+         (shortest == Intrinsic_triangulation::null_index ||
+          triangulation().length(h) < triangulation().length(shortest)))
+        shortest = h;
+    return {triangulation().length(shortest), Arrival::along(shortest)};
   }
 
   // Whether several threads may look for arcs at the same time, and how they are called.
@@ -183,10 +187,11 @@ public:
                                 const Arrival& arrival,
                                 const Intrinsic_point& end,
                                 const double length,
+                                const double rounding,
                                 F f) const
   {
     return internal::Line_tracer(triangulation(), m_steps, m_bends)
-        .for_each_crossing(node, arrival, end, length, f);
+        .for_each_crossing(node, arrival, end, length, rounding, f);
   }
 
   /// \endcond
@@ -218,6 +223,10 @@ private:
     double bound(const Node v) const { return labels.bound(v); }
     double label(const Node v) const { return labels.distance(v); }
     const Arrival& arrival(const Node v) const { return labels.arrival(v); }
+    bool has_predecessor(const Node v) const
+    {
+      return labels.predecessor(v) != Intrinsic_triangulation::null_index;
+    }
 
     void on_vertex(const Node v,
                    const double distance,

@@ -232,7 +232,7 @@ public:
     else
       m_graph->attach(point).for_each_node(
           [&](const Node node, const double length) { consider(node, length, result); });
-    if constexpr(internal::finds_lines<Graph>)
+    if constexpr(internal::needs_bounds<Graph>)
       consider_lines(point, result);
     if(result.node != Search::null_node)
       result.source = m_search.source(result.node);
@@ -316,7 +316,7 @@ private:
   // have to be final that are smaller than its distance.
   static bool is_goal_for_heuristic(const Intrinsic_point& target)
   {
-    return !internal::finds_lines<Graph> || target.is_vertex();
+    return !internal::needs_bounds<Graph> || target.is_vertex();
   }
 
   template <typename Visitor>
@@ -325,7 +325,7 @@ private:
                   const typename Search::Stop_rule& rule,
                   Visitor&& visitor)
   {
-    if constexpr(internal::finds_lines<Graph>)
+    if constexpr(internal::needs_bounds<Graph>)
       m_search.run(seeds, rule, visitor, lines_from(sources));
     else
       m_search.run(seeds, rule, visitor);
@@ -337,7 +337,7 @@ private:
                          const typename Search::Stop_rule& rule,
                          const Heuristic& heuristic)
   {
-    if constexpr(internal::finds_lines<Graph>)
+    if constexpr(internal::needs_bounds<Graph>)
       m_search.run_toward(seeds, rule, heuristic, lines_from(sources));
     else
       m_search.run_toward(seeds, rule, heuristic);
@@ -494,7 +494,7 @@ private:
     const auto append_crossing = [&](const auto h, const double t) {
       path.points.push_back(Intrinsic_point::on_edge(h, t));
     };
-    if constexpr(internal::finds_lines<Graph>)
+    if constexpr(internal::needs_bounds<Graph>)
     {
       const double found = m_graph->attach(from).for_each_crossing(
           bound_before(answer.distance), end, answer.last_length, append_crossing);
@@ -515,7 +515,7 @@ private:
     if(source.point.is_vertex())
       return;
     const double length = (m_search.distance(first) - source.distance) / m_graph->unit();
-    if constexpr(internal::finds_lines<Graph>)
+    if constexpr(internal::needs_bounds<Graph>)
       return internal::append_line_back(m_search, first, source.point, length, path);
     else
       internal::append_backward(

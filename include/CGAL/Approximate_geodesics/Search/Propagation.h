@@ -348,39 +348,57 @@ private:
   {
     internal::Batch_relaxation<Graph, Queue, Labels, Heuristic, Counter> batch(
         *m_graph, m_queue, m_labels, m_candidates, heuristic, largest_label(stop), counter);
-    do
-      while(!m_queue.is_empty() && !(internal::is_heuristic<Heuristic> && reopens_too_often()))
-      {
-        batch.extract();
-        if(!watch.go_further(batch.size()))
-          return end_early<Heuristic>(batch.size());
-        batch.find_candidates();
-        batch.lower_labels();
-      }
-    while(enter_lost_nodes(stop, heuristic));
+    while(!m_queue.is_empty())
+    {
+      if(!relax_all(batch, watch, heuristic))
+        return end_early<Heuristic>(batch.size());
+      enter_lost_nodes(stop, heuristic);
+    }
     watch.finish();
   }
 
+  // Expands nodes until the queue is empty. Returns whether the watch let it.
+  template <typename Batch, typename Watch, typename Heuristic>
+  bool relax_all(Batch& batch, Watch& watch, const Heuristic& /* heuristic */)
+  {
+    while(!m_queue.is_empty())
+    {
+      if constexpr(internal::is_heuristic<Heuristic>)
+        if(reopens_too_often())
+        {
+          m_queue.clear();
+          return true;
+        }
+      batch.extract();
+      if(!watch.go_further(batch.size()))
+        return false;
+      batch.find_candidates();
+      batch.lower_labels();
+    }
+    return true;
+  }
+
   // Where faces are thinner than numbers can tell, lines may be longer than upper bounds, and be
-  // given up. Nodes that no line has led to get the paths that the bounds are from. Returns whether
-  // there are any.
+  // given up. Nodes that no line has led to are reached along edges, as their bounds say.
   template <typename Heuristic>
-  bool enter_lost_nodes([[maybe_unused]] const Stop_rule& stop, const Heuristic& /* heuristic */)
+  void enter_lost_nodes([[maybe_unused]] const Stop_rule& stop, const Heuristic& /* heuristic */)
   {
     if constexpr(internal::needs_bounds<Graph> && !internal::is_heuristic<Heuristic>)
     {
-      m_queue.clear();
-      m_labels.for_each_lost_node(largest_label(stop), [&](const Node node, const double bound) {
+      bool is_first = true;
+      m_labels.for_each_lost_node(largest_label(stop), [&](const Node node) {
         const Node from = m_labels.predecessor(node);
-        if(from == null_node)
+        if(from == null_node || !m_labels.is_reached(from))
           return;
-        m_labels.set(node, bound, from);
-        m_labels.set_arrival(node, m_graph->arrival_along_edge(from, node));
-        m_queue.push(node, bound);
+        if(is_first)
+          m_queue.clear(); // it went past these nodes
+        is_first = false;
+        const auto [length, arrival] = m_graph->shortest_edge(from, node);
+        m_labels.set(node, m_labels.distance(from) + length, from);
+        m_labels.set_arrival(node, arrival);
+        m_queue.push(node, m_labels.distance(node));
       });
     }
-    return internal::needs_bounds<Graph> && !internal::is_heuristic<Heuristic> &&
-           !m_queue.is_empty();
   }
 
   // What is still in the queue, or was extracted last, is not final, and is taken back. After A*,
@@ -427,16 +445,7 @@ private:
         batch(edges, m_queue, m_labels, candidates, heuristic, largest_label(stop),
               internal::No_counter());
     internal::Goal_watch watch(m_labels, goal(stop, heuristic));
-    bool is_wanted = true;
-    while(is_wanted && !m_queue.is_empty())
-    {
-      batch.extract();
-      is_wanted = watch.go_further(batch.size());
-      if(!is_wanted)
-        break;
-      batch.find_candidates();
-      batch.lower_labels();
-    }
+    relax_all(batch, watch, heuristic);
     m_queue.for_each_node([this](const Node node) { m_labels.order().push_back(node); });
     m_limit = distance_of_goal(stop) * (1 + slack);
     m_labels.turn_into_bounds(size_of_order, largest_label(stop), heuristic);

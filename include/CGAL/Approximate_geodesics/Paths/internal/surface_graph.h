@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
@@ -36,13 +37,6 @@ using Position_of_node = decltype(std::declval<const Graph&>().position(0));
 template <typename SurfaceGraph>
 constexpr bool has_crossing_arcs =
     !boost::detected_or_t<std::false_type, Arcs_are_edges, SurfaceGraph>::value;
-
-template <typename Graph>
-using Arrival_at_node = typename Graph::Arrival;
-
-// Whether a graph finds its arcs with the help of upper bounds, and knows how paths arrive.
-template <typename SurfaceGraph>
-constexpr bool finds_lines = boost::is_detected_v<Arrival_at_node, SurfaceGraph>;
 
 // Whether a graph has nodes that are not vertices, and tells where they are.
 template <typename SurfaceGraph>
@@ -89,7 +83,7 @@ struct Check_surface_graph
       boost::is_detected_convertible_v<const Intrinsic_triangulation&, Triangulation, Graph>,
       "A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation() "
       "const`.");
-  static_assert(!has_crossing_arcs<Graph> || finds_lines<Graph> ||
+  static_assert(!has_crossing_arcs<Graph> || needs_bounds<Graph> ||
                     boost::is_detected_convertible_v<double, Crossing, Graph>,
                 "A model of SurfaceGraph must have `double for_each_crossing(Node source, Node "
                 "target, double length, F f) const`, unless `arcs_are_edges` is `true`.");

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -44,10 +45,14 @@ void append_line_back(const Search& search,
                       const double length,
                       Path& path)
 {
-  const double found = search.graph().for_each_crossing_back(
-      node, search.arrival(node), end, length, [&](const Intrinsic_point::Index h, const double t) {
-        path.points.push_back(Intrinsic_point::on_edge(h, t));
-      });
+  // the length is a difference of distances
+  constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
+  const double rounding = epsilon * search.distance(node) / search.graph().unit();
+  const double found =
+      search.graph().for_each_crossing_back(node, search.arrival(node), end, length, rounding,
+                                            [&](const Intrinsic_point::Index h, const double t) {
+                                              path.points.push_back(Intrinsic_point::on_edge(h, t));
+                                            });
   if(found >= 0)
     path.length += found;
   else
@@ -66,7 +71,7 @@ void append_arc_back(const Search& search,
   const Graph& graph = search.graph();
   const double length = (search.distance(node) - search.distance(previous)) / graph.unit();
   const Intrinsic_point end = position(graph, previous);
-  if constexpr(finds_lines<Graph>)
+  if constexpr(needs_bounds<Graph>)
     return append_line_back(search, node, end, length, path);
   else if constexpr(has_crossing_arcs<Graph>)
     append_backward([&](auto f) { return graph.for_each_crossing(previous, node, length, f); },

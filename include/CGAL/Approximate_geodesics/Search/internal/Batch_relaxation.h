@@ -158,6 +158,8 @@ private:
   void find_candidates_in_parallel()
   {
     const auto& order = m_labels.order();
+    for(std::size_t i = 0; i < m_size; ++i)
+      m_counter.on_expansion();
     m_parallel_expansion.expand(
         m_graph, order.data() + (order.size() - m_size), m_size, limited_labels(),
         [&](const std::vector<Candidate>& found) {
@@ -166,6 +168,8 @@ private:
           std::copy(found.begin(), found.end(),
                     m_candidates.begin() + static_cast<std::ptrdiff_t>(m_number_of_candidates));
           m_number_of_candidates += found.size();
+          for(std::size_t i = 0; i < found.size(); ++i)
+            m_counter.on_relaxation();
         });
   }
 

@@ -65,13 +65,13 @@ public:
     order().resize(first);
   }
 
-  // Calls `f(node, bound)` for nodes that have a bound below `limit` and no label.
+  // Calls `f(node)` for nodes that have a bound below `limit` and no label.
   template <typename F>
   void for_each_lost_node(const double limit, F f) const
   {
     for(const Node node : m_bounded)
       if(!is_reached(node) && m_bound[node] < limit)
-        f(node, m_bound[node]);
+        f(node);
   }
 
   void discard(const Node node)

@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Search/internal/Candidate.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -32,10 +31,10 @@ class Parallel_expansion
 
 public:
   // Whether several threads are worth their while.
-  static bool is_useful(const Graph& graph, const std::size_t number_of_nodes)
+  static bool is_useful(const Graph& graph, const std::size_t number_of_tasks)
   {
     constexpr std::size_t fewest = 16;
-    return graph.is_parallel() && number_of_nodes >= fewest;
+    return graph.is_parallel() && number_of_tasks >= fewest;
   }
 
   // Calls `f(candidates)` with the paths along arcs that are shorter than labels say, one part of
@@ -51,17 +50,14 @@ public:
     for(std::size_t i = 0; i < number_of_nodes; ++i)
       for(std::size_t part = graph.number_of_parts(nodes[i], labels); part > 0; --part)
         m_tasks.push_back({nodes[i], part - 1});
-    const std::size_t size = (m_tasks.size() + TASKS_PER_CHUNK - 1) / TASKS_PER_CHUNK;
-    if(m_chunks.size() < size)
-      m_chunks.resize(size);
-    graph.loop().run(size, [&](const std::size_t i) { fill(graph, i, labels); });
-    for(std::size_t i = 0; i < size; ++i)
-      f(m_chunks[i]);
+    if(m_found.size() < m_tasks.size())
+      m_found.resize(m_tasks.size());
+    graph.loop().run(m_tasks.size(), [&](const std::size_t i) { work(graph, i, labels); });
+    for(std::size_t i = 0; i < m_tasks.size(); ++i)
+      f(m_found[i]);
   }
 
 private:
-  static constexpr std::size_t TASKS_PER_CHUNK = 1;
-
   struct Task
   {
     Node node;
@@ -69,26 +65,22 @@ private:
   };
 
   template <typename Labels>
-  void fill(const Graph& graph, const std::size_t i, const Labels& labels)
+  void work(const Graph& graph, const std::size_t i, const Labels& labels)
   {
-    std::vector<Candidate>& chunk = m_chunks[i];
-    chunk.clear();
-    const std::size_t first = i * TASKS_PER_CHUNK;
-    const std::size_t beyond = (std::min)(first + TASKS_PER_CHUNK, m_tasks.size());
-    for(std::size_t j = first; j < beyond; ++j)
-    {
-      const Node node = m_tasks[j].node;
-      const double distance = labels.distance(node);
-      graph.for_each_arc_of_part(node, m_tasks[j].part, labels,
-                                 [&](const Node target, const double length, const auto& arrival) {
-                                   if(distance + length < labels.distance(target))
-                                     chunk.push_back({{distance + length, target, node}, arrival});
-                                 });
-    }
+    std::vector<Candidate>& found = m_found[i];
+    found.clear();
+    const auto [node, part] = m_tasks[i];
+    const double distance = labels.distance(node);
+    graph.for_each_arc_of_part(
+        node, part, labels,
+        [&, from = node](const Node target, const double length, const auto& arrival) {
+          if(distance + length < labels.distance(target))
+            found.push_back({{distance + length, target, from}, arrival});
+        });
   }
 
   std::vector<Task> m_tasks;
-  std::vector<std::vector<Candidate>> m_chunks;
+  std::vector<std::vector<Candidate>> m_found; // by task
 };
 
 } // namespace internal

@@ -52,6 +52,9 @@ public:
       return {};
     Plane_vector angle = turned_right(corner(h), way_back(arrival));
     angle = turned_left(angle.y > 0 ? angle : Plane_vector{1, 0}, slack());
+    if(angle.y <= 0 &&
+       angle.x < 0) // the rest of the face and the slack are a straight angle already
+      angle = {-1, 0};
     for(Index n = m_triangulation.degree(m_vertex); n > 0; --n)
     {
       h = m_triangulation.counterclockwise(m_vertex, h);

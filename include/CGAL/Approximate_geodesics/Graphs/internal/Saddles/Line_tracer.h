@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_trail.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Tracing_visitor.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -25,24 +26,6 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-// Where a point is that a sight sees in the face ahead. Calls `f(position)`.
-template <typename F>
-void for_each_position(const Intrinsic_triangulation& triangulation,
-                       const Intrinsic_point& point,
-                       const Sight& sight,
-                       const Plane_vector apex,
-                       F f)
-{
-  for_each_face_point(triangulation, point, sight.halfedge, [&](const Face_point& p) {
-    const Plane_vector position = p.seen_from(triangulation, sight.halfedge)
-                                      .position({sight.left, sight.left + sight.edge, apex});
-    const double distance = length(position);
-    if(cross(sight.left_ray.direction, position) <= sight.left_ray.margin * distance &&
-       cross(position, sight.right_ray.direction) <= sight.right_ray.margin * distance)
-      f(position);
-  });
-}
 
 /*
  * Follows a line back from the vertex where it arrives to the point that it has come from. Its
@@ -61,17 +44,19 @@ public:
   {
   }
 
-  // Calls `f(h, t)` for the halfedges that the line crosses on its way from the vertex to `end`, at
-  // the part `t` of the way from source to target. Returns its length, or a negative number if it
-  // cannot be found, as can happen in faces that are thinner than numbers can tell.
+  // `length` is known up to `rounding`. Calls `f(h, t)` for the halfedges that the line crosses on
+  // its way from the vertex to `end`, at the part `t` of the way from source to target. Returns its
+  // length, or a negative number if it cannot be found, as can happen in faces that are thinner
+  // than numbers can tell.
   template <typename F>
   double for_each_crossing(const Index vertex,
                            const Arrival& arrival,
                            const Intrinsic_point& end,
                            const double length,
+                           const double rounding,
                            F f) const
   {
-    Sought_line line{length};
+    Sought_line line{length, rounding};
     Lines_in_faces(m_triangulation, end).for_each_node([&](const Index v, const double l) {
       if(v == vertex && !end.is_vertex())
         line.consider(l, {0, 0}, {}, {});
@@ -84,40 +69,14 @@ public:
   }
 
 private:
-  struct Visitor : Sight_visitor_base
+  // No part of a line is longer than the whole.
+  struct Length_bound
   {
-    static constexpr bool wants_sights = true;
-    static constexpr bool wants_faces = true;
-
-    double bound(Index /* v */) const { return largest_length; }
-
-    void on_sight(const Sight& sight) { trail.record(sight); }
-
-    void on_vertex(const Index v,
-                   const double distance,
-                   const Sight& /* sight */,
-                   const Plane_vector apex,
-                   const Plane_vector /* left_edge */)
-    {
-      if(v == end.vertex)
-        line.consider(distance, apex, first, trail.halfedges());
-    }
-
-    void on_face(const Sight& sight, const Plane_vector apex)
-    {
-      if(!end.is_vertex())
-        for_each_position(triangulation, end, sight, apex, [&](const Plane_vector position) {
-          line.consider(length(position), position, first, trail.halfedges());
-        });
-    }
-
-    const Intrinsic_triangulation& triangulation;
-    const Intrinsic_point& end;
-    double largest_length;
-    Sought_line& line;
-    Sight first;
-    Sight_trail trail;
+    double operator()(Index /* v */) const { return length; }
+    double length;
   };
+
+  using Visitor = Tracing_visitor<Length_bound>;
 
   void look_back(const Index vertex,
                  const Arrival& arrival,
@@ -125,7 +84,8 @@ private:
                  const Intrinsic_point& end,
                  Sought_line& line) const
   {
-    Visitor visitor = this->visitor(end, line);
+    const Length_bound bound = length_bound(line);
+    Visitor visitor{{}, m_triangulation, bound, end, line, {}, {}};
     Sight_expansion<Visitor> expansion(m_steps, m_bends, 0, visitor);
     Vertex_sights(m_triangulation, m_steps, m_bends)
         .for_each_back(
@@ -144,7 +104,8 @@ private:
   // directions say nothing.
   void look_through(const Index halfedge, const Intrinsic_point& end, Sought_line& line) const
   {
-    Visitor visitor = this->visitor(end, line);
+    const Length_bound bound = length_bound(line);
+    Visitor visitor{{}, m_triangulation, bound, end, line, {}, {}};
     visitor.first = sight_through(halfedge);
     const Index back = visitor.first.halfedge;
     if(!m_steps[back].has_face())
@@ -177,10 +138,10 @@ private:
     return result;
   }
 
-  Visitor visitor(const Intrinsic_point& end, Sought_line& line) const
+  static Length_bound length_bound(const Sought_line& line)
   {
     constexpr double slack = 1e-6;
-    return {{}, m_triangulation, end, line.length * (1 + slack), line, {}, {}};
+    return {line.length * (1 + slack) + line.rounding};
   }
 
   const Intrinsic_triangulation& m_triangulation;

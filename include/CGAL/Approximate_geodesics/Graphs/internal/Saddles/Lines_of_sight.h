@@ -11,15 +11,16 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Line_tracer.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_trail.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Tracing_visitor.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
 #include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_layout.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <cstddef>
@@ -79,7 +80,7 @@ public:
   double
   for_each_crossing(const Bound& bound, const Intrinsic_point& end, const double length, F f) const
   {
-    Sought_line line{length};
+    Sought_line line{length, 0};
     consider_lines_in_faces(end, line);
     Tracing_visitor<Bound> visitor{{}, triangulation(), bound, end, line, {}, {}};
     Sight_expansion<Tracing_visitor<Bound>> expansion(m_steps, m_bends, 0, visitor);
@@ -124,42 +125,6 @@ private:
     OnPoint& on_point;
   };
 
-  template <typename Bound>
-  struct Tracing_visitor : Sight_visitor_base
-  {
-    static constexpr bool wants_sights = true;
-    static constexpr bool wants_faces = true;
-
-    double bound(const Index v) const { return bounds(v); }
-
-    void on_sight(const Sight& sight) { trail.record(sight); }
-
-    void on_vertex(const Index v,
-                   const double distance,
-                   const Sight& /* sight */,
-                   const Plane_vector apex,
-                   const Plane_vector /* left_edge */)
-    {
-      if(v == end.vertex)
-        line.consider(distance, apex, first, trail.halfedges());
-    }
-
-    void on_face(const Sight& sight, const Plane_vector apex)
-    {
-      if(!end.is_vertex())
-        for_each_position(triangulation, end, sight, apex, [&](const Plane_vector position) {
-          line.consider(length(position), position, first, trail.halfedges());
-        });
-    }
-
-    const Intrinsic_triangulation& triangulation;
-    const Bound& bounds;
-    const Intrinsic_point& end;
-    Sought_line& line;
-    Sight first;
-    Sight_trail trail;
-  };
-
   void consider_lines_in_faces(const Intrinsic_point& end, Sought_line& line) const
   {
     const auto consider = [&](const double length) { line.consider(length, {0, 0}, {}, {}); };
@@ -173,14 +138,15 @@ private:
                                      [&](std::size_t, const double length) { consider(length); });
   }
 
-  // The corners of the faces that the point lies in.
+  // The corners of the faces that the point lies in. One that it is at is a source itself.
   template <typename OnNode>
   void for_each_corner(OnNode& on_node) const
   {
     for_each_side([&](const Index side, const Plane_vector start, const Plane_vector end) {
       const Index opposite = triangulation().next(side); // of the corner that `side` starts from
-      on_node(triangulation().source(side), length(start),
-              Arrival::across(opposite, start, start - end));
+      const double distance = length(start);
+      on_node(triangulation().source(side), distance,
+              distance > 0 ? Arrival::across(opposite, start, start - end) : Arrival());
     });
   }
 
@@ -198,7 +164,8 @@ private:
     });
   }
 
-  // Calls `f(side, start, end)` for the sides of the faces, laid out around the point.
+  // Calls `f(side, start, end)` for the sides of the faces, laid out around the point. Positions
+  // are sums of edges, as differences would have no direction where the point is close to a corner.
   template <typename F>
   void for_each_side(F f) const
   {
@@ -206,8 +173,15 @@ private:
       for(const Index side : triangulation().halfedges_of_face(h))
       {
         const Face_layout layout(triangulation(), side);
-        layout.for_each_position(point(), [&](const Plane_vector p) {
-          f(side, layout.corner(0) - p, layout.corner(1) - p);
+        for_each_face_point(triangulation(), point(), side, [&](const Face_point& p) {
+          const auto& weight = p.seen_from(triangulation(), side).weight;
+          const auto corner = [&](const std::size_t j) {
+            Plane_vector result{0, 0};
+            for(std::size_t i = 0; i < 3; ++i)
+              result = result + weight[i] * (layout.corner(j) - layout.corner(i));
+            return result;
+          };
+          f(side, corner(0), corner(1));
         });
       }
     });

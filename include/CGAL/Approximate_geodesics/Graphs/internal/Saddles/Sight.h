@@ -48,8 +48,8 @@ struct Sight_ray
   // ray is longer than the straight line by the square of this at most, which is nothing.
   static constexpr double TOLERANCE = 1e-9;
 
-  Plane_vector direction;
-  double margin; // the length of the direction, times the tolerance
+  Plane_vector direction = {0, 0};
+  double margin = 0; // the length of the direction, times the tolerance
 
   Sight_ray() = default;
   Sight_ray(const Plane_vector d, const double length_of_d)
@@ -72,14 +72,14 @@ struct Sight
   // Edges shorter than this, in units of the triangulation, have no direction.
   static constexpr double SHORTEST_EDGE = 1e-100;
 
-  Index halfedge;                       // that of the edge whose face lies ahead, to its left
-  Index checkpoint;                     // one of the halfedges on the way
-  std::uint32_t depth;                  // the number of faces on the way
-  std::uint32_t splits;                 // how often the sight was divided in two parts
-  Plane_vector left;                    // the position of the source of the halfedge
-  Plane_vector edge;                    // from there to its target
-  double left_distance, right_distance; // of source and target
-  double left_bound, right_bound;       // of their labels, and a bit more, for rounding
+  Index halfedge = 0;         // that of the edge whose face lies ahead, to its left
+  Index checkpoint = 0;       // one of the halfedges on the way
+  std::uint32_t depth = 0;    // the number of faces on the way
+  std::uint32_t splits = 0;   // how often the sight was divided in two parts
+  Plane_vector left = {0, 0}; // the position of the source of the halfedge
+  Plane_vector edge = {0, 0}; // from there to its target
+  double left_distance = 0, right_distance = 0; // of source and target
+  double left_bound = 0, right_bound = 0;       // of their labels, and a bit more, for rounding
   Sight_ray left_ray, right_ray;
 
   /*

@@ -39,8 +39,9 @@ struct Sight_visitor_base
  * - `bound(v)`: a number that no shortest path to `v` is longer than, or of no interest if it is;
  * - `on_vertex(v, distance, sight, apex, left_edge)`: called for vertices that the tip may be the
  *   last one before, when `sight` sees them in the face ahead;
- * - `label(v)` and `arrival(v)`, if it knows the lengths of real paths, and how they arrive; the
- *   latter is asked for where the former is finite;
+ * - `label(v)`, `has_predecessor(v)` and `arrival(v)`, if it knows the lengths of real paths,
+ *   whether their last line starts from a node, and how they arrive; the latter two are asked for
+ *   where the first is finite;
  * - `on_sight(sight)` and `on_face(sight, apex)`, if it wants to be told.
  */
 template <typename Visitor>
@@ -152,7 +153,8 @@ private:
                   const double label_of_apex) const
   {
     if constexpr(Visitor::knows_arrivals)
-      if(label_of_apex > m_visitor.label(step.apex) * (1 + rounding))
+      if(label_of_apex > m_visitor.label(step.apex) * (1 + rounding) &&
+         m_visitor.has_predecessor(step.apex)) // a line from a source may have started in the face
       {
         const Arrival& other = m_visitor.arrival(step.apex);
         if(other.halfedge == sight.halfedge && !other.is_along_halfedge())

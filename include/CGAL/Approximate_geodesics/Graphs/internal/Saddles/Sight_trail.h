@@ -48,7 +48,8 @@ struct Sought_line
 {
   using Index = Intrinsic_triangulation::Index;
 
-  double length; // what is sought
+  double length;   // what is sought
+  double rounding; // what this may be wrong by
   double smallest_difference = std::numeric_limits<double>::infinity();
   double length_found = 0;
   Plane_vector end = {0, 0};
@@ -73,7 +74,7 @@ struct Sought_line
   // There are no lines but those of about this length: what else was found leads round something.
   bool is_found(const double tolerance = 1e-9) const
   {
-    return smallest_difference <= tolerance * length ||
+    return smallest_difference <= tolerance * length + rounding ||
            smallest_difference < std::numeric_limits<double>::min();
   }
 

@@ -1,0 +1,84 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_TRACING_VISITOR_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_TRACING_VISITOR_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_trail.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Where a point is that a sight sees in the face ahead. Calls `f(position)`.
+template <typename F>
+void for_each_position(const Intrinsic_triangulation& triangulation,
+                       const Intrinsic_point& point,
+                       const Sight& sight,
+                       const Plane_vector apex,
+                       F f)
+{
+  for_each_face_point(triangulation, point, sight.halfedge, [&](const Face_point& p) {
+    const Plane_vector position = p.seen_from(triangulation, sight.halfedge)
+                                      .position({sight.left, sight.left + sight.edge, apex});
+    const double distance = length(position);
+    if(cross(sight.left_ray.direction, position) <= sight.left_ray.margin * distance &&
+       cross(position, sight.right_ray.direction) <= sight.right_ray.margin * distance)
+      f(position);
+  });
+}
+
+// Looks for a line to a given point.
+template <typename Bound>
+struct Tracing_visitor : Sight_visitor_base
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  static constexpr bool wants_sights = true;
+  static constexpr bool wants_faces = true;
+
+  double bound(const Index v) const { return bounds(v); }
+
+  void on_sight(const Sight& sight) { trail.record(sight); }
+
+  void on_vertex(const Index v,
+                 const double distance,
+                 const Sight& /* sight */,
+                 const Plane_vector apex,
+                 const Plane_vector /* left_edge */)
+  {
+    if(v == end.vertex)
+      line.consider(distance, apex, first, trail.halfedges());
+  }
+
+  void on_face(const Sight& sight, const Plane_vector apex)
+  {
+    if(!end.is_vertex())
+      for_each_position(triangulation, end, sight, apex, [&](const Plane_vector position) {
+        line.consider(length(position), position, first, trail.halfedges());
+      });
+  }
+
+  const Intrinsic_triangulation& triangulation;
+  const Bound& bounds;
+  const Intrinsic_point& end;
+  Sought_line& line;
+  Sight first;
+  Sight_trail trail;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_TRACING_VISITOR_H
