@@ -45,8 +45,8 @@ namespace Approximate_geodesics {
  * never looked for: upper bounds of all distances, which a search along edges finds first, tell
  * that they are of no use. See the user manual for the algorithm and why it loses no vertex.
  *
- * Take it in place of \cgal's `Surface_mesh_shortest_path`, and in order to measure errors. The user
- * manual compares times. On smooth surfaces, the time per vertex grows with the square root of
+ * Take it in place of \cgal's `Surface_mesh_shortest_path`, and in order to measure errors. The
+ * user manual compares times. On smooth surfaces, the time per vertex grows with the square root of
  * their number; a bound is far cheaper there.
  *
  * An object of this class never changes after its construction and may be used by several threads.
