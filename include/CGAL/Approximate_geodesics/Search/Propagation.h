@@ -366,6 +366,7 @@ private:
       if constexpr(internal::is_heuristic<Heuristic>)
         if(reopens_too_often())
         {
+          append_queue_to_order();
           m_queue.clear();
           return true;
         }
@@ -409,7 +410,7 @@ private:
   {
     m_ended_early = true;
     if constexpr(internal::is_heuristic<Heuristic>)
-      m_queue.for_each_node([this](const Node node) { m_labels.order().push_back(node); });
+      append_queue_to_order();
     else
     {
       m_labels.discard_last_of_order(size_of_batch);
@@ -418,6 +419,12 @@ private:
           m_labels.discard(node);
       });
     }
+  }
+
+  // So that their labels are known when they are taken back.
+  void append_queue_to_order()
+  {
+    m_queue.for_each_node([this](const Node node) { m_labels.order().push_back(node); });
   }
 
   // Whether nodes are expanded again too often, which a rounded heuristic can cause: beside it,
@@ -446,7 +453,7 @@ private:
               internal::No_counter());
     internal::Goal_watch watch(m_labels, goal(stop, heuristic));
     relax_all(batch, watch, heuristic);
-    m_queue.for_each_node([this](const Node node) { m_labels.order().push_back(node); });
+    append_queue_to_order();
     m_limit = distance_of_goal(stop) * (1 + slack);
     m_labels.turn_into_bounds(size_of_order, largest_label(stop), heuristic);
     m_queue.clear();
