@@ -159,6 +159,9 @@ private:
     const Long_point side = point(m_mesh.target(h)) - a;
     const Long_point way = point(m_mesh.target(m_mesh.next(h))) - a;
     const Long length = long_norm(side);
+    constexpr Long unknown = std::numeric_limits<Long>::quiet_NaN();
+    if(length == 0)
+      return {unknown, unknown};
     const Long along = long_product(side, way) / length, height = long_area(side, way) / length;
     const Vector_2 e{(target.x - source.x) / length, (target.y - source.y) / length};
     return {source.x + along * e.x - height * e.y, source.y + along * e.y + height * e.x};
