@@ -63,6 +63,11 @@ private:
     double bound(const Node v) const { return labels.bound(v); }
     double label(const Node v) const { return labels.distance(v); }
     const Arrival& arrival(const Node v) const { return labels.arrival(v); }
+    bool has_predecessor(const Node v) const
+    {
+      return labels.predecessor(v) !=
+             CGAL::Approximate_geodesics::Intrinsic_triangulation::null_index;
+    }
 
     void on_sight(const Sight&) { ++number_of_sights; }
 
