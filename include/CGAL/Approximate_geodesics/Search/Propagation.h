@@ -22,6 +22,7 @@
 #include <CGAL/Approximate_geodesics/Search/internal/counters.h>
 #include <CGAL/Approximate_geodesics/Search/internal/heuristics.h>
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
+#include <CGAL/Approximate_geodesics/Search/internal/search_edges.h>
 #include <CGAL/Approximate_geodesics/Search/internal/watches.h>
 
 #include <algorithm>
@@ -241,7 +242,7 @@ public:
     check(seeds, stop);
     forget();
     search(seeds, stop, Geodesic_visitor_base(), heuristic, find_seeds);
-    if(reopens_too_often() || has_lost_goal(stop))
+    if(internal::reopens_too_often(m_labels) || has_lost_goal(stop))
     {
       forget();
       search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_seeds);
@@ -350,39 +351,17 @@ private:
         *m_graph, m_queue, m_labels, m_candidates, heuristic, largest_label(stop), counter);
     while(!m_queue.is_empty())
     {
-      if(!relax_all(batch, watch, heuristic))
+      if(!batch.run(watch))
         return end_early<Heuristic>(batch.size());
-      enter_lost_nodes(stop, heuristic);
+      enter_lost_nodes<Heuristic>(stop);
     }
     watch.finish();
-  }
-
-  // Expands nodes until the queue is empty. Returns whether the watch let it.
-  template <typename Batch, typename Watch, typename Heuristic>
-  bool relax_all(Batch& batch, Watch& watch, const Heuristic& /* heuristic */)
-  {
-    while(!m_queue.is_empty())
-    {
-      if constexpr(internal::is_heuristic<Heuristic>)
-        if(reopens_too_often())
-        {
-          append_queue_to_order();
-          m_queue.clear();
-          return true;
-        }
-      batch.extract();
-      if(!watch.go_further(batch.size()))
-        return false;
-      batch.find_candidates();
-      batch.lower_labels();
-    }
-    return true;
   }
 
   // Where faces are thinner than numbers can tell, lines may be longer than upper bounds, and be
   // given up. Nodes that no line has led to are reached along edges, as their bounds say.
   template <typename Heuristic>
-  void enter_lost_nodes([[maybe_unused]] const Stop_rule& stop, const Heuristic& /* heuristic */)
+  void enter_lost_nodes([[maybe_unused]] const Stop_rule& stop)
   {
     if constexpr(internal::needs_bounds<Graph> && !internal::is_heuristic<Heuristic>)
     {
@@ -410,7 +389,7 @@ private:
   {
     m_ended_early = true;
     if constexpr(internal::is_heuristic<Heuristic>)
-      append_queue_to_order();
+      m_labels.append_to_order(m_queue);
     else
     {
       m_labels.discard_last_of_order(size_of_batch);
@@ -421,68 +400,25 @@ private:
     }
   }
 
-  // So that their labels are known when they are taken back.
-  void append_queue_to_order()
-  {
-    m_queue.for_each_node([this](const Node node) { m_labels.order().push_back(node); });
-  }
-
-  // Whether nodes are expanded again too often, which a rounded heuristic can cause: beside it,
-  // very short arcs vanish, so that keys no longer order their nodes.
-  bool reopens_too_often() const
-  {
-    constexpr std::size_t most_expansions_per_node = 3;
-    return m_labels.order().size() / most_expansions_per_node > m_graph->number_of_nodes();
-  }
-
-  // Searches the edges for upper bounds, and for how far the goal can be.
+  // Finds upper bounds of all distances, and how far the goal can be.
   template <typename Heuristic>
   void
   find_bounds(const std::vector<Seed>& seeds, const Stop_rule& stop, const Heuristic& heuristic)
   {
     constexpr double slack = 1e-6; // much more than rounding, and not much more to search
     const std::size_t size_of_order = m_labels.order().size();
-    const auto number_of_seeds = static_cast<std::ptrdiff_t>(m_seeds.size());
-    for(const Seed& seed : seeds)
-      enter(seed, stop, heuristic);
-    std::vector<internal::Candidate> candidates;
-    const auto& edges = m_graph->edges();
-    internal::Batch_relaxation<std::decay_t<decltype(edges)>, Queue, internal::Labels, Heuristic,
-                               internal::No_counter>
-        batch(edges, m_queue, m_labels, candidates, heuristic, largest_label(stop),
-              internal::No_counter());
-    internal::Goal_watch watch(m_labels, goal(stop, heuristic));
-    relax_all(batch, watch, heuristic);
-    append_queue_to_order();
-    m_limit = distance_of_goal(stop) * (1 + slack);
+    internal::search_edges(m_graph->edges(), m_queue, m_labels, seeds, largest_label(stop),
+                           heuristic, goal(stop, heuristic));
+    m_limit = goal(stop, heuristic).distance() * (1 + slack);
     m_labels.turn_into_bounds(size_of_order, largest_label(stop), heuristic);
     m_queue.clear();
-    m_seeds.erase(m_seeds.begin() + number_of_seeds, m_seeds.end());
-  }
-
-  // The smallest upper bound of the distances of all targets and points; infinity if there are
-  // none.
-  double distance_of_goal(const Stop_rule& stop) const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double result = stop.targets.empty() && stop.points.empty() ? infinity : 0;
-    for(const Node target : stop.targets)
-      result = (std::max)(result, m_labels.distance(target));
-    for(const std::vector<Last_arc>& arcs : stop.points)
-    {
-      double shortest = infinity;
-      for(const Last_arc& arc : arcs)
-        shortest = (std::min)(shortest, m_labels.distance(arc.node) + to_graph_unit(arc.length));
-      result = (std::max)(result, shortest);
-    }
-    return result;
   }
 
   // Whether upper bounds say that the goal can be reached, and it was not.
   bool has_lost_goal(const Stop_rule& stop) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    return m_limit < infinity && distance_of_goal(stop) == infinity;
+    return m_limit < infinity && goal(stop, internal::No_heuristic()).distance() == infinity;
   }
 
   // in units of the graph

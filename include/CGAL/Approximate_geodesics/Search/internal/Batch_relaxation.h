@@ -26,6 +26,14 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
+// Whether nodes are expanded again too often, which a rounded heuristic can cause: beside it, very
+// short arcs vanish, so that keys no longer order their nodes.
+inline bool reopens_too_often(const Labels& labels)
+{
+  constexpr std::size_t most_expansions_per_node = 3;
+  return labels.order().size() / most_expansions_per_node > labels.number_of_nodes();
+}
+
 /*
  * The three loops that a search works through a batch of entries in. They are described where the
  * algorithm is, in `Propagation.h`. In the first and the second one, no branch depends on a
@@ -56,6 +64,32 @@ public:
   {
   }
 
+  // Expands nodes until the queue is empty, or too often. Returns whether the watch let it.
+  template <typename Watch>
+  bool run(Watch& watch)
+  {
+    while(!m_queue.is_empty())
+    {
+      if constexpr(is_heuristic<Heuristic>)
+        if(reopens_too_often(m_labels))
+        {
+          m_labels.append_to_order(m_queue);
+          m_queue.clear();
+          return true;
+        }
+      extract();
+      if(!watch.go_further(m_size))
+        return false;
+      find_candidates();
+      lower_labels();
+    }
+    return true;
+  }
+
+  // the number of nodes that the first loop has appended
+  std::size_t size() const { return m_size; }
+
+private:
   // The first loop: appends the nodes of a batch to the order, but for those of stale entries.
   void extract()
   {
@@ -81,9 +115,6 @@ public:
     order.resize(static_cast<std::size_t>(end - order.data()));
     m_size = order.size() - first;
   }
-
-  // the number of nodes that the first loop has appended
-  std::size_t size() const { return m_size; }
 
   // The second loop: looks at the arcs of these nodes. Each arc is written down as a candidate; if
   // it does not lower the label of its end, the next one overwrites it.
@@ -131,7 +162,6 @@ public:
     }
   }
 
-private:
   decltype(auto) next_batch()
   {
     if constexpr(needs_bounds<Graph> && has_rounds<Queue>)

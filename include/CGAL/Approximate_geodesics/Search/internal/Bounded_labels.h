@@ -157,20 +157,9 @@ private:
   const Heuristic& m_distance_to_goal;
 };
 
-template <typename Graph, typename = void>
-struct Labels_for
-{
-  using type = Labels;
-};
-
 template <typename Graph>
-struct Labels_for<Graph, std::enable_if_t<needs_bounds<Graph>>>
-{
-  using type = Bounded_labels<typename Graph::Arrival>;
-};
-
-template <typename Graph>
-using Labels_of = typename Labels_for<Graph>::type;
+using Labels_of =
+    std::conditional_t<needs_bounds<Graph>, Bounded_labels<Arrival_of<Graph>>, Labels>;
 
 } // namespace internal
 } // namespace Approximate_geodesics

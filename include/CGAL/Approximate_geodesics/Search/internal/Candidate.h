@@ -32,20 +32,9 @@ struct Arriving_candidate : Candidate
   Arrival arrival;
 };
 
-template <typename Graph, typename = void>
-struct Candidate_for
-{
-  using type = Candidate;
-};
-
 template <typename Graph>
-struct Candidate_for<Graph, std::enable_if_t<needs_bounds<Graph>>>
-{
-  using type = Arriving_candidate<typename Graph::Arrival>;
-};
-
-template <typename Graph>
-using Candidate_of = typename Candidate_for<Graph>::type;
+using Candidate_of =
+    std::conditional_t<needs_bounds<Graph>, Arriving_candidate<Arrival_of<Graph>>, Candidate>;
 
 } // namespace internal
 } // namespace Approximate_geodesics

@@ -62,15 +62,30 @@ public:
     return m_is_given && m_targets.empty() && m_points.empty();
   }
 
-private:
-  // Whether all nodes on the shortest path to where these arcs lead are final.
-  bool is_final(const Arcs& arcs) const
+  // How far the farthest of the targets and points is that are not known to be final; infinity if
+  // there are none.
+  double distance() const
   {
-    double shortest = std::numeric_limits<double>::infinity();
-    for(const Last_arc& arc : arcs)
-      shortest = (std::min)(shortest, m_labels.distance(arc.node) + arc.length);
-    return is_final_key(shortest);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double result = m_targets.empty() && m_points.empty() ? infinity : 0;
+    for(const Node target : m_targets)
+      result = (std::max)(result, m_labels.distance(target));
+    for(const Arcs& arcs : m_points)
+      result = (std::max)(result, shortest(arcs));
+    return result;
   }
+
+private:
+  double shortest(const Arcs& arcs) const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for(const Last_arc& arc : arcs)
+      result = (std::min)(result, m_labels.distance(arc.node) + arc.length);
+    return result;
+  }
+
+  // Whether all nodes on the shortest path to where these arcs lead are final.
+  bool is_final(const Arcs& arcs) const { return is_final_key(shortest(arcs)); }
 
   // Whether a node with such a key is final, and so are the nodes before it on its path, whose keys
   // can be slightly larger if a heuristic was rounded.

@@ -65,6 +65,13 @@ public:
   const std::vector<Node>& order() const { return m_order; }
   std::vector<Node>& order() { return m_order; }
 
+  // So that the labels of the nodes in a queue are known when they are taken back.
+  template <typename Queue>
+  void append_to_order(const Queue& queue)
+  {
+    queue.for_each_node([this](const Node node) { m_order.push_back(node); });
+  }
+
   void discard(const Node node)
   {
     m_distance[node] = infinity;

@@ -61,6 +61,14 @@ constexpr bool needs_expansion_history =
 template <typename Graph>
 constexpr bool needs_bounds = boost::is_detected_v<Arrival_at_node, Graph>;
 
+// How paths arrive, for graphs that do not tell.
+struct No_arrival
+{
+};
+
+template <typename Graph>
+using Arrival_of = boost::detected_or_t<No_arrival, Arrival_at_node, Graph>;
+
 // Whether a queue can hand out batches that are larger than usual.
 template <typename Queue>
 constexpr bool has_rounds = boost::is_detected_v<Extract_round, Queue>;
