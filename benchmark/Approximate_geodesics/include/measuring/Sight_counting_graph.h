@@ -7,7 +7,7 @@
 #define BENCHMARK_SIGHT_COUNTING_GRAPH_H
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arc_visitor.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
@@ -36,7 +36,7 @@ public:
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
     namespace internal = CGAL::Approximate_geodesics::internal;
-    Visitor<Labels, F> visitor{{}, labels, f, m_number_of_sights};
+    Visitor<Labels, F> visitor{{{}, labels, f}, m_number_of_sights};
     internal::Sight_expansion<Visitor<Labels, F>> expansion(m_steps, m_bends, labels.distance(node),
                                                             visitor);
     internal::Vertex_sights(triangulation(), m_steps, m_bends)
@@ -52,36 +52,12 @@ public:
 
 private:
   template <typename Labels, typename F>
-  struct Visitor : CGAL::Approximate_geodesics::internal::Sight_visitor_base
+  struct Visitor : CGAL::Approximate_geodesics::internal::Arc_visitor<Labels, F>
   {
-    using Sight = CGAL::Approximate_geodesics::internal::Sight;
-    using Plane_vector = CGAL::Approximate_geodesics::internal::Plane_vector;
-
-    static constexpr bool knows_arrivals = true;
     static constexpr bool wants_sights = true;
 
-    double bound(const Node v) const { return labels.bound(v); }
-    double label(const Node v) const { return labels.distance(v); }
-    const Arrival& arrival(const Node v) const { return labels.arrival(v); }
-    bool has_predecessor(const Node v) const
-    {
-      return labels.predecessor(v) !=
-             CGAL::Approximate_geodesics::Intrinsic_triangulation::null_index;
-    }
+    void on_sight(const CGAL::Approximate_geodesics::internal::Sight&) { ++number_of_sights; }
 
-    void on_sight(const Sight&) { ++number_of_sights; }
-
-    void on_vertex(const Node v,
-                   const double distance,
-                   const Sight& sight,
-                   const Plane_vector apex,
-                   const Plane_vector left_edge)
-    {
-      f(v, distance, Arrival::across(sight.halfedge, apex, left_edge));
-    }
-
-    const Labels& labels;
-    F& f;
     std::size_t& number_of_sights;
   };
 

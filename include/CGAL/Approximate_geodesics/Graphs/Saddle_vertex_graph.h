@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arc_visitor.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
@@ -215,38 +216,13 @@ public:
 
 private:
   template <typename Labels, typename F>
-  struct Arc_visitor : internal::Sight_visitor_base
-  {
-    static constexpr bool knows_arrivals = true;
-
-    double bound(const Node v) const { return labels.bound(v); }
-    double label(const Node v) const { return labels.distance(v); }
-    const Arrival& arrival(const Node v) const { return labels.arrival(v); }
-    bool has_predecessor(const Node v) const
-    {
-      return labels.predecessor(v) != Intrinsic_triangulation::null_index;
-    }
-
-    void on_vertex(const Node v,
-                   const double distance,
-                   const internal::Sight& sight,
-                   const internal::Plane_vector apex,
-                   const internal::Plane_vector left_edge)
-    {
-      f(v, distance, Arrival::across(sight.halfedge, apex, left_edge));
-    }
-
-    const Labels& labels;
-    F& f;
-  };
-
-  template <typename Labels, typename F>
   void
   for_each_arc(const Node node, const Labels& labels, F& f, const internal::Sight_part part) const
   {
-    Arc_visitor<Labels, F> visitor{{}, labels, f};
-    internal::Sight_expansion<Arc_visitor<Labels, F>> expansion(
-        m_steps, m_bends, labels.distance(node), visitor, part);
+    using Visitor = internal::Arc_visitor<Labels, F>;
+    Visitor visitor{{}, labels, f};
+    internal::Sight_expansion<Visitor> expansion(m_steps, m_bends, labels.distance(node), visitor,
+                                                 part);
     internal::Vertex_sights(triangulation(), m_steps, m_bends)
         .for_each(
             node, labels.arrival(node),

@@ -383,14 +383,7 @@ private:
     m_graph->attach(point).for_each_line(
         0, bound_before(largest), m_points,
         [&](const Node node, const double length, const auto&) { consider(node, length, best); },
-        [&](const std::size_t i, const double length) { consider_source(i, length, best); });
-  }
-
-  void consider_source(const std::size_t i, const double length, Answer& best) const
-  {
-    const double distance = m_sources[i].distance + length * m_graph->unit();
-    if(distance < best.distance)
-      best = {distance, i, Search::null_node, length};
+        [&](const std::size_t i, const double length) { consider(m_sources, i, length, best); });
   }
 
   // Results fit the sources, also if the run fails: input that the search refuses changes nothing;
@@ -469,11 +462,19 @@ private:
     Answer result;
     if(!points.is_empty() && !point.is_vertex())
       m_graph->attach(point).for_each_point(points, [&](const std::size_t i, const double length) {
-        const double distance = sources[i].distance + length * m_graph->unit();
-        if(distance < result.distance)
-          result = {distance, i, Search::null_node, length};
+        consider(sources, i, length, result);
       });
     return result;
+  }
+
+  void consider(const std::vector<Source_point>& sources,
+                const std::size_t i,
+                const double length,
+                Answer& best) const
+  {
+    const double distance = sources[i].distance + length * m_graph->unit();
+    if(distance < best.distance)
+      best = {distance, i, Search::null_node, length};
   }
 
   void consider(const Node node, const double length, Answer& best) const

@@ -39,9 +39,11 @@ struct Unfolded_face
   }
 };
 
+// Writes the position of the apex, too.
 inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
                                    const Intrinsic_triangulation::Index source,
-                                   const Intrinsic_triangulation::Index h)
+                                   const Intrinsic_triangulation::Index h,
+                                   Apex_position& position)
 {
   constexpr auto null_index = Intrinsic_triangulation::null_index;
   if(triangulation.is_border(h))
@@ -50,10 +52,37 @@ inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
   const auto left = triangulation.counterclockwise(source, h);
   const auto apex = triangulation.target(left);
   const auto right = triangulation.counterclockwise(apex, triangulation.opposite(left));
-  const Apex_position position =
+  position =
       apex_position(triangulation, h, triangulation.length(left), triangulation.length(right));
   return {apex, triangulation.is_border(left) ? null_index : left,
           triangulation.is_border(right) ? null_index : right, position.along, position.across};
+}
+
+inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
+                                   const Intrinsic_triangulation::Index source,
+                                   const Intrinsic_triangulation::Index h)
+{
+  Apex_position position{0, 0, 0};
+  return unfolded_face(triangulation, source, h, position);
+}
+
+// What `unfold(triangulation, source, h)` makes of the faces of all halfedges.
+// Throws if a face breaks the triangle inequality.
+template <typename Face, typename Unfold>
+std::vector<Face> unfold_all(const Intrinsic_triangulation& triangulation, Unfold unfold)
+{
+  using Index = Intrinsic_triangulation::Index;
+  std::vector<Face> result(triangulation.number_of_halfedges());
+  bool is_suspicious = false;
+  for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+    {
+      result[h] = unfold(triangulation, v, h);
+      is_suspicious = is_suspicious || !(result[h].across > 0);
+    }
+  if(is_suspicious) // an impossible face has got no area
+    triangulation.check_triangle_inequality();
+  return result;
 }
 
 /*
@@ -67,17 +96,11 @@ public:
 
   // Throws if a face breaks the triangle inequality.
   explicit Unfolding(const Intrinsic_triangulation& triangulation)
-    : m_faces(triangulation.number_of_halfedges())
+    : m_faces(
+          unfold_all<Unfolded_face>(triangulation, [](const auto& t, const Index v, const Index h) {
+            return unfolded_face(t, v, h);
+          }))
   {
-    bool is_suspicious = false;
-    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-      for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-      {
-        m_faces[h] = unfolded_face(triangulation, v, h);
-        is_suspicious = is_suspicious || !(m_faces[h].across > 0);
-      }
-    if(is_suspicious) // an impossible face has got no area
-      triangulation.check_triangle_inequality();
   }
 
   const Unfolded_face& face(const Index h) const { return m_faces[h]; }

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <cstddef>
 #include <vector>
@@ -26,14 +27,9 @@ namespace internal {
  * that vector alone, by a rotation and a scaling. So each keeps its direction to the last bits,
  * however far away it is and however short; the difference of two points would not.
  */
-struct Face_step
+struct Face_step : Unfolded_face
 {
-  using Index = Intrinsic_triangulation::Index;
-
-  Index apex;  // the third vertex, or null_index if the halfedge is a border halfedge
-  Index left;  // the halfedge from the source to the apex, or null_index if there is no face beyond
-  Index right; // likewise, the one from the apex to the target
-  double along, beyond, across; // as in `Apex_position`
+  double beyond; // the apex is so far back from the target of the halfedge
 
   bool has_face() const { return apex != Intrinsic_triangulation::null_index; }
 
@@ -52,20 +48,9 @@ inline Face_step face_step(const Intrinsic_triangulation& triangulation,
                            const Intrinsic_triangulation::Index source,
                            const Intrinsic_triangulation::Index h)
 {
-  constexpr auto null_index = Intrinsic_triangulation::null_index;
-  if(triangulation.is_border(h))
-    return {null_index, null_index, null_index, 0, 0, 0};
-
-  const auto left = triangulation.counterclockwise(source, h);
-  const auto apex = triangulation.target(left);
-  const auto right = triangulation.counterclockwise(apex, triangulation.opposite(left));
-  const Apex_position position = apex_position(triangulation, source, h);
-  return {apex,
-          triangulation.is_border(left) ? null_index : left,
-          triangulation.is_border(right) ? null_index : right,
-          position.along,
-          position.beyond,
-          position.across};
+  Apex_position position{0, 0, 0};
+  const Unfolded_face face = unfolded_face(triangulation, source, h, position);
+  return {face, position.beyond};
 }
 
 // The angle at the source of a halfedge in the face to its left, as a unit vector. At an edge of
@@ -85,17 +70,8 @@ public:
 
   // Throws if a face breaks the triangle inequality.
   explicit Face_steps(const Intrinsic_triangulation& triangulation)
-    : m_steps(triangulation.number_of_halfedges())
+    : m_steps(unfold_all<Face_step>(triangulation, face_step))
   {
-    bool is_suspicious = false;
-    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-      for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-      {
-        m_steps[h] = face_step(triangulation, v, h);
-        is_suspicious = is_suspicious || !(m_steps[h].across > 0);
-      }
-    if(is_suspicious) // an impossible face has got no area
-      triangulation.check_triangle_inequality();
   }
 
   const Face_step& operator[](const Index h) const { return m_steps[h]; }
