@@ -8,10 +8,10 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/binary_io.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -37,6 +37,7 @@ class Arc_file
 
   static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4747444741; // AGDGG, and what text modes spoil
   static constexpr std::uint32_t VERSION = 1;
+  static constexpr const char* CONTENTS = "the graph"; // in messages
 
 public:
   static void save(std::ostream& out,
@@ -44,7 +45,7 @@ public:
                    const double epsilon,
                    const Compressed_arcs& rows)
   {
-    Binary_writer writer(out);
+    Binary_writer writer(out, CONTENTS);
     writer.write(SIGNATURE);
     writer.write(VERSION);
     writer.write(triangulation.number_of_vertices());
@@ -71,7 +72,7 @@ public:
                    double& epsilon,
                    Compressed_arcs& rows)
   {
-    Binary_reader reader(in);
+    Binary_reader reader(in, CONTENTS);
     check_header(reader, triangulation);
     epsilon = reader.read<double>();
     check_shares(reader);

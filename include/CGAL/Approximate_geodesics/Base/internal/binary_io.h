@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_BINARY_IO_H
-#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_BINARY_IO_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_BINARY_IO_H
+#define CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_BINARY_IO_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -75,10 +75,13 @@ private:
   boost::crc_32_type m_crc;
 };
 
+// Messages name what is written, such as "the graph".
 class Binary_writer
 {
 public:
-  explicit Binary_writer(std::ostream& out) : m_out(out) {}
+  Binary_writer(std::ostream& out, const std::string& contents) : m_out(out), m_contents(contents)
+  {
+  }
 
   template <typename T>
   void write(const T value)
@@ -94,25 +97,26 @@ public:
     write(m_checksum.value());
     m_out.flush();
     if(!m_out)
-      throw std::runtime_error("Approximate_geodesics: the graph could not be written");
+      throw std::runtime_error("Approximate_geodesics: " + m_contents + " could not be written");
   }
 
 private:
   std::ostream& m_out;
+  std::string m_contents;
   Checksum m_checksum;
 };
 
 class Binary_reader
 {
 public:
-  explicit Binary_reader(std::istream& in) : m_in(in) {}
+  Binary_reader(std::istream& in, const std::string& contents) : m_in(in), m_contents(contents) {}
 
   template <typename T>
   T read()
   {
     std::array<char, sizeof(T)> bytes;
     if(!m_in.read(bytes.data(), sizeof(T)))
-      reject("the file of the graph ends too early");
+      reject("the file of " + m_contents + " ends too early");
     m_checksum.add(bytes);
     return from_bytes<T>(bytes);
   }
@@ -122,11 +126,12 @@ public:
   {
     const std::uint32_t expected = m_checksum.value();
     if(read<std::uint32_t>() != expected)
-      reject("the file of the graph is damaged: its checksum is not that of its contents");
+      reject("the file of " + m_contents + " is damaged: its checksum is not that of its contents");
   }
 
 private:
   std::istream& m_in;
+  std::string m_contents;
   Checksum m_checksum;
 };
 
@@ -134,4 +139,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_BINARY_IO_H
+#endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_BINARY_IO_H
