@@ -12,6 +12,7 @@
 
 #include <boost/crc.hpp>
 #include <boost/endian/conversion.hpp>
+#include <boost/integer.hpp>
 
 #include <array>
 #include <cstddef>
@@ -21,7 +22,6 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 // Numbers in binary streams: little-endian on every machine, and with a checksum.
 
@@ -30,7 +30,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 template <typename T>
-using Bits_of = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+using Bits_of = typename boost::uint_t<8 * sizeof(T)>::exact;
 
 template <typename T>
 std::array<char, sizeof(T)> to_bytes(const T value)
@@ -54,6 +54,17 @@ T from_bytes(const std::array<char, sizeof(T)>& bytes)
   return result;
 }
 
+// numbers, one after the other
+template <typename... Numbers>
+std::string packed(const Numbers... numbers)
+{
+  std::string result;
+  const auto append = [&](const auto& bytes) { result.append(bytes.data(), bytes.size()); };
+  (append(to_bytes(numbers)), ...);
+  return result;
+}
+
+// the CRC-32 of ZIP archives and PNG images
 class Checksum
 {
 public:
@@ -66,8 +77,10 @@ public:
   template <std::size_t size>
   void add(const std::array<char, size>& bytes)
   {
-    m_crc.process_bytes(bytes.data(), size);
+    add(bytes.data(), size);
   }
+
+  void add(const char* bytes, const std::size_t number) { m_crc.process_bytes(bytes, number); }
 
   std::uint32_t value() const { return m_crc.checksum(); }
 
