@@ -52,6 +52,16 @@
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
 
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Npy_file.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Npz_file.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Single_process.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Sparse_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/distance_intervals.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
@@ -60,6 +70,7 @@
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Csr_writer.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Npz_writer.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrix_files/Csr_writer.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrix_files/Npz_writer.h>
 
 #include "checks/expect_message.h"
 #include "files/Temporary_file.h"

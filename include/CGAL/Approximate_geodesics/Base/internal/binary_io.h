@@ -54,6 +54,16 @@ T from_bytes(const std::array<char, sizeof(T)>& bytes)
   return result;
 }
 
+// the number whose bytes in memory are those of `value` in a file
+template <typename T>
+T little_endian(const T value)
+{
+  T result = value;
+  if constexpr(boost::endian::order::native != boost::endian::order::little)
+    std::memcpy(&result, to_bytes(value).data(), sizeof(T));
+  return result;
+}
+
 // numbers, one after the other
 template <typename... Numbers>
 std::string packed(const Numbers... numbers)

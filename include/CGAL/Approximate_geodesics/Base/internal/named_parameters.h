@@ -27,6 +27,7 @@
   APPLY(relative_tolerance_t, relative_tolerance, relative_tolerance)                              \
   APPLY(initial_distances_t, initial_distances, initial_distances)                                 \
   APPLY(straighten_t, straighten, straighten)                                                      \
+  APPLY(symmetric_t, symmetric, symmetric)                                                         \
   APPLY(targets_t, targets, targets)                                                               \
   APPLY(nearest_source_t, nearest_source, nearest_source_map)                                      \
   APPLY(geodesic_predecessor_t, geodesic_predecessor, predecessor_map)

@@ -33,9 +33,13 @@ bool is_exact(const NamedParameters& np)
 }
 
 // Calls `f` with the graph that named parameters ask for: one with weights and barriers if there
-// are any, one with a bound, and of the given type, if a bound is wanted, and else that of the
+// are any, one with a bound, and of the given types, if a bound is wanted, and else that of the
 // edges. Returns what `f` returns.
-template <typename GraphWithBound, typename TriangleMesh, typename NamedParameters, typename F>
+template <typename GraphWithBound,
+          typename ExactGraph = Saddle_vertex_graph,
+          typename TriangleMesh,
+          typename NamedParameters,
+          typename F>
 auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
 {
   constexpr bool has_epsilon = is_given<NamedParameters, internal_np::epsilon_t>;
@@ -56,7 +60,7 @@ auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
   else if constexpr(has_epsilon)
   {
     if(is_exact(np))
-      return f(Saddle_vertex_graph(std::move(triangulation), np));
+      return f(ExactGraph(std::move(triangulation), np));
     return f(GraphWithBound(std::move(triangulation), np));
   }
   else

@@ -3,13 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRICES_CSR_WRITER_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRICES_CSR_WRITER_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_CSR_WRITER_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_CSR_WRITER_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Npz_writer.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Zip_writer.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrix_files/Npz_writer.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrix_files/Zip_writer.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -138,4 +138,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRICES_CSR_WRITER_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_CSR_WRITER_H

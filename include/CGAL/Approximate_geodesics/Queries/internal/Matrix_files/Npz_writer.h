@@ -3,14 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRICES_NPZ_WRITER_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRICES_NPZ_WRITER_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_NPZ_WRITER_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_NPZ_WRITER_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Zip_writer.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/npy_header.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrix_files/Zip_writer.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrix_files/npy_header.h>
 
 #include <algorithm>
 #include <array>
@@ -112,4 +112,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRICES_NPZ_WRITER_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_NPZ_WRITER_H

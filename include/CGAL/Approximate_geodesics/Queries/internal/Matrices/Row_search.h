@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRICES_ROW_SEARCH_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRICES_ROW_SEARCH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Matrix_columns.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// How far the searches for the rows of a distance matrix go.
+struct Row_limits
+{
+  double maximum_distance = std::numeric_limits<double>::infinity();
+  std::size_t number_of_nearest = 0;    // columns; 0 stands for all of them
+  std::vector<Intrinsic_point> targets; // that a search may end with, if there are any
+
+  // Whether most columns may not be reached.
+  bool are_given() const
+  {
+    return number_of_nearest > 0 || maximum_distance < std::numeric_limits<double>::infinity();
+  }
+};
+
+// Ends a search when so many columns are settled, and all that are as far away as the last of them.
+class Nearest_columns_visitor : public Geodesic_visitor_base
+{
+public:
+  Nearest_columns_visitor(const Matrix_columns& columns, const std::size_t wanted)
+    : m_columns(columns), m_wanted(wanted)
+  {
+  }
+
+  template <typename Node>
+  void on_settled(const Node node, const double distance)
+  {
+    m_is_done = m_is_done || (m_number >= m_wanted && distance > m_farthest);
+    const std::size_t number = m_columns.number_at(node);
+    if(m_number < m_wanted && number > 0)
+      m_farthest = distance;
+    m_number += number;
+  }
+
+  bool go_further() const { return !m_is_done; }
+
+private:
+  const Matrix_columns& m_columns;
+  std::size_t m_wanted;
+  std::size_t m_number = 0;
+  double m_farthest = 0;
+  bool m_is_done = false;
+};
+
+/*
+ * Finds rows of a distance matrix, one after the other: the workspace of a thread.
+ */
+template <typename Graph>
+class Row_search
+{
+public:
+  // All are referred to, not copied.
+  Row_search(const Graph& graph, const Matrix_columns& columns, const Row_limits& limits)
+    : m_columns(columns), m_limits(limits), m_search(graph), m_row(columns.size())
+  {
+  }
+
+  // Returns the distances from `source`, which stay until the next call.
+  const Distance_row& find(const Intrinsic_point& source)
+  {
+    m_row.clear();
+    if(m_limits.number_of_nearest > 0 && m_columns.are_vertices())
+      m_search.run({{source}}, stop_rule(),
+                   Nearest_columns_visitor(m_columns, m_limits.number_of_nearest));
+    else
+      m_search.run({{source}}, stop_rule());
+    if(m_limits.are_given())
+      m_columns.write_reached(m_search, m_row);
+    else
+      m_columns.write_all(m_search, m_row);
+    return m_row;
+  }
+
+private:
+  using Search = Surface_search<Graph>;
+
+  typename Search::Stop_rule stop_rule() const
+  {
+    return {m_limits.maximum_distance, m_limits.targets};
+  }
+
+  const Matrix_columns& m_columns;
+  const Row_limits& m_limits;
+  Search m_search;
+  Distance_row m_row;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRICES_ROW_SEARCH_H

@@ -1,0 +1,49 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_FILE_LOCK_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_FILE_LOCK_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrix_files/Local_file.h>
+
+#include <boost/interprocess/sync/file_lock.hpp>
+
+#include <string>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * Says that a program is at work. It does so by a lock of the system, which goes when the program
+ * does, however that ends.
+ */
+class File_lock
+{
+public:
+  // `subject` is what the work is about.
+  File_lock(const std::string& file, const std::string& subject)
+    : m_file(file), m_lock(file.c_str())
+  {
+    if(!m_lock.try_lock())
+      reject(subject + " is being computed by another program");
+  }
+
+  ~File_lock() { m_lock.unlock(); }
+
+private:
+  Local_file m_file; // made if there is none
+  boost::interprocess::file_lock m_lock;
+};
+
+} // namespace internal
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_FILE_LOCK_H

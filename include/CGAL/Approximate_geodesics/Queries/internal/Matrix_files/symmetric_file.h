@@ -1,0 +1,90 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_SYMMETRIC_FILE_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_SYMMETRIC_FILE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * A square matrix in a file, of which two squares at a time are in memory.
+ */
+template <typename T, typename File>
+class Square_matrix_file
+{
+  static constexpr std::size_t side = 1024;
+
+public:
+  // `first` is the byte that the matrix begins with.
+  Square_matrix_file(File& file, const std::uint64_t first, const std::size_t size)
+    : m_file(file), m_first(first), m_size(size), m_below(side * side), m_above(side * side)
+  {
+  }
+
+  // Replaces each number by the smaller one of both directions. It may be done twice.
+  void make_symmetric()
+  {
+    for(std::size_t i = 0; i < m_size; i += side)
+      for(std::size_t j = 0; j <= i; j += side)
+      {
+        transfer(i, j, m_below, &File::read);
+        transfer(j, i, m_above, &File::read);
+        take_smaller();
+        transfer(i, j, m_below, &File::write);
+        transfer(j, i, m_above, &File::write);
+      }
+  }
+
+private:
+  // Reads or writes a square.
+  template <typename Transfer>
+  void transfer(const std::size_t row,
+                const std::size_t column,
+                std::vector<T>& square,
+                const Transfer transfer_bytes)
+  {
+    const std::size_t width = (std::min)(side, m_size - column);
+    for(std::size_t i = 0; i < side && row + i < m_size; ++i)
+    {
+      const std::uint64_t position = std::uint64_t(row + i) * m_size + column;
+      (m_file.*transfer_bytes)(m_first + position * sizeof(T), square.data() + i * side,
+                               width * sizeof(T));
+    }
+  }
+
+  void take_smaller()
+  {
+    for(std::size_t i = 0; i < side; ++i)
+      for(std::size_t j = 0; j < side; ++j)
+      {
+        T& below = m_below[i * side + j];
+        T& above = m_above[j * side + i];
+        below = above = little_endian((std::min)(little_endian(below), little_endian(above)));
+      }
+  }
+
+  File& m_file;
+  std::uint64_t m_first;
+  std::size_t m_size;
+  std::vector<T> m_below, m_above; // with rows of `side` numbers
+};
+
+} // namespace internal
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MATRIX_FILES_SYMMETRIC_FILE_H

@@ -1,0 +1,203 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESIC_DISTANCE_MATRIX_H
+#define CGAL_APPROXIMATE_GEODESIC_DISTANCE_MATRIX_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Sequential_exact_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/distance_matrix.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/matrix_points.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/row_sinks.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
+
+#include <type_traits>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsMatrices
+ *
+ * computes approximate geodesic distances from many sources to many targets, and hands them to
+ * `rows`: a row per source, with a column per target.
+ *
+ * Where the distances go, and which of them, is a matter of `rows`:
+ *
+ * - `Approximate_geodesics::Dense_rows` keeps all of them in memory,
+ * - `Approximate_geodesics::Radius_rows` keeps those up to `maximum_distance`,
+ * - `Approximate_geodesics::Nearest_rows` keeps the smallest ones of each row,
+ * - `Approximate_geodesics::Npy_file` writes all of them to a file for NumPy,
+ * - `Approximate_geodesics::Npz_file` writes those up to `maximum_distance`, or the smallest ones
+ *   of each row, to a file for SciPy,
+ * - a function object gets the rows as they are computed.
+ *
+ * Distances are those of `approximate_geodesic_distances()`, but for the rounding of arcs to single
+ * precision in a `Approximate_geodesics::Discrete_geodesic_graph`. They do not depend on the number
+ * of threads, to the last bit.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam Rows a model of `DistanceRowSink`, or of `Callable` with arguments of types
+ *         `std::size_t` and `const Approximate_geodesics::Distance_row&`
+ * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
+ *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`, or a
+ *         model of `ConstRange` with one of these as value type
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param rows receives the rows. A function object is called for one row after the other, in their
+ *        order, by any thread, but never by two at the same time.
+ * \param sources the points of the surface that the rows belong to; duplicates are allowed
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+ *           listed below, and `vertex_point_map`, `edge_length_map`, `epsilon`,
+ *           `number_of_points_per_edge`, `face_weight_map`, `edge_is_constrained_map`,
+ *           `vertex_index_map`, `halfedge_index_map` and `geom_traits`, which are as for
+ *           `approximate_geodesic_distances()`
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{targets}
+ *     \cgalParamDescription{the points of the surface that the columns belong to}
+ *     \cgalParamType{a model of `ConstRange` with one of the value types of `sources`}
+ *     \cgalParamDefault{all vertices, in the order of `vertices(tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_distance}
+ *     \cgalParamDescription{the distance beyond which targets are not reached: theirs is infinity,
+ *                           and they do not occur in sparse rows}
+ *     \cgalParamType{a number type convertible to `double`}
+ *     \cgalParamDefault{infinity}
+ *     \cgalParamExtra{Run time is proportional to what is reached.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{symmetric}
+ *     \cgalParamDescription{whether each distance is to be replaced by the smaller one of both
+ *                           directions, which is that of a path, too}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`: both directions differ, by rounding or by the error of a bound}
+ *     \cgalParamExtra{Targets must be the same points as sources, in the same order. It is for
+ *                     `Dense_rows`, `Radius_rows`, and `Npy_file`.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{concurrency_tag}
+ *     \cgalParamDescription{whether several threads compute rows, each of them others}
+ *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
+ *                    `CGAL::Parallel_if_available_tag`}
+ *     \cgalParamDefault{`CGAL::Sequential_tag`}
+ *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB. There are as many threads as the
+ *                     `tbb::task_arena` has that the function is called in.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{an object that is told of progress, and that may end the computation,
+ *                           if another thread wishes so, for example}
+ *     \cgalParamType{a class model of `DistanceMatrixVisitor`, or a `std::reference_wrapper` of
+ *                    one}
+ *     \cgalParamDefault{`CGAL::Approximate_geodesics::Distance_matrix_visitor_base`}
+ *     \cgalParamExtra{The visitor is copied unless it is given as `std::ref(visitor)`.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return whether all rows are there: `false` if the visitor has ended the computation.
+ *
+ * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does, and
+ *         if `symmetric` is `true` and targets differ from sources. `rows` has not been used then.
+ * \throws whatever `rows` or the visitor throws. The computation ends with it.
+ *
+ * A row costs what a search costs, and each thread has a workspace of 40 bytes per node of the
+ * graph beside a row. If `epsilon` is given, the graph is a
+ * `Approximate_geodesics::Discrete_geodesic_graph`, which takes as long to build as about ten rows.
+ *
+ * \sa `approximate_geodesic_distances()`
+ */
+template <typename TriangleMesh,
+          typename Rows,
+          typename Sources,
+          typename NamedParameters = parameters::Default_named_parameters>
+#ifdef DOXYGEN_RUNNING
+bool
+#else
+std::enable_if_t<!Approximate_geodesics::internal::is_surface_graph<TriangleMesh>, bool>
+#endif
+approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
+                                     Rows&& rows,
+                                     const Sources& sources,
+                                     const NamedParameters& np = parameters::default_values())
+{
+  namespace AG = Approximate_geodesics;
+  AG::internal::check_rows<Rows>();
+  static_assert(AG::internal::is_source<TriangleMesh, Sources>,
+                "approximate_geodesic_distance_matrix(tmesh, rows, sources): a source is a vertex "
+                "descriptor, a Face_location or a Surface_point, and sources are one of them or a "
+                "range");
+  static_assert(
+      !AG::internal::ignores_any<
+          NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,
+          internal_np::edge_length_t, internal_np::face_weight_t,
+          internal_np::edge_is_constrained_t, internal_np::maximum_distance_t,
+          internal_np::targets_t, internal_np::symmetric_t, internal_np::visitor_t>,
+      "approximate_geodesic_distance_matrix() does not read one of these named parameters: its "
+      "documentation lists those that it does");
+
+  return AG::internal::with_graph<AG::Discrete_geodesic_graph,
+                                  AG::internal::Sequential_exact_graph>(
+      tmesh, np, [&](const auto& graph) {
+        return AG::internal::compute_distance_matrix(
+            graph, rows, AG::internal::matrix_points_on_mesh(tmesh, graph, sources, np), np);
+      });
+}
+
+/*!
+ * \ingroup PkgApproximateGeodesicsMatrices
+ *
+ * does the same on a graph that was built before.
+ *
+ * \tparam SurfaceGraph a model of `SurfaceGraph`
+ * \tparam Rows as above
+ * \tparam Sources a model of `ConstRange` with value type `Approximate_geodesics::Intrinsic_point`,
+ *         or an integer type: the index of a vertex in the mesh
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param graph the graph; several threads may use it at the same time
+ * \param rows as above
+ * \param sources the points that the rows belong to
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `targets`,
+ *        a range with one of the value types of `sources`, by default all vertices in ascending
+ *        order of their indices, and `maximum_distance`, `symmetric`, `concurrency_tag` and
+ *        `visitor`, as above
+ *
+ * \return as above
+ *
+ * \throws std::invalid_argument if a source or a target is not a point of the graph's
+ * triangulation, and as above
+ */
+template <typename SurfaceGraph,
+          typename Rows,
+          typename Sources,
+          typename NamedParameters = parameters::Default_named_parameters>
+#ifdef DOXYGEN_RUNNING
+bool
+#else
+std::enable_if_t<Approximate_geodesics::internal::is_surface_graph<SurfaceGraph>, bool>
+#endif
+approximate_geodesic_distance_matrix(const SurfaceGraph& graph,
+                                     Rows&& rows,
+                                     const Sources& sources,
+                                     const NamedParameters& np = parameters::default_values())
+{
+  namespace AG = Approximate_geodesics;
+  AG::internal::check_rows<Rows>();
+  static_assert(
+      !AG::internal::ignores_any<NamedParameters, internal_np::maximum_distance_t,
+                                 internal_np::targets_t, internal_np::symmetric_t,
+                                 internal_np::visitor_t>,
+      "approximate_geodesic_distance_matrix() with a graph reads targets, maximum_distance, "
+      "symmetric, concurrency_tag and visitor; the others are for the graph");
+
+  return AG::internal::compute_distance_matrix(
+      graph, rows, AG::internal::matrix_points_on_graph(graph.triangulation(), sources, np), np);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESIC_DISTANCE_MATRIX_H
