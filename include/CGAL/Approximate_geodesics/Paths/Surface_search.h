@@ -236,9 +236,7 @@ public:
       consider_lines(point, result);
     if(result.node != Search::null_node)
       result.source = m_search.source(result.node);
-    const bool is_known =
-        result.distance <= m_maximum_distance && m_search.is_final(result.distance);
-    return is_known ? result : Answer();
+    return is_known(result.distance) ? result : Answer();
   }
 
   /// returns the distance from the nearest source to `point`, in the unit of the mesh, or infinity
@@ -279,6 +277,13 @@ public:
     if(!internal::has_crossing_arcs<Graph> && source.distance == 0)
       result.length = answer.distance;
     return result;
+  }
+
+  /// returns whether a point at that distance is reached, and the distance final: it does not exceed
+  /// the maximum distance, and the run did not end before.
+  bool is_known(const double distance) const
+  {
+    return distance <= m_maximum_distance && m_search.is_final(distance);
   }
 
   /// returns the sources.

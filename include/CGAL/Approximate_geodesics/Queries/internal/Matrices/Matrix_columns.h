@@ -8,10 +8,14 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <numeric>
@@ -25,28 +29,29 @@ namespace internal {
 /*
  * The points that the columns of a distance matrix stand for, and their distances after a search.
  */
+template <typename Graph>
 class Matrix_columns
 {
   using Column = Distance_row::Column;
   using Index = Intrinsic_triangulation::Index;
 
 public:
-  // A column per point, in the given order.
-  Matrix_columns(const Intrinsic_triangulation& triangulation,
-                 const std::vector<Intrinsic_point>& points)
+  // A column per point, in the given order. The graph is referred to, not copied.
+  Matrix_columns(const Graph& graph, const std::vector<Intrinsic_point>& points)
   {
     m_vertices.reserve(points.size());
     for(const Intrinsic_point& p : points)
     {
       if(!p.is_vertex())
-        m_points.emplace_back(static_cast<Column>(m_vertices.size()), p);
+        m_points.columns.push_back(static_cast<Column>(m_vertices.size()));
       m_vertices.push_back(p.vertex);
     }
-    sort_by_vertex(triangulation.number_of_vertices());
+    sort_by_vertex(graph.triangulation().number_of_vertices());
+    attach(graph, points);
   }
 
   std::size_t size() const { return m_vertices.size(); }
-  bool are_vertices() const { return m_points.empty(); }
+  bool are_vertices() const { return m_points.columns.empty(); }
 
   // Returns the number of columns that stand for a node.
   std::size_t number_at(const Index node) const
@@ -64,9 +69,8 @@ public:
     else
     {
       row.set_all([&](const Column c) {
-        return m_vertices[c] == Intrinsic_triangulation::null_index
-                   ? std::numeric_limits<double>::infinity()
-                   : nodes.distance(m_vertices[c]);
+        return m_vertices[c] == Intrinsic_triangulation::null_index ? infinity
+                                                                    : nodes.distance(m_vertices[c]);
       });
       write_points(search, row);
     }
@@ -84,19 +88,92 @@ public:
   }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // A straight line from a node to a point, in units of the graph.
+  struct Last_arc
+  {
+    typename Graph::Node node;
+    double length;
+  };
+
+  // Columns that are not vertices. Points are attached to the graph once, and not for every row,
+  // unless the lines depend on the search.
+  struct Point_columns
+  {
+    std::vector<Column> columns;
+    Points_by_face points;
+    std::vector<std::size_t> first_arc; // by point, and beyond the last one
+    std::vector<Last_arc> arcs;
+  };
+
   bool is_vertex(const Index node) const { return node + std::size_t(1) < m_first_at.size(); }
 
   static void set(const Column column, const double distance, Distance_row& row)
   {
-    if(distance < std::numeric_limits<double>::infinity())
+    if(distance < infinity)
       row.set(column, distance);
+  }
+
+  void attach(const Graph& graph, const std::vector<Intrinsic_point>& points)
+  {
+    std::vector<Intrinsic_point> points_of_columns;
+    for(const Column column : m_points.columns)
+    {
+      points_of_columns.push_back(points[column]);
+      m_points.first_arc.push_back(m_points.arcs.size());
+      if constexpr(!needs_bounds<Graph>)
+        graph.attach(points[column]).for_each_node([this](const auto node, const double length) {
+          m_points.arcs.push_back({node, length});
+        });
+    }
+    m_points.first_arc.push_back(m_points.arcs.size());
+    m_points.points = Points_by_face(graph.triangulation(), std::move(points_of_columns));
   }
 
   template <typename SurfaceSearch>
   void write_points(const SurfaceSearch& search, Distance_row& row) const
   {
-    for(const auto& [column, point] : m_points)
-      set(column, search.distance(point), row);
+    if(are_vertices())
+      return;
+    if constexpr(needs_bounds<Graph>)
+      for(std::size_t i = 0; i < m_points.columns.size(); ++i)
+        set(m_points.columns[i], search.distance(m_points.points[i]), row);
+    else
+    {
+      std::vector<double> distances = distances_by_line(search);
+      for(std::size_t i = 0; i < m_points.columns.size(); ++i)
+      {
+        const double distance = (std::min)(distances[i], distance_over_nodes(search, i));
+        set(m_points.columns[i], search.is_known(distance) ? distance : infinity, row);
+      }
+    }
+  }
+
+  // Of all points, straight from the source.
+  template <typename SurfaceSearch>
+  std::vector<double> distances_by_line(const SurfaceSearch& search) const
+  {
+    const Graph& graph = search.graph();
+    const Source_point& source = search.sources().front();
+    std::vector<double> result(m_points.columns.size(), infinity);
+    graph.attach(source.point)
+        .for_each_point(m_points.points, [&](const std::size_t i, const double length) {
+          result[i] = (std::min)(result[i], source.distance + length * graph.unit());
+        });
+    return result;
+  }
+
+  template <typename SurfaceSearch>
+  double distance_over_nodes(const SurfaceSearch& search, const std::size_t i) const
+  {
+    double result = infinity;
+    for(std::size_t arc = m_points.first_arc[i]; arc < m_points.first_arc[i + 1]; ++arc)
+    {
+      const auto [node, length] = m_points.arcs[arc];
+      result = (std::min)(result, search.search().distance(node) + length * search.graph().unit());
+    }
+    return result;
   }
 
   // Lists columns by vertex: a vertex may have any number of them.
@@ -114,10 +191,10 @@ private:
         m_columns[next[m_vertices[c]]++] = static_cast<Column>(c);
   }
 
-  std::vector<Index> m_vertices; // by column; the null index if it is another point
-  std::vector<std::pair<Column, Intrinsic_point>> m_points; // columns that are not vertices
-  std::vector<Column> m_first_at;                           // by vertex, into the next list
-  std::vector<Column> m_columns;                            // by vertex
+  std::vector<Index> m_vertices;  // by column; the null index if it is another point
+  std::vector<Column> m_first_at; // by vertex, into the next list
+  std::vector<Column> m_columns;  // by vertex
+  Point_columns m_points;
 };
 
 } // namespace internal

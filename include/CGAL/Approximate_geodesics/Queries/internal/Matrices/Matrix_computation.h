@@ -40,7 +40,7 @@ public:
   // All are referred to, not copied.
   Matrix_computation(const Graph& graph,
                      const std::vector<Intrinsic_point>& sources,
-                     const Matrix_columns& columns,
+                     const Matrix_columns<Graph>& columns,
                      const Row_limits& limits,
                      const Distance_matrix_plan& plan,
                      Rows& rows,
@@ -173,7 +173,7 @@ private:
 
   const Graph& m_graph;
   const std::vector<Intrinsic_point>& m_sources;
-  const Matrix_columns& m_columns;
+  const Matrix_columns<Graph>& m_columns;
   const Row_limits& m_limits;
   const Distance_matrix_plan& m_plan;
   Rows& m_rows;

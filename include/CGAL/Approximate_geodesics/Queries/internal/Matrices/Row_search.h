@@ -38,10 +38,11 @@ struct Row_limits
 };
 
 // Ends a search when so many columns are settled, and all that are as far away as the last of them.
+template <typename Columns>
 class Nearest_columns_visitor : public Geodesic_visitor_base
 {
 public:
-  Nearest_columns_visitor(const Matrix_columns& columns, const std::size_t wanted)
+  Nearest_columns_visitor(const Columns& columns, const std::size_t wanted)
     : m_columns(columns), m_wanted(wanted)
   {
   }
@@ -59,7 +60,7 @@ public:
   bool go_further() const { return !m_is_done; }
 
 private:
-  const Matrix_columns& m_columns;
+  const Columns& m_columns;
   std::size_t m_wanted;
   std::size_t m_number = 0;
   double m_farthest = 0;
@@ -74,7 +75,7 @@ class Row_search
 {
 public:
   // All are referred to, not copied.
-  Row_search(const Graph& graph, const Matrix_columns& columns, const Row_limits& limits)
+  Row_search(const Graph& graph, const Matrix_columns<Graph>& columns, const Row_limits& limits)
     : m_columns(columns), m_limits(limits), m_search(graph), m_row(columns.size())
   {
   }
@@ -103,7 +104,7 @@ private:
     return {m_limits.maximum_distance, m_limits.targets};
   }
 
-  const Matrix_columns& m_columns;
+  const Matrix_columns<Graph>& m_columns;
   const Row_limits& m_limits;
   Search m_search;
   Distance_row m_row;

@@ -120,7 +120,7 @@ Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
 template <typename Graph>
 Matrix_identity identity_of_matrix(const Graph& graph,
                                    const Matrix_points& points,
-                                   const Matrix_columns& columns,
+                                   const Matrix_columns<Graph>& columns,
                                    const Row_limits& limits)
 {
   Matrix_identity result;
@@ -164,7 +164,7 @@ bool compute_distance_matrix(const Graph& graph,
 {
   const bool is_symmetric = wants_symmetry<Rows>(points, np);
   Row_limits limits{checked_maximum_distance(np), number_of_nearest(rows), {}};
-  const Matrix_columns columns(graph.triangulation(), points.targets);
+  const Matrix_columns<Graph> columns(graph, points.targets);
   if(points.are_targets_given && columns.are_vertices())
     limits.targets = points.targets; // others would be attached to the graph for every row
   const Distance_matrix_plan plan(

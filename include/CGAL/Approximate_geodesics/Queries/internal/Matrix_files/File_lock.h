@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Matrix_files/Local_file.h>
 
+#include <boost/interprocess/exceptions.hpp>
 #include <boost/interprocess/sync/file_lock.hpp>
 
 #include <string>
@@ -28,16 +29,27 @@ class File_lock
 public:
   // `subject` is what the work is about.
   File_lock(const std::string& file, const std::string& subject)
-    : m_file(file), m_lock(file.c_str())
   {
-    if(!m_lock.try_lock())
+    const Local_file made_if_none(file);
+    m_lock = boost::interprocess::file_lock(file.c_str());
+    if(!try_lock())
       reject(subject + " is being computed by another program");
   }
 
-  ~File_lock() { m_lock.unlock(); }
-
 private:
-  Local_file m_file; // made if there is none
+  // Some file systems have no locks.
+  bool try_lock()
+  {
+    try
+    {
+      return m_lock.try_lock();
+    }
+    catch(const boost::interprocess::interprocess_exception&)
+    {
+      return true;
+    }
+  }
+
   boost::interprocess::file_lock m_lock;
 };
 

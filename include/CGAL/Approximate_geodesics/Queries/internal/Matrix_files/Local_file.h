@@ -10,12 +10,12 @@
 
 #include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <fcntl.h>
@@ -29,7 +29,7 @@ namespace internal {
 // Tells that the system has refused something, and why.
 [[noreturn]] inline void fail_to(const std::string& verb, const std::string& file)
 {
-  const std::string reason = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
+  const std::string reason = errno != 0 ? ": " + std::generic_category().message(errno) : "";
   throw std::runtime_error("Approximate_geodesics: " + file + " cannot be " + verb + reason);
 }
 

@@ -73,6 +73,7 @@ public:
              const Prepare& prepare)
   {
     m_plan = &plan;
+    m_pending.clear(); // of a computation that has failed
     std::vector<std::uint64_t> missing;
     on_first([&] {
       missing = find_missing(identity, is_there);
@@ -191,6 +192,7 @@ private:
   {
     if(!std::filesystem::is_directory(m_names.folder()))
       reject("there is no folder " + m_names.folder());
+    m_lock.reset(); // of a computation that has failed
     m_lock = std::make_unique<File_lock>(m_names.lock(), m_names.file());
     m_identity = identity;
     const Journals journals = read_journals();
