@@ -109,7 +109,7 @@ public:
         [this](const std::size_t number_of_rows) {
           this->check_space(number_of_rows * m_length_of_row);
         });
-    if(this->blocks().is_anything_missing())
+    if(this->blocks().is_anything_missing() || plan.number_of_rows() == 0)
       open(text, length(plan.number_of_rows(), plan.number_of_columns()));
   }
 

@@ -100,11 +100,10 @@ public:
    */
   void start(const Distance_matrix_plan& plan)
   {
+    internal::Sparse_parts<T> parts(this->names(), plan);
     Base::start(
         plan, "NPZ",
-        [this](const std::size_t rank, const internal::Block_record& record) {
-          return internal::Sparse_parts<T>(this->names(), this->plan()).is_there(rank, record);
-        },
+        [&](const std::size_t rank, const auto& record) { return parts.is_there(rank, record); },
         [](std::size_t) {}); // who knows how many entries there will be?
     if(!this->blocks().is_anything_missing())
       return;

@@ -82,6 +82,20 @@ public:
     return result;
   }
 
+  // Puts a journal with other records in the place of one. It is never incomplete.
+  static void replace(const std::string& file,
+                      const Matrix_identity& identity,
+                      const std::vector<Block_record>& records)
+  {
+    const std::string name = replacement(file);
+    std::filesystem::remove(name);
+    Matrix_journal(name, identity, Contents()).append(records);
+    std::filesystem::rename(name, file);
+  }
+
+  // The name of a new journal, before it takes the place of the old one.
+  static std::string replacement(const std::string& file) { return file + ".new"; }
+
   // Goes on with a journal whose contents were read, or begins it.
   Matrix_journal(const std::string& file, const Matrix_identity& identity, const Contents& contents)
     : m_file(file), m_end(contents.length())

@@ -195,7 +195,7 @@ private:
     m_lock.reset(); // of a computation that has failed
     m_lock = std::make_unique<File_lock>(m_names.lock(), m_names.file());
     m_identity = identity;
-    const Journals journals = read_journals();
+    Journals journals = read_journals();
     bool has_begun = false;
     for(const Journal& journal : journals)
       if(journal.contents.identity)
@@ -204,8 +204,26 @@ private:
         has_begun = true;
       }
     check_files(has_begun);
-    const bool is_done = is_file_there() || are_all_there(journals);
-    return is_done ? std::vector<std::uint64_t>() : those_missing(journals, is_there);
+    if(is_file_there() || are_all_there(journals))
+      return {};
+    for(Journal& journal : journals)
+      drop_wrong_records(journal, is_there);
+    return missing_blocks(journals);
+  }
+
+  // Whoever reads the journals later need not ask again whether a block is there.
+  template <typename IsThere>
+  void drop_wrong_records(Journal& journal, const IsThere& is_there) const
+  {
+    std::vector<Block_record>& records = journal.contents.records;
+    const auto wrong =
+        std::remove_if(records.begin(), records.end(), [&](const Block_record& record) {
+          return record.block >= m_plan->number_of_blocks() || !is_there(journal.rank, record);
+        });
+    if(wrong == records.end())
+      return;
+    records.erase(wrong, records.end());
+    Matrix_journal::replace(m_names.journal(journal.rank), m_identity, records);
   }
 
   void check_identity(const std::string& journal, const Matrix_identity& other) const
@@ -227,14 +245,13 @@ private:
       reject(parts.begin()->second + " is there without a journal; " + Matrix_journal::remedy());
   }
 
-  template <typename IsThere>
-  std::vector<std::uint64_t> those_missing(const Journals& journals, const IsThere& is_there) const
+  std::vector<std::uint64_t> missing_blocks(const Journals& journals) const
   {
-    std::vector<bool> is_done(m_plan->number_of_blocks(), false);
+    std::vector<bool> is_done(m_plan->number_of_blocks(), are_all_there(journals));
     for(const Journal& journal : journals)
       for(const Block_record& record : journal.contents.records)
-        if(record.block < is_done.size() && !is_done[record.block])
-          is_done[record.block] = is_there(journal.rank, record);
+        if(record.block < is_done.size())
+          is_done[record.block] = true;
     std::vector<std::uint64_t> result;
     for(std::size_t i = 0; i < is_done.size(); ++i)
       if(!is_done[i])
@@ -276,12 +293,7 @@ private:
   bool complete_file(const Complete& complete)
   {
     const Journals journals = read_journals();
-    std::vector<bool> is_done(m_plan->number_of_blocks(), are_all_there(journals));
-    for(const Journal& journal : journals)
-      for(const Block_record& record : journal.contents.records)
-        if(record.block < is_done.size())
-          is_done[record.block] = true;
-    if(std::find(is_done.begin(), is_done.end(), false) != is_done.end())
+    if(!missing_blocks(journals).empty())
       return false;
     complete(journals);
     return true;
@@ -293,6 +305,7 @@ private:
     for(const auto& files : {m_names.parts(), m_names.journals()})
       for(const auto& [rank, file] : files)
         std::filesystem::remove(file);
+    std::filesystem::remove(Matrix_journal::replacement(m_names.journal(0)));
     std::filesystem::remove(m_names.lock());
   }
 

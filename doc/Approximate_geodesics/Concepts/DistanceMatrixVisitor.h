@@ -1,0 +1,29 @@
+/*!
+\ingroup PkgApproximateGeodesicsConcepts
+\cgalConcept
+
+The concept `DistanceMatrixVisitor` describes an object that watches the computation of a distance
+matrix, and may end it. It is passed as the named parameter `visitor` to
+`CGAL::approximate_geodesic_distance_matrix()`.
+
+If several threads compute, any of them calls, but only one at a time: the visitor needs no lock for
+itself. It does for what other threads of the program change, such as a flag that says that the user
+has had enough, which is to be a `std::atomic<bool>`. The functions may throw: the computation ends,
+and the exception leaves the function that started it.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Approximate_geodesics::Distance_matrix_visitor_base}
+\cgalHasModelsEnd
+*/
+class DistanceMatrixVisitor
+{
+public:
+  /// is called after each block of rows or, if rows go to a function object, after each row. The
+  /// number of rows done never decreases.
+  void on_progress(const CGAL::Approximate_geodesics::Distance_matrix_progress& progress);
+
+  /// returns whether the computation shall go on. It is called before each row. If it does not,
+  /// threads end with the rows that they are at, blocks that are not complete are dropped, and the
+  /// function returns `false`.
+  bool go_further();
+};
