@@ -6,9 +6,9 @@ The concept `DistanceRowSink` describes where the rows of a distance matrix go. 
 argument of `CGAL::approximate_geodesic_distance_matrix()`.
 
 Rows come in blocks, of which each thread computes one at a time. For each row, the thread calls
-`collect()`; after the last row of a block, it calls `add()`. Several threads make these calls at the
-same time, each with a block of its own. `start()` is called before all of them, and `finish()` after
-all of them, but not if an exception ends the computation.
+`collect()`; after the last row of a block, it calls `add()`. Several threads make these calls at
+the same time, each with a block of its own. `start()` is called before all of them, and `finish()`
+after all of them, but not if an exception ends the computation.
 
 Who needs less writes a function object instead, which gets one row after the other.
 
@@ -69,8 +69,8 @@ public:
   /// them. A search that has found them ends.
   std::size_t number_of_nearest() const;
 
-  /// returns the block to be computed next, if there is one: for a sink that has some blocks already,
-  /// or shares them with others. If it is missing, all blocks are computed.
+  /// returns the block to be computed next, if there is one: for a sink that has some blocks
+  /// already, or shares them with others. If it is missing, all blocks are computed.
   std::optional<std::size_t> next_block();
 
   /// returns the number of rows that are done, if `next_block()` is there.

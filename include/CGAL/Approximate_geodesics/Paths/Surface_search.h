@@ -279,8 +279,8 @@ public:
     return result;
   }
 
-  /// returns whether a point at that distance is reached, and the distance final: it does not exceed
-  /// the maximum distance, and the run did not end before.
+  /// returns whether a point at that distance is reached, and the distance final: it does not
+  /// exceed the maximum distance, and the run did not end before.
   bool is_known(const double distance) const
   {
     return distance <= m_maximum_distance && m_search.is_final(distance);
