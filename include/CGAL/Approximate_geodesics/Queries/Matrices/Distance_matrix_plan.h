@@ -100,8 +100,9 @@ private:
     constexpr std::size_t blocks = 512, most = 64, bytes = 16 << 20;
     const std::size_t size_of_row =
         (std::max<std::size_t>)(1, m_number_of_columns) * sizeof(double);
-    const std::size_t by_memory =
-        m_maximum_distance < std::numeric_limits<double>::infinity() ? most : bytes / size_of_row;
+    const bool is_sparse =
+        m_number_of_nearest > 0 || m_maximum_distance < std::numeric_limits<double>::infinity();
+    const std::size_t by_memory = is_sparse ? most : bytes / size_of_row;
     const std::size_t result = (std::min)({number_of_rows() / blocks, most, by_memory});
     return (std::max<std::size_t>)(1, result);
   }
