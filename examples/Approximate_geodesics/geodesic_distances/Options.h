@@ -26,13 +26,6 @@ struct Options
   bool asks_for_help = false;
 };
 
-inline std::size_t to_number(const std::string& text)
-{
-  if(text.empty() || text.size() > 18 || text.find_first_not_of("0123456789") != std::string::npos)
-    throw std::invalid_argument("\"" + text + "\" is not a number of vertices, nor a vertex index");
-  return std::stoull(text);
-}
-
 inline boost::program_options::options_description describe_options(Options& options)
 {
   namespace po = boost::program_options;
@@ -41,8 +34,7 @@ inline boost::program_options::options_description describe_options(Options& opt
   add("help,h", po::bool_switch(&options.asks_for_help), "print this text");
   add("source,s", po::value(&options.sources)->multitoken()->value_name("V ..."),
       "where to start: indices of vertices, counted from 0 in the order of the file (unless the "
-      "file "
-      "had to be repaired), or random:K for K random ones (default: 0)");
+      "file had to be repaired), or random:K for K random ones (default: 0)");
   add("target,t", po::value(&options.targets)->multitoken()->value_name("V ..."),
       "where paths from the nearest source shall lead to, given likewise");
   add("epsilon,e", po::value(&options.epsilon)->value_name("E"),

@@ -1,7 +1,8 @@
 #ifndef GEODESIC_DISTANCES_REPORT_H
 #define GEODESIC_DISTANCES_REPORT_H
 
-#include "Stopwatch.h"
+#include "../command_line/Stopwatch.h"
+#include "../command_line/Table.h"
 #include "exact_comparison.h"
 
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
@@ -9,13 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <optional>
 #include <ostream>
-#include <sstream>
-#include <string>
 #include <vector>
 
 // Says how far a search is, if it takes more than a second.
@@ -46,9 +44,9 @@ public:
   template <typename Mesh>
   void add_mesh(const Mesh& mesh)
   {
-    add("vertices", mesh.number_of_vertices());
-    add("edges", mesh.number_of_edges());
-    add("faces", mesh.number_of_faces());
+    m_table.add("vertices", mesh.number_of_vertices());
+    m_table.add("edges", mesh.number_of_edges());
+    m_table.add("faces", mesh.number_of_faces());
   }
 
   template <typename Search>
@@ -57,22 +55,22 @@ public:
     const auto buckets = search.queue().statistics();
     const auto& counts = search.statistics();
     const double unit = search.graph().triangulation().unit();
-    add_seconds("building the graph", seconds_to_build);
-    add_seconds("first search, progress watched", seconds_to_first_search);
-    add_seconds("second search", seconds_to_search);
-    add("vertices settled", counts.settled_nodes);
-    add("pops", counts.pops);
-    add("  of them stale", counts.stale_pops);
-    add("  of them repeated", counts.repeated_pops());
-    add("relaxations", counts.relaxations);
-    add("buckets visited", buckets.visited_buckets);
-    add("  of them not empty", buckets.used_buckets);
-    add("bucket width", buckets.width * unit);
-    add("entries per bucket, mean", buckets.mean_occupancy());
-    add("entries per bucket, deviation", buckets.standard_deviation_of_occupancy());
+    m_table.add_milliseconds("building the graph", seconds_to_build);
+    m_table.add_milliseconds("first search, progress watched", seconds_to_first_search);
+    m_table.add_milliseconds("second search", seconds_to_search);
+    m_table.add("vertices settled", counts.settled_nodes);
+    m_table.add("pops", counts.pops);
+    m_table.add("  of them stale", counts.stale_pops);
+    m_table.add("  of them repeated", counts.repeated_pops());
+    m_table.add("relaxations", counts.relaxations);
+    m_table.add("buckets visited", buckets.visited_buckets);
+    m_table.add("  of them not empty", buckets.used_buckets);
+    m_table.add("bucket width", buckets.width * unit);
+    m_table.add("entries per bucket, mean", buckets.mean_occupancy());
+    m_table.add("entries per bucket, deviation", buckets.standard_deviation_of_occupancy());
     const std::size_t bytes = search.graph().memory() + search.memory();
-    add("bytes per vertex",
-        static_cast<double>(bytes) / static_cast<double>(search.graph().number_of_nodes()));
+    m_table.add("bytes per vertex",
+                static_cast<double>(bytes) / static_cast<double>(search.graph().number_of_nodes()));
   }
 
   // infinite distances are those of vertices not reached
@@ -87,52 +85,32 @@ public:
         sum += distance;
         ++number_reached;
       }
-    add("vertices reached", number_reached);
-    add("distance, mean", number_reached == 0 ? 0 : sum / static_cast<double>(number_reached));
-    add("distance, largest", largest);
+    m_table.add("vertices reached", number_reached);
+    m_table.add("distance, mean",
+                number_reached == 0 ? 0 : sum / static_cast<double>(number_reached));
+    m_table.add("distance, largest", largest);
   }
 
   void print(std::ostream& out)
   {
     if(comparison)
       add_comparison();
-    for(const Row& row : m_rows)
-      out << std::left << std::setw(34) << row.name << std::right << std::setw(14) << row.value
-          << '\n';
+    m_table.print(out);
   }
 
 private:
-  struct Row
-  {
-    std::string name;
-    std::string value;
-  };
-
-  template <typename Number>
-  void add(const std::string& name, const Number number, const std::string& unit = "")
-  {
-    std::ostringstream text;
-    text << std::setprecision(6) << number << unit;
-    m_rows.push_back({name, text.str()});
-  }
-
-  void add_seconds(const std::string& name, const double seconds)
-  {
-    add(name, std::round(seconds * 1e6) / 1e3, " ms");
-  }
-
   void add_comparison()
   {
-    add_seconds("exact distances, by CGAL", comparison->seconds);
-    add_seconds("exact distances, epsilon 0", comparison->seconds_of_ours);
-    add("  largest difference, relative", comparison->largest_difference_of_ours);
-    add("error, mean", 100 * comparison->mean_error, " %");
-    add("error, largest", 100 * comparison->largest_error, " %");
-    add("error, smallest signed", 100 * comparison->smallest_error, " %");
-    add("vertices below the exact distance", comparison->number_below);
+    m_table.add_milliseconds("exact distances, by CGAL", comparison->seconds);
+    m_table.add_milliseconds("exact distances, epsilon 0", comparison->seconds_of_ours);
+    m_table.add("  largest difference, relative", comparison->largest_difference_of_ours);
+    m_table.add("error, mean", 100 * comparison->mean_error, " %");
+    m_table.add("error, largest", 100 * comparison->largest_error, " %");
+    m_table.add("error, smallest signed", 100 * comparison->smallest_error, " %");
+    m_table.add("vertices below the exact distance", comparison->number_below);
   }
 
-  std::vector<Row> m_rows;
+  Table m_table;
 };
 
 #endif // GEODESIC_DISTANCES_REPORT_H

@@ -1,7 +1,7 @@
 #ifndef GEODESIC_DISTANCES_EXACT_COMPARISON_H
 #define GEODESIC_DISTANCES_EXACT_COMPARISON_H
 
-#include "Stopwatch.h"
+#include "../command_line/Stopwatch.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_shortest_path.h>

@@ -1,5 +1,7 @@
 // Distances and shortest paths on a mesh, from the command line: see --help.
 
+#include "../command_line/read_mesh.h"
+#include "../command_line/vertex_numbers.h"
 #include "Options.h"
 #include "Report.h"
 #include "exact_comparison.h"
@@ -9,10 +11,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
 #include <exception>
@@ -23,8 +21,6 @@
 #include <string>
 #include <vector>
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 using CGAL::Approximate_geodesics::Discrete_geodesic_graph;
 using CGAL::Approximate_geodesics::Edge_graph;
@@ -34,38 +30,22 @@ using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<M
 
 namespace parameters = CGAL::parameters;
 
-Mesh read_mesh(const std::string& file)
-{
-  Mesh mesh;
-  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) || mesh.is_empty())
-    throw std::runtime_error("cannot read a mesh from " + file);
-  if(!CGAL::is_triangle_mesh(mesh))
-  {
-    std::cerr << "Some faces are not triangles: they are triangulated.\n";
-    CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
-  }
-  return mesh;
-}
-
 // A vertex is given by its index; `random:K` stands for K of them.
 std::vector<Vertex>
 select_vertices(const std::vector<std::string>& names, const Mesh& mesh, std::mt19937_64& random)
 {
-  const std::string prefix = "random:";
   std::vector<Vertex> result;
   for(const std::string& name : names)
-    if(name.compare(0, prefix.size(), prefix) == 0)
+    if(const auto number = number_after("random", name))
     {
-      for(std::size_t k = to_number(name.substr(prefix.size())); k > 0; --k)
+      for(std::size_t k = *number; k > 0; --k)
         result.push_back(
             Vertex(static_cast<Mesh::size_type>(random() % mesh.number_of_vertices())));
     }
     else
     {
       const std::size_t index = to_number(name);
-      if(index >= mesh.number_of_vertices())
-        throw std::invalid_argument("there is no vertex " + name + ": the mesh has " +
-                                    std::to_string(mesh.number_of_vertices()) + " vertices");
+      check_vertex_index(index, mesh.number_of_vertices());
       result.push_back(Vertex(static_cast<Mesh::size_type>(index)));
     }
   return result;

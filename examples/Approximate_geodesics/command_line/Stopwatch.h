@@ -1,5 +1,5 @@
-#ifndef GEODESIC_DISTANCES_STOPWATCH_H
-#define GEODESIC_DISTANCES_STOPWATCH_H
+#ifndef COMMAND_LINE_STOPWATCH_H
+#define COMMAND_LINE_STOPWATCH_H
 
 #include <chrono>
 
@@ -14,4 +14,4 @@ private:
   Clock::time_point m_start = Clock::now();
 };
 
-#endif // GEODESIC_DISTANCES_STOPWATCH_H
+#endif // COMMAND_LINE_STOPWATCH_H
