@@ -165,7 +165,8 @@ bool compute_distance_matrix(const Graph& graph,
   const bool is_symmetric = wants_symmetry<Rows>(points, np);
   Row_limits limits{checked_maximum_distance(np), number_of_nearest(rows), {}};
   const Matrix_columns<Graph> columns(graph, points.targets);
-  if(points.are_targets_given && columns.are_vertices())
+  if(points.are_targets_given && columns.are_vertices() &&
+     columns.size() < graph.triangulation().number_of_vertices())
     limits.targets = points.targets; // others would be attached to the graph for every row
   const Distance_matrix_plan plan(
       order_of_rows(graph.triangulation(), points.sources), columns.size(), limits.maximum_distance,

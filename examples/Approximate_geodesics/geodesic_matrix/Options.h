@@ -1,0 +1,190 @@
+#ifndef GEODESIC_MATRIX_OPTIONS_H
+#define GEODESIC_MATRIX_OPTIONS_H
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+// What the user wants, as checked as it can be before the mesh is read.
+struct Options
+{
+  std::string input;
+  std::string sources;
+  std::string targets;
+  std::uint64_t seed = 0;
+  double radius = std::numeric_limits<double>::infinity();
+  std::size_t nearest = 0;       // columns of a row; 0 stands for all
+  std::optional<double> epsilon; // none: along edges
+  std::string type;
+  bool is_symmetric = false;
+  std::string output;
+  std::size_t threads = 0; // 0 stands for all cores
+  bool may_resume = true;
+  bool only_estimates = false;
+  bool asks_for_help = false;
+
+  bool is_sparse() const { return nearest > 0 || radius < std::numeric_limits<double>::infinity(); }
+};
+
+[[noreturn]] inline void reject_option(const std::string& option, const std::string& reason)
+{
+  throw std::invalid_argument("--" + option + ": " + reason);
+}
+
+inline boost::program_options::options_description describe_options(Options& options)
+{
+  namespace po = boost::program_options;
+  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  const auto number = [](const char* name) { return po::value<double>()->value_name(name); };
+  po::options_description description("Options");
+  po::options_description_easy_init add = description.add_options();
+  add("help,h", po::bool_switch(&options.asks_for_help), "print this text");
+  add("sources,s", po::value(&options.sources)->default_value("all")->value_name("WHICH"),
+      "the vertices that the rows belong to: all, random:K for K different ones, farthest:K for K "
+      "ones that are spread evenly, or the name of a file with an index per line, counted from 0, "
+      "and comments after #");
+  add("targets,t", po::value(&options.targets)->value_name("WHICH"),
+      "the vertices that the columns belong to (default: all, or the sources if --symmetric)");
+  add("seed", text("N"), "what random vertices depend on (default: 0)");
+  add("radius,r", number("D"), "keep distances up to D only, in the unit of the coordinates");
+  add("nearest,k", text("K"), "keep the K smallest distances of each row only");
+  add("epsilon,e", number("E"),
+      "let paths run across faces, and be at most 1 + E times as long as the shortest ones on the "
+      "surface; 0 gives the shortest ones (default: along edges, without a bound)");
+  add("type", po::value(&options.type)->default_value("float32")->value_name("TYPE"),
+      "float32 or float64");
+  add("symmetric", po::bool_switch(&options.is_symmetric),
+      "replace each distance by the smaller one of both directions");
+  add("output,o", po::value(&options.output)->value_name("FILE"),
+      "the file: .npy, or .npz if --radius or --nearest is given (default: distances.npy or .npz)");
+  add("threads", text("N"), "threads of each process (default: one per core that it may use)");
+  add("resume", po::value<std::string>()->default_value("yes")->value_name("yes|no"),
+      "whether to go on with what an earlier run of the same command has computed");
+  add("estimate", po::bool_switch(&options.only_estimates),
+      "only tell how long the file would be, and how much memory and time it would take, which "
+      "takes about a second; nothing is written");
+  return description;
+}
+
+inline void print_help(const boost::program_options::options_description& description)
+{
+  std::cout
+      << "Usage: geodesic_matrix MESH [options]\n\n"
+         "Computes distances between many vertices of a triangle mesh, on all cores, and writes\n"
+         "them to a file for NumPy: numpy.load(FILE, mmap_mode=\"r\"), with a row per source and\n"
+         "a column per target; or, if only some of each row are kept, for SciPy:\n"
+         "scipy.sparse.load_npz(FILE).\n\n"
+         "A run that ends early, by Ctrl-C, an error or a kill, loses a second of work at most:\n"
+         "the same command goes on with it. Until the file is complete, FILE.part and\n"
+         "FILE.journal are beside it.\n\n"
+         "If the program was built with MPI, \"mpirun -n N geodesic_matrix MESH [options]\" has N\n"
+         "processes compute one file. Best is one on each machine, with all of its cores as\n"
+         "threads: each process has the graph in its memory. Several processes on one machine\n"
+         "need --threads, so that they share the cores.\n\n"
+      << description
+      << "\nExamples:\n"
+         "  geodesic_matrix cortex.ply --epsilon 0.1 --output cortex.npy\n"
+         "  geodesic_matrix cortex.ply --epsilon 0.1 --radius 15 --output patches.npz\n"
+         "  geodesic_matrix cortex.ply --sources farthest:1000 --symmetric --output samples.npy\n"
+         "  geodesic_matrix cortex.ply --epsilon 0 --estimate\n";
+}
+
+inline std::size_t whole_number(const boost::program_options::variables_map& values,
+                                const std::string& option,
+                                const std::size_t least)
+{
+  const std::string text = values[option].as<std::string>();
+  const bool is_number = !text.empty() && text.size() < 10 &&
+                         text.find_first_not_of("0123456789") == std::string::npos;
+  if(!is_number || std::stoul(text) < least)
+    reject_option(option, '"' + text + "\" is not a number from " + std::to_string(least) +
+                              " to 999999999");
+  return std::stoul(text);
+}
+
+// What option parsing cannot tell by itself.
+inline void read_numbers(const boost::program_options::variables_map& values, Options& options)
+{
+  if(values.count("seed") > 0)
+    options.seed = whole_number(values, "seed", 0);
+  if(values.count("nearest") > 0)
+    options.nearest = whole_number(values, "nearest", 1);
+  if(values.count("threads") > 0)
+    options.threads = whole_number(values, "threads", 1);
+  for(const char* const option : {"radius", "epsilon"})
+    if(values.count(option) > 0 &&
+       !(values[option].as<double>() >= 0 && std::isfinite(values[option].as<double>())))
+      reject_option(option, "it must be a finite number that is not negative");
+  if(values.count("radius") > 0)
+    options.radius = values["radius"].as<double>();
+  if(values.count("epsilon") > 0)
+    options.epsilon = values["epsilon"].as<double>();
+  const std::string resume = values["resume"].as<std::string>();
+  if(resume != "yes" && resume != "no")
+    reject_option("resume", '"' + resume + "\" is neither yes nor no");
+  options.may_resume = resume == "yes";
+}
+
+inline void check_output(Options& options)
+{
+  namespace fs = std::filesystem;
+  const std::string extension = options.is_sparse() ? ".npz" : ".npy";
+  if(options.output.empty())
+    options.output = "distances" + extension;
+  const fs::path path(options.output);
+  if(path.extension() != extension)
+    reject_option("output", options.output + " must end with " + extension +
+                                (options.is_sparse() ? ", as --radius and --nearest make the matrix"
+                                                       " sparse; without them, it is .npy"
+                                                     : "; with --radius or --nearest, it is .npz"));
+  if(path.has_parent_path() && !fs::is_directory(path.parent_path()))
+    reject_option("output", "there is no folder " + path.parent_path().string());
+}
+
+inline void check_combination(Options& options)
+{
+  if(options.type != "float32" && options.type != "float64")
+    reject_option("type", '"' + options.type + "\" is neither float32 nor float64");
+  if(options.is_symmetric && options.is_sparse())
+    reject_option("symmetric", "it is for all distances, without --radius and --nearest");
+  if(options.targets.empty())
+    options.targets = options.is_symmetric ? options.sources : "all";
+  if(options.is_symmetric && options.targets != options.sources)
+    reject_option("symmetric", "--targets must be the same as --sources");
+  check_output(options);
+}
+
+inline Options parse_options(const int argc, char* argv[])
+{
+  namespace po = boost::program_options;
+  Options options;
+  const po::options_description description = describe_options(options);
+  po::options_description all;
+  all.add(description).add_options()("mesh", po::value(&options.input), "the mesh");
+  po::positional_options_description positions;
+  positions.add("mesh", 1);
+
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positions).run(), values);
+  po::notify(values);
+  if(options.asks_for_help)
+  {
+    print_help(description);
+    return options;
+  }
+  if(options.input.empty())
+    throw std::invalid_argument("no mesh given (it comes before the options); try --help");
+  read_numbers(values, options);
+  check_combination(options);
+  return options;
+}
+
+#endif // GEODESIC_MATRIX_OPTIONS_H

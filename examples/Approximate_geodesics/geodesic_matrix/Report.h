@@ -1,0 +1,65 @@
+#ifndef GEODESIC_MATRIX_REPORT_H
+#define GEODESIC_MATRIX_REPORT_H
+
+#include "../command_line/Table.h"
+#include "Options.h"
+#include "Processes.h"
+#include "matrix.h"
+#include "texts.h"
+
+#include <sys/resource.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+
+// What has been measured, and is printed at the end.
+struct Report
+{
+  double seconds_to_read = 0;
+  double seconds_to_choose = 0;
+  double seconds_to_build = 0;
+  double seconds_to_compute = 0;
+  double rows_computed = 0; // by this run, all processes together
+  std::size_t threads = 1;
+
+  void print(const Options& options, const Matrix_vertices& vertices, const Processes& processes)
+  {
+    const double distances = rows_computed * double(vertices.targets.size());
+    const double memory = processes.maximum(peak_memory());
+    Table table;
+    table.add("rows", vertices.sources.size());
+    table.add("  of them computed by this run", rows_computed);
+    table.add("columns", vertices.targets.size());
+    table.add("seconds to read the mesh", seconds_to_read);
+    table.add("seconds to choose vertices", seconds_to_choose);
+    table.add("seconds to build the graph", seconds_to_build);
+    table.add("seconds to compute and write", seconds_to_compute);
+    if(options.is_sparse())
+      table.add("microseconds a row", 1e6 * seconds_to_compute / rows_computed);
+    else
+      table.add("microseconds a distance", 1e6 * seconds_to_compute / distances);
+    table.add("threads of a process", threads);
+    table.add("processes", processes.size());
+    table.add("peak memory of a process", text_of_bytes(memory));
+    table.add("file", options.output);
+    table.add("length of the file",
+              text_of_bytes(double(std::filesystem::file_size(options.output))));
+    table.print(std::cout);
+  }
+
+private:
+  static double peak_memory()
+  {
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+    constexpr double unit = 1;
+#else
+    constexpr double unit = 1024;
+#endif
+    return unit * double(usage.ru_maxrss);
+  }
+};
+
+#endif // GEODESIC_MATRIX_REPORT_H

@@ -1,0 +1,56 @@
+#ifndef GEODESIC_MATRIX_MATRIX_H
+#define GEODESIC_MATRIX_MATRIX_H
+
+#include "Options.h"
+#include "Processes.h"
+#include "Vertex_choice.h"
+
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Npy_file.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Npz_file.h>
+#include <CGAL/approximate_geodesic_distance_matrix.h>
+
+#include <functional>
+#include <type_traits>
+
+// The vertices of rows and columns.
+struct Matrix_vertices
+{
+  Vertex_choice::Indices sources;
+  Vertex_choice::Indices targets;
+};
+
+template <typename Visitor>
+auto matrix_parameters(const Options& options, const Matrix_vertices& vertices, Visitor& visitor)
+{
+  return CGAL::parameters::targets(vertices.targets)
+      .maximum_distance(options.radius)
+      .concurrency_tag(CGAL::Parallel_if_available_tag())
+      .visitor(std::ref(visitor));
+}
+
+// Computes the file, or goes on with it. Returns whether it is complete.
+template <typename T, typename Graph, typename Visitor>
+bool write_matrix(const Options& options,
+                  const Graph& graph,
+                  const Matrix_vertices& vertices,
+                  Processes& processes,
+                  Visitor& visitor)
+{
+  namespace AG = CGAL::Approximate_geodesics;
+  return processes.with_team([&](auto& team) {
+    using Team = std::decay_t<decltype(team)>;
+    const auto np = matrix_parameters(options, vertices, visitor);
+    if(!options.is_sparse())
+    {
+      AG::Npy_file<T, Team> file(options.output, team);
+      return CGAL::approximate_geodesic_distance_matrix(graph, file, vertices.sources,
+                                                        np.symmetric(options.is_symmetric));
+    }
+    AG::Npz_file<T, Team> file(options.output, team);
+    if(options.nearest > 0)
+      file.keep_nearest(options.nearest);
+    return CGAL::approximate_geodesic_distance_matrix(graph, file, vertices.sources, np);
+  });
+}
+
+#endif // GEODESIC_MATRIX_MATRIX_H
