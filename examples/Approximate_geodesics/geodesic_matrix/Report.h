@@ -5,9 +5,8 @@
 #include "Options.h"
 #include "Processes.h"
 #include "matrix.h"
+#include "peak_memory.h"
 #include "texts.h"
-
-#include <sys/resource.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -46,19 +45,6 @@ struct Report
     table.add("length of the file",
               text_of_bytes(double(std::filesystem::file_size(options.output))));
     table.print(std::cout);
-  }
-
-private:
-  static double peak_memory()
-  {
-    rusage usage;
-    getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-    constexpr double unit = 1;
-#else
-    constexpr double unit = 1024;
-#endif
-    return unit * double(usage.ru_maxrss);
   }
 };
 

@@ -4,6 +4,7 @@
 #include "../command_line/Table.h"
 #include "Row_sample.h"
 #include "matrix.h"
+#include "peak_memory.h"
 #include "texts.h"
 
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -11,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Npy_file.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 
@@ -59,6 +61,7 @@ void print_estimate(const Options& options,
   CGAL::Approximate_geodesics::Distance_matrix_visitor_base visitor;
   CGAL::approximate_geodesic_distance_matrix(graph, sample, vertices.sources,
                                              matrix_parameters(options, vertices, visitor));
+  const double peak = peak_memory(); // the sample has used what all rows will use
 
   const double search = double(memory_of_search(graph, vertices.sources.front(), options.radius));
   const double rows = memory_of_rows(sample, options.is_sparse());
@@ -79,8 +82,7 @@ void print_estimate(const Options& options,
   table.add("memory of the graph", text_of_bytes(double(graph.memory())));
   table.add("memory of a thread's search", text_of_bytes(search));
   table.add("memory of a thread's rows", text_of_bytes(rows));
-  table.add("memory of a process",
-            text_of_bytes(double(graph.memory()) + double(number_of_threads) * (search + rows)));
+  table.add("peak memory of a process", text_of_bytes(peak));
   table.add("threads of a process", number_of_threads);
   table.add("processes", number_of_processes);
   table.add("time to compute, about",

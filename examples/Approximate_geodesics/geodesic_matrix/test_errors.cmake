@@ -1,0 +1,20 @@
+# What the user gets wrong is refused before anything is computed, with the name of the option and
+# the reason.
+include(${CMAKE_CURRENT_LIST_DIR}/test_helpers.cmake)
+
+expect(1 "no mesh given" ${PROGRAM})
+expect(1 "--output: x.npz must end with .npy" ${PROGRAM} ${mesh} --output x.npz)
+expect(1 "--output: x.npy must end with .npz" ${PROGRAM} ${mesh} --output x.npy --nearest 3)
+expect(1 "there is no folder missing" ${PROGRAM} ${mesh} --output missing/x.npy)
+expect(1 "--nearest: \"-3\" is not a number" ${PROGRAM} ${mesh} --nearest -3)
+expect(1 "--epsilon: it must be" ${PROGRAM} ${mesh} --epsilon nan)
+expect(1 "--targets random:1000: the mesh has 315 vertices" ${PROGRAM} ${mesh} --targets random:1000)
+expect(1 "--symmetric: --targets must be" ${PROGRAM} ${mesh} --symmetric --targets random:3)
+file(WRITE ${folder}/wrong.txt "0\n315\n")
+expect(1 "--sources wrong.txt: line 2: there is no vertex 315" ${PROGRAM} ${mesh} --sources wrong.txt)
+file(WRITE ${folder}/distances.npy "of somebody else")
+expect(1 "distances.npy is there already" ${PROGRAM} ${mesh})
+file(REMOVE ${folder}/distances.npy)
+file(WRITE ${folder}/distances.npy.journal "of an earlier run")
+expect(1 "--resume no: distances.npy.journal is there" ${PROGRAM} ${mesh} --resume no)
+expect_files(distances.npy.journal wrong.txt)

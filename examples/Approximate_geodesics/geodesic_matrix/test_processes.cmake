@@ -1,0 +1,13 @@
+# Two processes write the file that one writes. `LAUNCHER` starts as many as the next argument says.
+include(${CMAKE_CURRENT_LIST_DIR}/test_helpers.cmake)
+separate_arguments(LAUNCHER)
+
+foreach(kind "all.npy;--epsilon;0.1" "near.npz;--radius;0.5" "far.npy;--sources;farthest:20")
+  list(POP_FRONT kind name)
+  expect(0 "processes +1\n" ${PROGRAM} ${mesh} ${kind} --output one_${name})
+  expect(0 "processes +2\n" ${LAUNCHER} 2 ${PROGRAM} ${mesh} ${kind} --output two_${name} --threads
+         2)
+  expect_same(one_${name} two_${name})
+endforeach()
+expect(1 "--radius" ${LAUNCHER} 2 ${PROGRAM} ${mesh} --radius -1)
+expect_files(one_all.npy one_far.npy one_near.npz two_all.npy two_far.npy two_near.npz)
