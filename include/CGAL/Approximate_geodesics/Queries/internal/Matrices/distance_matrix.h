@@ -167,7 +167,7 @@ bool compute_distance_matrix(const Graph& graph,
   const Matrix_columns<Graph> columns(graph, points.targets);
   if(points.are_targets_given && columns.are_vertices() &&
      columns.size() < graph.triangulation().number_of_vertices())
-    limits.targets = points.targets; // others would be attached to the graph for every row
+    limits.targets = points.targets; // all vertices would end no search early
   const Distance_matrix_plan plan(
       order_of_rows(graph.triangulation(), points.sources), columns.size(), limits.maximum_distance,
       limits.number_of_nearest, [&] { return identity_of_matrix(graph, points, columns, limits); },
