@@ -32,7 +32,7 @@ def read(name):
     return reader.GetOutput()
 
 
-def main(folder=".", azimuth="0", elevation="0", up="y"):
+def main(folder=".", azimuth="20", elevation="5", up="y"):
     start = os.path.join(folder, "multidimensional_scaling")
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
@@ -46,8 +46,8 @@ def main(folder=".", azimuth="0", elevation="0", up="y"):
         add_title(renderer, title)
         place_lights(renderer)
         place_camera(renderer, float(azimuth), float(elevation), up)
-        renderer.GetActiveCamera().Zoom(0.92)  # leaves room for the title
-        renderer.GetActiveCamera().SetWindowCenter(0, -0.07)
+        renderer.GetActiveCamera().Zoom(0.82)  # leaves room for the title
+        renderer.GetActiveCamera().SetWindowCenter(0, -0.05)
         window.AddRenderer(renderer)
     save(window, start + ".png")
 

@@ -132,7 +132,7 @@ Color_map color_by_height(Mesh& mesh, const Eigen::VectorXd& height)
   const Color_map result = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   const double lowest = height.minCoeff(), range = height.maxCoeff() - lowest;
   for(const Vertex v : mesh.vertices())
-    result[v].set_hsv(240 - 240 * (height(Eigen::Index(v)) - lowest) / range, 70, 95);
+    result[v].set_hsv(240 - 240 * (height(Eigen::Index(v)) - lowest) / range, 60, 95);
   return result;
 }
 
