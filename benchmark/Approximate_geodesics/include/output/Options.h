@@ -79,7 +79,7 @@ inline std::optional<Options> parse_options(const int argc,
   add("help,h", "print this text");
   add("quick,q", po::bool_switch(&result.is_quick), "only see whether it runs");
   add("rounds,r", po::value(&result.number_of_rounds)->default_value(defaults.number_of_rounds),
-      "number of random sources");
+      "number of rounds; most programs take another random source for each");
   add("csv", po::value(&result.csv), "write the tables to files too, whose names start with this");
   add("mesh", po::value(&result.meshes), "meshes");
   for(const auto& option : more.options())

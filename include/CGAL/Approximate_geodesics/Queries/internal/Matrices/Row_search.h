@@ -12,8 +12,10 @@
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Matrix_columns.h>
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -59,6 +61,10 @@ public:
 
   bool go_further() const { return !m_is_done; }
 
+  // Whether as many as wanted were settled, and how far the last of them is.
+  bool is_enough() const { return m_number >= m_wanted; }
+  double farthest() const { return m_farthest; }
+
 private:
   const Columns& m_columns;
   std::size_t m_wanted;
@@ -85,10 +91,9 @@ public:
   {
     m_row.clear();
     if(m_limits.number_of_nearest > 0 && m_columns.are_vertices())
-      m_search.run({{source}}, stop_rule(),
-                   Nearest_columns_visitor(m_columns, m_limits.number_of_nearest));
+      search_nearest(source);
     else
-      m_search.run({{source}}, stop_rule());
+      m_search.run({{source}}, stop_rule(m_limits.maximum_distance));
     if(m_limits.are_given())
       m_columns.write_reached(m_search, m_row);
     else
@@ -99,15 +104,36 @@ public:
 private:
   using Search = Surface_search<Graph>;
 
-  typename Search::Stop_rule stop_rule() const
+  typename Search::Stop_rule stop_rule(const double maximum_distance) const
   {
-    return {m_limits.maximum_distance, m_limits.targets};
+    return {maximum_distance, m_limits.targets};
+  }
+
+  // Most nodes that a search for few columns labels lie beyond them. It is spared these if it knows
+  // how far it has to go: about as far as for the row before, whose source is near. Distances do
+  // not depend on such a limit, unless the graph follows lines by bounds.
+  void search_nearest(const Intrinsic_point& source)
+  {
+    if(needs_bounds<Graph> || !search_nearest(source, m_expected_distance))
+      search_nearest(source, m_limits.maximum_distance);
+  }
+
+  // Returns whether there are enough columns within the distance.
+  bool search_nearest(const Intrinsic_point& source, const double distance)
+  {
+    constexpr double margin = 1.25;
+    Nearest_columns_visitor visitor(m_columns, m_limits.number_of_nearest);
+    m_search.run({{source}}, stop_rule((std::min)(distance, m_limits.maximum_distance)), visitor);
+    m_expected_distance =
+        visitor.is_enough() ? margin * visitor.farthest() : m_limits.maximum_distance;
+    return visitor.is_enough() || distance >= m_limits.maximum_distance;
   }
 
   const Matrix_columns<Graph>& m_columns;
   const Row_limits& m_limits;
   Search m_search;
   Distance_row m_row;
+  double m_expected_distance = std::numeric_limits<double>::infinity(); // of the nearest columns
 };
 
 } // namespace internal

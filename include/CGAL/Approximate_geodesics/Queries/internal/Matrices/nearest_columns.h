@@ -31,13 +31,22 @@ inline std::size_t checked_number_of_nearest(const std::size_t number)
 inline std::vector<Distance_row::Column> nearest_columns(const Distance_row& row,
                                                          const std::size_t number)
 {
-  using Column = Distance_row::Column;
-  std::vector<Column> result = row.reached();
-  const auto end = result.begin() + static_cast<std::ptrdiff_t>((std::min)(number, result.size()));
-  std::partial_sort(result.begin(), end, result.end(), [&](const Column a, const Column b) {
-    return std::make_pair(row[a], a) < std::make_pair(row[b], b);
-  });
-  result.erase(end, result.end());
+  using Entry = std::pair<double, Distance_row::Column>;
+  std::vector<Entry> entries;
+  entries.reserve(row.reached().size());
+  for(const auto column : row.reached())
+    entries.emplace_back(row[column], column);
+  if(number < entries.size())
+  {
+    const auto end = entries.begin() + static_cast<std::ptrdiff_t>(number);
+    std::nth_element(entries.begin(), end, entries.end());
+    entries.erase(end, entries.end());
+  }
+  std::sort(entries.begin(), entries.end());
+  std::vector<Distance_row::Column> result;
+  result.reserve(entries.size());
+  for(const Entry& entry : entries)
+    result.push_back(entry.second);
   return result;
 }
 
