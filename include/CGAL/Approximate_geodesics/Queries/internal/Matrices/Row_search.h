@@ -109,12 +109,14 @@ private:
     return {maximum_distance, m_limits.targets};
   }
 
+  // Whether arcs depend on labels, and so distances, in their last bits, on how far a search goes.
+  static constexpr bool depends_on_limit = needs_bounds<Graph> || needs_expansion_history<Graph>;
+
   // Most nodes that a search for few columns labels lie beyond them. It is spared these if it knows
-  // how far it has to go: about as far as for the row before, whose source is near. Distances do
-  // not depend on such a limit, unless the graph follows lines by bounds.
+  // how far it has to go: about as far as for the row before, whose source is near.
   void search_nearest(const Intrinsic_point& source)
   {
-    if(needs_bounds<Graph> || !search_nearest(source, m_expected_distance))
+    if(depends_on_limit || !search_nearest(source, m_expected_distance))
       search_nearest(source, m_limits.maximum_distance);
   }
 
