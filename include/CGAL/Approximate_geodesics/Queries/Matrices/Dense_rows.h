@@ -80,6 +80,7 @@ public:
   {
     m_number_of_rows = 0;
     m_number_of_columns = plan.number_of_columns();
+    m_distances.reset(); // before there is another one
     // not initialized: each thread is the first that touches the pages of its rows
     m_distances.reset(new T[plan.number_of_rows() * plan.number_of_columns()]);
     m_rows_to_come = plan.number_of_rows();
