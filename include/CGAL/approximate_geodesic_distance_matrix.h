@@ -125,7 +125,6 @@ approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
                                      const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
-  AG::internal::check_rows<Rows>();
   static_assert(AG::internal::is_source<TriangleMesh, Sources>,
                 "approximate_geodesic_distance_matrix(tmesh, rows, sources): a source is a vertex "
                 "descriptor, a Face_location or a Surface_point, and sources are one of them or a "
@@ -139,12 +138,15 @@ approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
       "approximate_geodesic_distance_matrix() does not read one of these named parameters: its "
       "documentation lists those that it does");
 
-  return AG::internal::with_graph<AG::Discrete_geodesic_graph,
-                                  AG::internal::Sequential_exact_graph>(
-      tmesh, np, [&](const auto& graph) {
-        return AG::internal::compute_distance_matrix(
-            graph, rows, AG::internal::matrix_points_on_mesh(tmesh, graph, sources, np), np);
-      });
+  if constexpr(AG::internal::check_rows<Rows>())
+    return AG::internal::with_graph<AG::Discrete_geodesic_graph,
+                                    AG::internal::Sequential_exact_graph>(
+        tmesh, np, [&](const auto& graph) {
+          return AG::internal::compute_distance_matrix(
+              graph, rows, AG::internal::matrix_points_on_mesh(tmesh, graph, sources, np), np);
+        });
+  else
+    return false;
 }
 
 /*!
@@ -186,7 +188,6 @@ approximate_geodesic_distance_matrix(const SurfaceGraph& graph,
                                      const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
-  AG::internal::check_rows<Rows>();
   static_assert(
       !AG::internal::ignores_any<NamedParameters, internal_np::maximum_distance_t,
                                  internal_np::targets_t, internal_np::symmetric_t,
@@ -194,8 +195,11 @@ approximate_geodesic_distance_matrix(const SurfaceGraph& graph,
       "approximate_geodesic_distance_matrix() with a graph reads targets, maximum_distance, "
       "symmetric, concurrency_tag and visitor; the others are for the graph");
 
-  return AG::internal::compute_distance_matrix(
-      graph, rows, AG::internal::matrix_points_on_graph(graph.triangulation(), sources, np), np);
+  if constexpr(AG::internal::check_rows<Rows>())
+    return AG::internal::compute_distance_matrix(
+        graph, rows, AG::internal::matrix_points_on_graph(graph.triangulation(), sources, np), np);
+  else
+    return false;
 }
 
 } // namespace CGAL

@@ -1,7 +1,10 @@
 # Compiles the file `source`, and expects one error for each comment inside a function there, with
 # the text of that comment in its message, and no others.
 list(TRANSFORM include_dirs PREPEND -I)
-execute_process(COMMAND ${compiler} -std=c++17 -fsyntax-only ${include_dirs} ${source}
+if(compiler MATCHES "clang")
+  set(all_errors -ferror-limit=0) # instead of the first 20
+endif()
+execute_process(COMMAND ${compiler} -std=c++17 -fsyntax-only ${all_errors} ${include_dirs} ${source}
                 ERROR_VARIABLE output)
 string(REPLACE ";" "," output "${output}") # which would end elements of a list
 string(REGEX MATCHALL "[^\n]*error: [^\n]*" errors "${output}")

@@ -8,6 +8,8 @@
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
@@ -16,6 +18,7 @@
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 
@@ -103,4 +106,36 @@ void call_wrongly(const Mesh& mesh,
 
   // A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation()
   static_cast<void>(sizeof(AG::Surface_search<Graph_without_triangulation>));
+}
+
+void compute_matrices_wrongly(const Mesh& mesh, const AG::Edge_graph& graph)
+{
+  const std::vector<double> initial_distances;
+  const std::vector<Vertex> vertices;
+  const auto function = [](std::size_t, const AG::Distance_row&) {};
+  AG::Dense_rows<> rows;
+  AG::Nearest_rows<> nearest(3);
+
+  // approximate_geodesic_distance_matrix() does not read one of these named parameters
+  CGAL::approximate_geodesic_distance_matrix(mesh, rows, vertices,
+                                             parameters::initial_distances(initial_distances));
+
+  // approximate_geodesic_distance_matrix() with a graph reads targets, maximum_distance
+  CGAL::approximate_geodesic_distance_matrix(graph, rows, std::vector<int>(),
+                                             parameters::epsilon(0.1));
+
+  // symmetric: only sinks that keep all rows and columns can make them so
+  CGAL::approximate_geodesic_distance_matrix(graph, function, std::vector<int>(),
+                                             parameters::symmetric(true));
+
+  // Dense_rows, Radius_rows, Npy_file
+  CGAL::approximate_geodesic_distance_matrix(graph, nearest, std::vector<int>(),
+                                             parameters::symmetric(true));
+
+  // a row sink must not be const
+  const AG::Dense_rows<> const_rows;
+  CGAL::approximate_geodesic_distance_matrix(graph, const_rows, std::vector<int>());
+
+  // rows must be a row sink, such as Dense_rows, or callable
+  CGAL::approximate_geodesic_distance_matrix(graph, 3, std::vector<int>());
 }

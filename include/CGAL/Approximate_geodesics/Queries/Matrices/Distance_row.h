@@ -90,10 +90,13 @@ public:
   /// sets the distance of a column. \pre `column < size()`, and `distance` is not infinite.
   void set(const Column column, const double distance)
   {
-    if(m_distances[column] == infinity)
-      m_reached.push_back(column);
+    if(m_order != Order::UNKNOWN)
+    {
+      if(m_distances[column] == infinity)
+        m_reached.push_back(column);
+      m_order = Order::NONE;
+    }
     m_distances[column] = distance;
-    m_order = Order::NONE;
   }
 
   /// sets the distances of all columns to `f(column)`, which may be infinite.

@@ -55,13 +55,7 @@ public:
   }
 
   /// puts all blocks together.
-  bool finish(const bool is_done)
-  {
-    Base::finish(is_done);
-    if(is_done && m_is_symmetric)
-      Base::make_symmetric();
-    return is_done;
-  }
+  bool finish(const bool is_done) { return Base::finish(is_done, m_is_symmetric); }
 
   /// @}
 

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -88,13 +89,7 @@ public:
   }
 
   /// puts all blocks together.
-  bool finish(const bool is_done)
-  {
-    if(is_done)
-      m_rows = internal::Compressed_rows<T>(m_rows_to_come, m_blocks);
-    m_blocks.clear();
-    return is_done;
-  }
+  bool finish(const bool is_done) { return finish(is_done, false); }
 
   /// @}
 
@@ -102,8 +97,20 @@ protected:
   /// no rows.
   Sparse_rows() = default;
 
-  /// replaces each distance by the smaller one of both directions.
-  void make_symmetric() { m_rows.make_symmetric(); }
+  /// puts all blocks together, and replaces each distance by the smaller one of both directions if
+  /// that is wanted. There are no rows if that fails.
+  bool finish(const bool is_done, const bool is_symmetric)
+  {
+    if(is_done)
+    {
+      internal::Compressed_rows<T> rows(m_rows_to_come, m_blocks);
+      if(is_symmetric)
+        rows.make_symmetric();
+      m_rows = std::move(rows);
+    }
+    m_blocks.clear();
+    return is_done;
+  }
 
 private:
   template <typename V>

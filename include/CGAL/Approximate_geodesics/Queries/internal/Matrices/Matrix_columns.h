@@ -150,13 +150,15 @@ private:
     }
   }
 
-  // Of all points, straight from the source.
+  // Of all points, straight from the source, unless that is a node.
   template <typename SurfaceSearch>
   std::vector<double> distances_by_line(const SurfaceSearch& search) const
   {
     const Graph& graph = search.graph();
     const Source_point& source = search.sources().front();
     std::vector<double> result(m_points.columns.size(), infinity);
+    if(source.point.is_vertex())
+      return result;
     graph.attach(source.point)
         .for_each_point(m_points.points, [&](const std::size_t i, const double length) {
           result[i] = (std::min)(result[i], source.distance + length * graph.unit());

@@ -61,14 +61,19 @@ template <typename T>
 constexpr bool is_surface_graph =
     boost::is_detected_convertible_v<const Intrinsic_triangulation&, Triangulation_of, T>;
 
+// Returns whether rows can be handed over. If they cannot, the compiler says why, and that is all
+// it has to say.
 template <typename Rows>
-constexpr void check_rows()
+constexpr bool check_rows()
 {
   using T = std::remove_reference_t<Rows>;
-  static_assert(is_row_sink<T> || is_row_function<T>,
+  constexpr bool takes_rows = is_row_sink<T> || is_row_function<T>;
+  constexpr bool can_change = !is_row_sink<T> || !std::is_const_v<T>;
+  static_assert(takes_rows,
                 "rows must be a row sink, such as Dense_rows, or callable with the number of a row "
                 "and a `const Distance_row&`");
-  static_assert(!is_row_sink<T> || !std::is_const_v<T>, "a row sink must not be const");
+  static_assert(can_change, "a row sink must not be const");
+  return takes_rows && can_change;
 }
 
 // How many columns of each row are wanted; 0 stands for all of them.
