@@ -24,6 +24,6 @@ public:
 
   /// returns whether the computation shall go on. It is called before each row. If it does not,
   /// threads end with the rows that they are at, blocks that are not complete are dropped, and the
-  /// function returns `false`.
+  /// function returns `false`. Other threads may have been about to ask, and do so.
   bool go_further();
 };

@@ -23,6 +23,8 @@
 #include <cstddef>
 #include <mutex>
 #include <optional>
+#include <set>
+#include <thread>
 #include <vector>
 
 namespace CGAL {
@@ -66,19 +68,36 @@ public:
   }
 
 private:
-  // The first turn of a thread takes rows until there are none left, and the others find none.
+  // The first turn of a thread takes rows until there are none left, and the others find none. A
+  // function object may have a parallel loop of its own, in which its thread comes by another turn
+  // of this one: that must not wait for what the thread is about to do.
   void work_or_stop()
   {
+    if(m_is_finished || m_is_stopped || !enter())
+      return;
     try
     {
-      if(!m_is_finished && !m_is_stopped)
-        work();
+      work();
     }
     catch(...)
     {
       stop();
+      leave();
       throw;
     }
+    leave();
+  }
+
+  bool enter()
+  {
+    const std::lock_guard lock(m_mutex);
+    return m_threads.insert(std::this_thread::get_id()).second;
+  }
+
+  void leave()
+  {
+    const std::lock_guard lock(m_mutex);
+    m_threads.erase(std::this_thread::get_id());
   }
 
   void work()
@@ -142,13 +161,18 @@ private:
   // Rows are dealt out in their order, so whoever has the next one does not wait.
   bool hand_over(const std::size_t row, const Distance_row& distances)
   {
-    std::unique_lock lock(m_mutex);
-    m_turn.wait(lock, [&] { return m_done == row || m_is_stopped; });
+    {
+      std::unique_lock lock(m_mutex);
+      m_turn.wait(lock, [&] { return m_done == row || m_is_stopped; });
+    }
     if(m_is_stopped)
       return false;
     m_rows(row, distances);
-    m_progress.report(++m_done);
-    lock.unlock();
+    m_progress.report(row + 1);
+    {
+      const std::lock_guard lock(m_mutex);
+      ++m_done;
+    }
     m_turn.notify_all();
     return true;
   }
@@ -183,7 +207,8 @@ private:
   Matrix_progress<Visitor> m_progress;
   std::atomic<bool> m_is_finished{false};
   std::atomic<bool> m_is_stopped{false};
-  std::mutex m_mutex; // whoever has it calls the function object
+  std::mutex m_mutex;
+  std::set<std::thread::id> m_threads; // that are at work
   std::condition_variable m_turn;
 };
 

@@ -176,8 +176,8 @@ bool compute_distance_matrix(const Graph& graph,
   auto visitor = matrix_visitor(np);
   if constexpr(is_row_sink<Rows>)
     rows.start(plan);
-  Matrix_computation<Graph, Rows, std::decay_t<decltype(unwrapped(visitor))>> computation(
-      graph, points.sources, columns, limits, plan, rows, unwrapped(visitor));
+  Matrix_computation<Graph, Rows, std::remove_reference_t<decltype(unwrapped(visitor))>>
+      computation(graph, points.sources, columns, limits, plan, rows, unwrapped(visitor));
   const bool is_done = computation.run(loop_over_rows(graph, np));
   if constexpr(is_row_sink<Rows>)
     return rows.finish(is_done);
