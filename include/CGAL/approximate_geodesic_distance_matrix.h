@@ -37,10 +37,10 @@ namespace CGAL {
  *   of each row, to a file for SciPy,
  * - a function object gets the rows as they are computed.
  *
- * Distances are those of `Approximate_geodesics::Surface_mesh_shortest_path` with the same graph, to
- * the last bit, unless neither source nor target is a vertex: then a straight line between the two
- * is looked for from the source, and the same bound holds. Distances do not depend on the number of
- * threads.
+ * Distances are those of `Approximate_geodesics::Surface_mesh_shortest_path` with the same graph,
+ * to the last bit, unless neither source nor target is a vertex: then a straight line between the
+ * two is looked for from the source, and the same bound holds. Distances do not depend on the
+ * number of threads.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam Rows a model of `DistanceRowSink`, or of `Callable` with arguments of types
