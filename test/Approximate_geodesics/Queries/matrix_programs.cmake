@@ -41,14 +41,14 @@ if(MPI_CXX_FOUND AND MPIEXEC_EXECUTABLE)
     PRIVATE ${program_definition} APPROXIMATE_GEODESICS_TEST_MPIEXEC="${MPIEXEC_EXECUTABLE}"
             APPROXIMATE_GEODESICS_TEST_MPI_PROGRAM="$<TARGET_FILE:compute_matrix_file_mpi>")
   add_dependencies(test_mpi_matrix compute_matrix_file compute_matrix_file_mpi)
-  # Open MPI refuses root, and more processes than cores, unless it is told otherwise, and keeps
-  # memory at the end.
+  # Open MPI refuses root, and more processes than cores, unless it is told otherwise, lets who
+  # waits take a core from who works, and keeps memory at the end.
   set_tests_properties(
     test_mpi_matrix
     PROPERTIES ENVIRONMENT
                "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;\
 OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_hwloc_base_binding_policy=none;\
-ASAN_OPTIONS=detect_leaks=0")
+OMPI_MCA_mpi_yield_when_idle=1;ASAN_OPTIONS=detect_leaks=0")
 else()
   message(STATUS "NOTICE: the test of several processes needs MPI, and is left out.")
 endif()

@@ -48,7 +48,7 @@ void expect_file(const Matrix_job& job, const Temporary_folder& folder)
 }
 
 template <typename T>
-void expect_same_in_file_and_memory(const Matrix_job& job, const int number_of_threads = 1)
+void expect_all_distances(const Matrix_job& job, const int number_of_threads = 1)
 {
   const Temporary_folder folder;
   Matrix_watcher watcher;
@@ -68,13 +68,13 @@ TYPED_TEST_SUITE(Npy_file_of, Numbers, );
 TYPED_TEST(Npy_file_of, has_all_distances)
 {
   Matrix_job job(8);
-  expect_same_in_file_and_memory<TypeParam>(job);
+  expect_all_distances<TypeParam>(job);
   job.sources.resize(20);
   job.sources[3] = job.sources[7];
-  expect_same_in_file_and_memory<TypeParam>(job);
+  expect_all_distances<TypeParam>(job);
   job.targets.resize(9);
   job.maximum_distance = 3;
-  expect_same_in_file_and_memory<TypeParam>(job);
+  expect_all_distances<TypeParam>(job);
 }
 
 TYPED_TEST(Npy_file_of, can_be_small)
@@ -88,7 +88,7 @@ TYPED_TEST(Npy_file_of, can_be_small)
         job.targets.resize(columns);
         job.is_symmetric = is_symmetric && rows == columns;
         SCOPED_TRACE(std::to_string(rows) + " x " + std::to_string(columns));
-        expect_same_in_file_and_memory<TypeParam>(job);
+        expect_all_distances<TypeParam>(job);
       }
 }
 
@@ -97,7 +97,7 @@ TYPED_TEST(Npy_file_of, has_blocks_of_several_rows)
 {
   const Matrix_job job(33);
   for(const int number_of_threads : {1, 3})
-    expect_same_in_file_and_memory<TypeParam>(job, number_of_threads);
+    expect_all_distances<TypeParam>(job, number_of_threads);
 }
 
 // squares that are read at a time, and parts of them
@@ -108,7 +108,7 @@ TYPED_TEST(Npy_file_of, can_be_symmetric)
     Matrix_job job(side);
     job.is_symmetric = true;
     for(const int number_of_threads : {1, 3})
-      expect_same_in_file_and_memory<TypeParam>(job, number_of_threads);
+      expect_all_distances<TypeParam>(job, number_of_threads);
   }
 }
 

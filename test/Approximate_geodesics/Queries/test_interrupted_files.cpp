@@ -136,10 +136,10 @@ TEST_P(Interrupted_file, notes_blocks_at_the_interval_given)
     });
     EXPECT_FALSE(run.compute(job, watcher));
     ASSERT_EQ(lengths.size(), 10u);
-    using Journal = AG::internal::Matrix_journal;
     for(std::size_t i = 0; i < lengths.size(); ++i)
-      EXPECT_EQ(lengths[i], Journal::LENGTH_OF_HEADER +
-                                Journal::LENGTH_OF_RECORD * (seconds == 0 ? i + 1 : 10));
+      EXPECT_EQ(lengths[i],
+                AG::internal::Matrix_journal::LENGTH_OF_HEADER +
+                    AG::internal::Matrix_journal::LENGTH_OF_RECORD * (seconds == 0 ? i + 1 : 10));
   }
   EXPECT_EQ(AG::internal::Matrix_journal::read(folder.file("distances.journal")).records.size(),
             20u); // those of the end included

@@ -57,13 +57,12 @@ enum Phase
 
 Phase phase(const Temporary_folder& folder, const std::size_t number_of_blocks)
 {
-  using Journal = AG::internal::Matrix_journal;
   const bool has_journal = folder.has("distances.journal");
   if(folder.has("distances"))
     return has_journal ? REMOVING : AFTER;
   if(!has_journal || !folder.has("distances.part"))
     return BEFORE;
-  const auto records = Journal::read(folder.file("distances.journal")).records;
+  const auto records = AG::internal::Matrix_journal::read(folder.file("distances.journal")).records;
   if(folder.has("distances.new") || records.size() > number_of_blocks)
     return FINISHING;
   return records.size() == number_of_blocks ? BETWEEN : COMPUTING;

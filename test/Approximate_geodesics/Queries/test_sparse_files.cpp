@@ -79,7 +79,7 @@ void expect_same(const Matrix_job& job,
 }
 
 template <typename T>
-void expect_same_in_file_and_memory(Matrix_job job, const int number_of_threads = 1)
+void expect_same_entries(Matrix_job job, const int number_of_threads = 1)
 {
   for(const double radius : {0., 2.5, 1e300})
   {
@@ -110,11 +110,11 @@ TYPED_TEST_SUITE(Npz_file_of, Numbers, );
 TYPED_TEST(Npz_file_of, has_the_entries_of_rows_in_memory)
 {
   Matrix_job job(8);
-  expect_same_in_file_and_memory<TypeParam>(job);
+  expect_same_entries<TypeParam>(job);
   job.sources.resize(20);
   job.sources[3] = job.sources[7];
   job.targets.resize(9);
-  expect_same_in_file_and_memory<TypeParam>(job);
+  expect_same_entries<TypeParam>(job);
 }
 
 TYPED_TEST(Npz_file_of, can_be_small)
@@ -126,7 +126,7 @@ TYPED_TEST(Npz_file_of, can_be_small)
       job.sources.resize(rows);
       job.targets.resize(columns);
       SCOPED_TRACE(std::to_string(rows) + " x " + std::to_string(columns));
-      expect_same_in_file_and_memory<TypeParam>(job);
+      expect_same_entries<TypeParam>(job);
     }
 }
 
