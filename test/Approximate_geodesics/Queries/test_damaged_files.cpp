@@ -152,7 +152,7 @@ TEST_P(Damaged_file, has_a_journal_with_a_wrong_bit)
 TEST_P(Damaged_file, has_a_journal_with_zeros_behind_it)
 {
   const Contents contents = contents_after(4);
-  for(const std::size_t number : {1, 35, 36, 37, 5000})
+  for(const std::size_t number : {1u, 35u, 36u, 37u, 5000u})
   {
     const auto append = [&](std::string& bytes) { bytes.append(number, '\0'); };
     EXPECT_EQ(expect_right_file(changed(contents, journal, append)), number_of_rows - 4);
@@ -193,7 +193,7 @@ TEST_P(Damaged_file, has_records_of_blocks_that_do_not_exist)
 // A record that is sound by itself, of a block that is not there, whichever record comes first.
 TEST_P(Damaged_file, has_records_that_are_not_true)
 {
-  for(const std::uint64_t block : {0, 5})
+  for(const std::uint64_t block : {0u, 5u})
   {
     const Contents contents = with_record(contents_after(4), {block, 0, 40, 1});
     EXPECT_EQ(expect_right_file(contents), number_of_rows - 4);

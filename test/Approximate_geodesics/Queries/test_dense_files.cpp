@@ -79,8 +79,8 @@ TYPED_TEST(Npy_file_of, has_all_distances)
 
 TYPED_TEST(Npy_file_of, can_be_small)
 {
-  for(const std::size_t rows : {0, 1, 2})
-    for(const std::size_t columns : {0, 1, 2})
+  for(const std::size_t rows : {0u, 1u, 2u})
+    for(const std::size_t columns : {0u, 1u, 2u})
       for(const bool is_symmetric : {false, true})
       {
         Matrix_job job(4);
@@ -95,20 +95,30 @@ TYPED_TEST(Npy_file_of, can_be_small)
 // and with threads
 TYPED_TEST(Npy_file_of, has_blocks_of_several_rows)
 {
-  const Matrix_job job(33);
+  Matrix_job job(6);
+  job.repeat_sources(1100);
   for(const int number_of_threads : {1, 3})
     expect_all_distances<TypeParam>(job, number_of_threads);
 }
 
-// squares that are read at a time, and parts of them
 TYPED_TEST(Npy_file_of, can_be_symmetric)
 {
-  for(const std::size_t side : {7, 32, 33})
+  Matrix_job job(7);
+  job.is_symmetric = true;
+  for(const int number_of_threads : {1, 3})
+    expect_all_distances<TypeParam>(job, number_of_threads);
+}
+
+// which are read by squares, the last of which are smaller
+TYPED_TEST(Npy_file_of, can_be_symmetric_and_large)
+{
+  for(const std::size_t rows : {1023u, 1024u, 1025u, 2050u})
   {
-    Matrix_job job(side);
+    Matrix_job job(6);
     job.is_symmetric = true;
-    for(const int number_of_threads : {1, 3})
-      expect_all_distances<TypeParam>(job, number_of_threads);
+    job.repeat_sources(rows);
+    job.targets = job.sources;
+    expect_all_distances<TypeParam>(job);
   }
 }
 

@@ -87,7 +87,7 @@ TEST_P(Interrupted_file, goes_on_after_an_error)
   const Matrix_job job(8);
   Matrix_file_job run = file;
   run.seconds_between_commits = 0;
-  for(const std::size_t last : {10, 30, 64})
+  for(const std::size_t last : {10u, 30u, 64u})
   {
     Matrix_watcher watcher([=](const std::size_t number_done) {
       if(number_done == last)
@@ -105,10 +105,10 @@ TEST_P(Interrupted_file, goes_on_after_an_error)
 
 TEST_P(Interrupted_file, goes_on_with_any_number_of_threads)
 {
-  Matrix_job job(33);
+  Matrix_job job(16);
   job.maximum_distance = 5;
   Matrix_file_job run = file;
-  std::size_t done = 0, step = 150;
+  std::size_t done = 0, step = 40;
   for(const int number_of_threads : {1, 3, 2, 4, 1})
   {
     run.number_of_threads = number_of_threads;

@@ -20,6 +20,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstddef>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -147,7 +148,7 @@ private:
     m_folder.fill({});
   }
 
-  const Temporary_folder m_folder;
+  const Temporary_folder m_folder{std::filesystem::temp_directory_path()}; // of a true disk
   std::string m_kind;
   std::size_t m_side;
   Random m_random{test_seed()};

@@ -89,7 +89,7 @@ void expect_same_entries(Matrix_job job, const int number_of_threads = 1)
                 number_of_threads);
   }
   job.maximum_distance = std::numeric_limits<double>::infinity();
-  for(const std::size_t number : {1, 7, 1000})
+  for(const std::size_t number : {1u, 7u, 1000u})
   {
     const Temporary_folder folder;
     AG::Npz_file<T> file(folder.file("computed.npz"));
@@ -119,8 +119,8 @@ TYPED_TEST(Npz_file_of, has_the_entries_of_rows_in_memory)
 
 TYPED_TEST(Npz_file_of, can_be_small)
 {
-  for(const std::size_t rows : {0, 1, 2})
-    for(const std::size_t columns : {0, 1, 2})
+  for(const std::size_t rows : {0u, 1u, 2u})
+    for(const std::size_t columns : {0u, 1u, 2u})
     {
       Matrix_job job(4);
       job.sources.resize(rows);
@@ -133,7 +133,8 @@ TYPED_TEST(Npz_file_of, can_be_small)
 // and threads
 TYPED_TEST(Npz_file_of, has_blocks_of_several_rows)
 {
-  Matrix_job job(33);
+  Matrix_job job(6);
+  job.repeat_sources(1100);
   job.maximum_distance = 4;
   for(const int number_of_threads : {1, 3})
   {

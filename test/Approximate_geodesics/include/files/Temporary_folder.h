@@ -30,10 +30,9 @@ public:
   // the bytes of files by their names
   using Contents = std::map<std::string, std::string>;
 
-  Temporary_folder()
-    : m_path(std::filesystem::temp_directory_path() /
-             ("approximate geodesics " + std::to_string(std::random_device()()) +
-              std::to_string(std::random_device()())))
+  explicit Temporary_folder(const std::filesystem::path& parent = in_memory())
+    : m_path(parent / ("approximate geodesics " + std::to_string(std::random_device()()) +
+                       std::to_string(std::random_device()())))
   {
     std::filesystem::create_directory(m_path);
   }
@@ -70,6 +69,16 @@ public:
   }
 
 private:
+  // where nobody waits for a disk, if there is such a place
+  static std::filesystem::path in_memory()
+  {
+    const std::filesystem::path shared_memory = "/dev/shm";
+    std::error_code error;
+    const auto space = std::filesystem::space(shared_memory, error);
+    return !error && space.available > (50u << 20) ? shared_memory
+                                                   : std::filesystem::temp_directory_path();
+  }
+
   std::filesystem::path m_path;
 };
 

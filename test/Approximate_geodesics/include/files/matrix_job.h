@@ -85,6 +85,14 @@ struct Matrix_job
     sources = targets = random.permutation(side * side);
   }
 
+  void repeat_sources(const std::size_t number)
+  {
+    const std::vector<std::size_t> before = sources;
+    sources.resize(number);
+    for(std::size_t i = 0; i < number; ++i)
+      sources[i] = before[i % before.size()];
+  }
+
   template <typename Tag = CGAL::Sequential_tag, typename Rows>
   bool compute(Rows&& rows, Matrix_watcher& watcher) const
   {
