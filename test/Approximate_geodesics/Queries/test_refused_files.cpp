@@ -207,7 +207,6 @@ TEST(Refused_file, is_in_a_folder_that_is_missing)
         "there is no folder " + missing);
 }
 
-// also one of millions of rows
 TEST(Refused_file, is_longer_than_the_disk_has_room_for)
 {
   Matrix_job job(4);
@@ -219,8 +218,16 @@ TEST(Refused_file, is_longer_than_the_disk_has_room_for)
   expect_refusal<std::runtime_error>(
       folder, [&] { job.compute(AG::Npy_file<double>(folder.file("distances"))); },
       folder.file("distances") + " needs ", " MB more, and its disk has ", " MB left");
-  job.targets.assign(available / 4000000 / sizeof(double) * 2, 0);
-  job.sources.assign(4000000, 0);
+}
+
+TEST(Refused_file, is_longer_than_the_disk_has_room_for_with_millions_of_rows)
+{
+  Matrix_job job(4);
+  const Temporary_folder folder;
+  const std::size_t number_of_rows = 4000000;
+  const std::size_t available = std::filesystem::space(folder.name()).available;
+  job.targets.assign(available / number_of_rows / sizeof(double) * 2, 0);
+  job.sources.assign(number_of_rows, 0);
   expect_refusal<std::runtime_error>(
       folder, [&] { job.compute(AG::Npy_file<double>(folder.file("distances"))); }, " needs ");
 }
