@@ -94,9 +94,8 @@ private:
   std::map<std::string, std::string> m_values;
 };
 
-bool compute(const Arguments& arguments)
+bool compute(const Arguments& arguments, Team& team)
 {
-  Team team;
   const std::size_t seed = arguments.size("seed", 5), rank = team.rank();
   Matrix_job job(arguments.size("side", 33), arguments.size("seed." + std::to_string(rank), seed));
   job.maximum_distance = std::stod(arguments.text("radius", "inf"));
@@ -126,9 +125,10 @@ int main(int argc, char** argv)
 {
   const Environment environment;
   const Arguments arguments(argc, argv);
+  Team team; // whose end waits for the others
   try
   {
-    return compute(arguments) ? EXIT_SUCCESS : EXIT_FAILURE;
+    return compute(arguments, team) ? EXIT_SUCCESS : EXIT_FAILURE;
   }
   catch(const std::exception& e)
   {
