@@ -109,7 +109,7 @@ TEST(Team_of_three, computes_the_file_of_one_process) { expect_file_by(3); }
 void expect_rows_kept(const std::string& kind, const int killed, const int number_of_processes)
 {
   const Team_of_processes team(kind);
-  EXPECT_FALSE(team.computes(3, {"signal=" + std::to_string(SIGKILL), "rows=60", "pause=0.02",
+  EXPECT_FALSE(team.computes(3, {"signal=" + std::to_string(SIGKILL), "rows=60", "pause=0.1",
                                  "process=" + std::to_string(killed)}));
   EXPECT_FALSE(team.folder.has("distances"));
   EXPECT_GE(team.number_of_records(), 60u - 3); // but for those that others are at
