@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/Bulk_checksum.h>
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Single_process.h>
@@ -101,16 +102,15 @@ public:
    */
   void start(const Distance_matrix_plan& plan)
   {
-    const std::string text = header(plan.number_of_rows(), plan.number_of_columns());
-    m_first = text.size();
+    m_first = header(plan.number_of_rows(), plan.number_of_columns()).size();
     m_length_of_row = std::uint64_t(sizeof(T)) * plan.number_of_columns();
     Base::start(
         plan, "NPY", [this](std::size_t, const auto& record) { return is_there(record); },
         [this](const std::size_t number_of_rows) {
           this->check_space(number_of_rows * m_length_of_row);
         });
-    if(this->blocks().is_anything_missing() || plan.number_of_rows() == 0)
-      open(text, length(plan.number_of_rows(), plan.number_of_columns()));
+    if(this->blocks().is_anything_missing())
+      open();
   }
 
   /// appends a row to a block.
@@ -144,13 +144,10 @@ public:
   /// completes the file, if all rows are there.
   bool finish(bool /* is_done */)
   {
-    const bool result =
-        this->blocks().finish([this] { m_data->sync(); },
-                              [this](const typename Base::Journals& journals) {
-                                if(this->plan().is_symmetric())
-                                  make_symmetric(Base::Blocks::are_all_there(journals));
-                                std::filesystem::rename(this->names().part(), this->names().file());
-                              });
+    const bool result = this->blocks().finish([this] { m_data->sync(); },
+                                              [this](const typename Base::Journals& journals) {
+                                                complete(Base::Blocks::are_all_there(journals));
+                                              });
     m_data.reset();
     return result;
   }
@@ -190,26 +187,44 @@ private:
     return checksum(block) == record.checksum;
   }
 
-  void open(const std::string& text, const std::uint64_t length)
+  std::uint64_t length() const
+  {
+    return length(this->plan().number_of_rows(), this->plan().number_of_columns());
+  }
+
+  void open()
   {
     m_data = std::make_unique<typename Team::File>(this->names().part());
     if(this->team().rank() == 0)
-    {
-      m_data->write(0, text.data(), text.size());
-      m_data->resize(length);
-    }
+      m_data->resize(length());
     this->team().wait(); // nobody writes before the file has its length
   }
 
-  void make_symmetric(const bool is_noted)
+  // The header comes last, as no checksum tells whether it is still there.
+  void complete(const bool is_noted)
   {
-    if(!is_noted)
+    if(is_noted)
+      check_length();
+    else if(this->plan().is_symmetric())
       this->blocks().note_all(); // checksums are of no use any more
     internal::Local_file file(this->names().part());
-    internal::Square_matrix_file<T, internal::Local_file>(file, m_first,
-                                                          this->plan().number_of_columns())
-        .make_symmetric();
+    const std::string text =
+        header(this->plan().number_of_rows(), this->plan().number_of_columns());
+    file.write(0, text.data(), text.size());
+    if(this->plan().is_symmetric())
+      internal::Square_matrix_file<T, internal::Local_file>(file, m_first,
+                                                            this->plan().number_of_columns())
+          .make_symmetric();
     file.sync();
+    std::filesystem::rename(this->names().part(), this->names().file());
+  }
+
+  // All that can be told of distances that were being made symmetric.
+  void check_length() const
+  {
+    const std::string part = this->names().part();
+    if(!std::filesystem::exists(part) || std::filesystem::file_size(part) != length())
+      internal::reject(part + " is not as it was left; " + internal::Matrix_journal::remedy());
   }
 
   std::uint64_t m_first = 0; // byte of the distances

@@ -148,6 +148,7 @@ public:
             for(const internal::Block_record& record : journal.contents.records)
               parts.add(journal.rank, record);
           parts.put_together(this->names().copy());
+          internal::Local_file(this->names().copy()).sync(); // before the parts go
           std::filesystem::rename(this->names().copy(), this->names().file());
         });
     m_data.reset();

@@ -14,7 +14,9 @@
 #include <boost/interprocess/exceptions.hpp>
 #include <boost/interprocess/sync/file_lock.hpp>
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -22,18 +24,29 @@ namespace internal {
 
 /*
  * Says that a program is at work. It does so by a lock of the system, which goes when the program
- * does, however that ends.
+ * does, however that ends. The file goes as well, unless the program is killed.
  */
 class File_lock
 {
 public:
   // `subject` is what the work is about.
-  File_lock(const std::string& file, const std::string& subject)
+  File_lock(const std::string& file, const std::string& subject) : m_file(file)
   {
-    const Local_file made_if_none(file);
+    {
+      const Local_file made_if_none(file); // to close it later would give up the lock
+    }
     m_lock = boost::interprocess::file_lock(file.c_str());
-    if(!try_lock())
+    if(!try_lock() || !std::filesystem::exists(file)) // or that program has ended just now
       reject(subject + " is being computed by another program");
+  }
+
+  File_lock(const File_lock&) = delete;
+  File_lock& operator=(const File_lock&) = delete;
+
+  ~File_lock()
+  {
+    std::error_code ignored;
+    std::filesystem::remove(m_file, ignored);
   }
 
 private:
@@ -50,6 +63,7 @@ private:
     }
   }
 
+  std::string m_file;
   boost::interprocess::file_lock m_lock;
 };
 

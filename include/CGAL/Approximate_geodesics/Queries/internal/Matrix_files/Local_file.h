@@ -64,11 +64,19 @@ public:
   bool read(const std::uint64_t offset, void* const data, const std::size_t size)
   {
     const std::lock_guard lock(m_mutex);
+    errno = 0;
     m_stream.seekg(static_cast<std::streamoff>(offset));
     m_stream.read(static_cast<char*>(data), static_cast<std::streamsize>(size));
     const bool result = bool(m_stream);
     m_stream.clear();
     return result;
+  }
+
+  // Reads what has to be there.
+  void read_all(const std::uint64_t offset, void* const data, const std::size_t size)
+  {
+    if(!read(offset, data, size))
+      fail_to("read", m_name);
   }
 
   void resize(const std::uint64_t size)

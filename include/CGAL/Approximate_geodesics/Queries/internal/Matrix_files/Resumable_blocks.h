@@ -177,6 +177,7 @@ private:
       {
         error = std::current_exception();
         message = e.what();
+        m_lock.reset(); // the work has ended
       }
     m_team.share(message);
     if(error)
@@ -306,7 +307,6 @@ private:
       for(const auto& [rank, file] : files)
         std::filesystem::remove(file);
     std::filesystem::remove(Matrix_journal::replacement(m_names.journal(0)));
-    std::filesystem::remove(m_names.lock());
   }
 
   Journals read_journals() const

@@ -144,8 +144,7 @@ private:
   template <typename V>
   void read(const std::size_t rank, const std::uint64_t offset, std::vector<V>& values)
   {
-    if(!file(rank).read(offset, values.data(), values.size() * sizeof(V)))
-      fail_to("read", m_names.part(rank));
+    file(rank).read_all(offset, values.data(), values.size() * sizeof(V));
   }
 
   template <typename V, typename F>

@@ -25,23 +25,26 @@ namespace internal {
 template <typename T, typename File>
 class Square_matrix_file
 {
-  static constexpr std::size_t side = 1024;
-
 public:
   // `first` is the byte that the matrix begins with.
   Square_matrix_file(File& file, const std::uint64_t first, const std::size_t size)
-    : m_file(file), m_first(first), m_size(size), m_below(side * side), m_above(side * side)
+    : m_file(file),
+      m_first(first),
+      m_size(size),
+      m_side((std::min)(size, std::size_t(1024))),
+      m_below(m_side * m_side),
+      m_above(m_side * m_side)
   {
   }
 
   // Replaces each number by the smaller one of both directions. It may be done twice.
   void make_symmetric()
   {
-    for(std::size_t i = 0; i < m_size; i += side)
-      for(std::size_t j = 0; j <= i; j += side)
+    for(std::size_t i = 0; i < m_size; i += m_side)
+      for(std::size_t j = 0; j <= i; j += m_side)
       {
-        transfer(i, j, m_below, &File::read);
-        transfer(j, i, m_above, &File::read);
+        transfer(i, j, m_below, &File::read_all);
+        transfer(j, i, m_above, &File::read_all);
         take_smaller();
         transfer(i, j, m_below, &File::write);
         transfer(j, i, m_above, &File::write);
@@ -56,22 +59,22 @@ private:
                 std::vector<T>& square,
                 const Transfer transfer_bytes)
   {
-    const std::size_t width = (std::min)(side, m_size - column);
-    for(std::size_t i = 0; i < side && row + i < m_size; ++i)
+    const std::size_t width = (std::min)(m_side, m_size - column);
+    for(std::size_t i = 0; i < m_side && row + i < m_size; ++i)
     {
       const std::uint64_t position = std::uint64_t(row + i) * m_size + column;
-      (m_file.*transfer_bytes)(m_first + position * sizeof(T), square.data() + i * side,
+      (m_file.*transfer_bytes)(m_first + position * sizeof(T), square.data() + i * m_side,
                                width * sizeof(T));
     }
   }
 
   void take_smaller()
   {
-    for(std::size_t i = 0; i < side; ++i)
-      for(std::size_t j = 0; j < side; ++j)
+    for(std::size_t i = 0; i < m_side; ++i)
+      for(std::size_t j = 0; j < m_side; ++j)
       {
-        T& below = m_below[i * side + j];
-        T& above = m_above[j * side + i];
+        T& below = m_below[i * m_side + j];
+        T& above = m_above[j * m_side + i];
         below = above = little_endian((std::min)(little_endian(below), little_endian(above)));
       }
   }
@@ -79,7 +82,8 @@ private:
   File& m_file;
   std::uint64_t m_first;
   std::size_t m_size;
-  std::vector<T> m_below, m_above; // with rows of `side` numbers
+  std::size_t m_side;              // of a square
+  std::vector<T> m_below, m_above; // with rows of `m_side` numbers
 };
 
 } // namespace internal
