@@ -112,6 +112,12 @@ protected:
     return folder.contents();
   }
 
+  // The journal says that the work is being finished.
+  Contents with_all_noted(const Contents& contents) const
+  {
+    return with_record(contents, {~std::uint64_t(0), 0, 0, 0});
+  }
+
   bool is_dense() const { return GetParam() == "npy" || GetParam() == "symmetric"; }
 };
 
@@ -269,7 +275,7 @@ TEST_P(Damaged_file, has_a_journal_of_another_process)
 // The new file is there, and what was beside it is not yet gone.
 TEST_P(Damaged_file, has_traces_beside_it)
 {
-  Contents contents = contents_after(number_of_rows);
+  Contents contents = with_all_noted(contents_after(number_of_rows));
   contents[file] = expected;
   EXPECT_EQ(expect_right_file(contents), 0u);
   contents.erase(part);
@@ -277,6 +283,14 @@ TEST_P(Damaged_file, has_traces_beside_it)
   contents["distances.journal.2"] = contents.at(journal);
   contents.erase(journal);
   EXPECT_EQ(expect_right_file(contents), 0u);
+}
+
+// Somebody puts a file of that name there while the work is interrupted.
+TEST_P(Damaged_file, is_not_taken_for_another_file)
+{
+  Contents contents = contents_after(number_of_rows - 2);
+  contents[file] = "of somebody";
+  expect_error(contents, folder.file(file) + " is there already");
 }
 
 TEST_P(Damaged_file, has_a_copy_that_ends_anywhere)
@@ -296,8 +310,7 @@ TEST_P(Damaged_file, is_symmetric_in_part)
 {
   if(GetParam() != "symmetric")
     GTEST_SKIP() << "it is not to be";
-  const std::uint64_t all = ~std::uint64_t(0);
-  const Contents contents = with_record(contents_after(number_of_rows), {all, 0, 0, 0});
+  const Contents contents = with_all_noted(contents_after(number_of_rows));
   for(std::size_t length = 0; length <= expected.size(); length += 12)
   {
     const auto replace = [&](std::string& bytes) {

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <mutex>
 #include <string>
@@ -59,9 +60,12 @@ public:
   Mpi_team(const Mpi_team&) = delete;
   Mpi_team& operator=(const Mpi_team&) = delete;
 
-  /// leaves MPI as it was. All processes have to do so.
+  /// leaves MPI as it was. All processes have to do so; where an exception ends it, nothing is
+  /// done, so that whoever catches the exception can call `MPI_Abort()`.
   ~Mpi_team()
   {
+    if(std::uncaught_exceptions() > m_number_of_exceptions)
+      return;
     MPI_Win_unlock_all(m_window);
     MPI_Win_free(&m_window);
     MPI_Comm_free(&m_communicator);
@@ -127,6 +131,7 @@ private:
     MPI_Bcast(data, static_cast<int>(size), type, 0, m_communicator);
   }
 
+  const int m_number_of_exceptions = std::uncaught_exceptions();
   MPI_Comm m_communicator = MPI_COMM_NULL;
   int m_rank = 0;
   int m_size = 1;

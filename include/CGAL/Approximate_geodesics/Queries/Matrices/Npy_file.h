@@ -105,7 +105,8 @@ public:
     m_first = header(plan.number_of_rows(), plan.number_of_columns()).size();
     m_length_of_row = std::uint64_t(sizeof(T)) * plan.number_of_columns();
     Base::start(
-        plan, "NPY", [this](std::size_t, const auto& record) { return is_there(record); },
+        plan, "NPY", plan.is_symmetric(),
+        [this](std::size_t, const auto& record) { return is_there(record); },
         [this](const std::size_t number_of_rows) {
           this->check_space(number_of_rows * m_length_of_row);
         });
@@ -144,10 +145,11 @@ public:
   /// completes the file, if all rows are there.
   bool finish(bool /* is_done */)
   {
-    const bool result = this->blocks().finish([this] { m_data->sync(); },
-                                              [this](const typename Base::Journals& journals) {
-                                                complete(Base::Blocks::are_all_there(journals));
-                                              });
+    const bool result =
+        this->blocks().finish([this] { m_data->sync(); },
+                              [this](const typename Base::Journals& journals) {
+                                return complete(Base::Blocks::are_all_there(journals));
+                              });
     m_data.reset();
     return result;
   }
@@ -200,8 +202,8 @@ private:
     this->team().wait(); // nobody writes before the file has its length
   }
 
-  // The header comes last, as no checksum tells whether it is still there.
-  void complete(const bool is_noted)
+  // The header comes last, as no checksum tells whether it is still there. Returns the name.
+  std::string complete(const bool is_noted)
   {
     if(is_noted)
       check_length();
@@ -216,7 +218,7 @@ private:
                                                             this->plan().number_of_columns())
           .make_symmetric();
     file.sync();
-    std::filesystem::rename(this->names().part(), this->names().file());
+    return this->names().part();
   }
 
   // All that can be told of distances that were being made symmetric.

@@ -102,7 +102,7 @@ public:
   {
     internal::Sparse_parts<T> parts(this->names(), plan);
     Base::start(
-        plan, "NPZ",
+        plan, "NPZ", false,
         [&](const std::size_t rank, const auto& record) { return parts.is_there(rank, record); },
         [](std::size_t) {}); // who knows how many entries there will be?
     if(!this->blocks().is_anything_missing())
@@ -149,7 +149,7 @@ public:
               parts.add(journal.rank, record);
           parts.put_together(this->names().copy());
           internal::Local_file(this->names().copy()).sync(); // before the parts go
-          std::filesystem::rename(this->names().copy(), this->names().file());
+          return this->names().copy();
         });
     m_data.reset();
     return result;

@@ -61,10 +61,11 @@ protected:
   const Distance_matrix_plan& plan() const { return *m_plan; }
   const Matrix_file_names& names() const { return m_blocks.names(); }
 
-  // `kind` is all that tells apart files with the same distances.
+  // `kind` is all that tells apart files with the same distances. The rest is as for the blocks.
   template <typename IsThere, typename Prepare>
   void start(const Distance_matrix_plan& plan,
              const std::string& kind,
+             const bool are_changed_at_the_end,
              const IsThere& is_there,
              const Prepare& prepare)
   {
@@ -76,7 +77,7 @@ protected:
                                     plan.rows_per_block(), std::size_t(plan.is_symmetric())})
       checksum.add_value(static_cast<std::uint64_t>(number));
     identity.parts[Matrix_identity::KIND] = checksum.value();
-    m_blocks.start(identity, plan, is_there, prepare);
+    m_blocks.start(identity, plan, are_changed_at_the_end, is_there, prepare);
   }
 
   // Refuses to begin what the disk cannot hold.

@@ -65,10 +65,12 @@ public:
   const Matrix_file_names& names() const { return m_names; }
 
   // Finds the blocks that are missing. Calls `is_there(rank, record)` for each block of which the
-  // journal of that rank says so, and `prepare(rows)` with the number of rows to come.
+  // journal of that rank says so, unless they were being changed, and `prepare(rows)` with the
+  // number of rows to come.
   template <typename IsThere, typename Prepare>
   void start(const Matrix_identity& identity,
              const Distance_matrix_plan& plan,
+             const bool are_changed_at_the_end,
              const IsThere& is_there,
              const Prepare& prepare)
   {
@@ -76,7 +78,7 @@ public:
     m_pending.clear(); // of a computation that has failed
     std::vector<std::uint64_t> missing;
     on_first([&] {
-      missing = find_missing(identity, is_there);
+      missing = find_missing(identity, are_changed_at_the_end, is_there);
       prepare(number_of_rows(missing));
     });
     m_team.share(missing);
@@ -123,8 +125,8 @@ public:
       commit(sync);
   }
 
-  // Calls `complete(journals)` if all blocks are there, which is to make the file. Returns whether
-  // it is there.
+  // Calls `complete(journals)` if all blocks are there, which is to make the file, and to return
+  // the name that it has until then. Returns whether the file is there.
   template <typename Sync, typename Complete>
   bool finish(const Sync& sync, const Complete& complete)
   {
@@ -142,11 +144,13 @@ public:
     return is_complete[0] != 0;
   }
 
-  // Notes in the journal of process 0 that all blocks are there, before they are changed.
+  // Notes in the journal of process 0 that all blocks are there, before they or the name of their
+  // file are changed.
   void note_all()
   {
     const Matrix_journal::Contents contents = Matrix_journal::read(m_names.journal(0));
-    Matrix_journal(m_names.journal(0), m_identity, contents).append({Block_record{ALL, 0, 0, 0}});
+    if(!are_all_there({{0, contents}}))
+      Matrix_journal(m_names.journal(0), m_identity, contents).append({Block_record{ALL, 0, 0, 0}});
   }
 
   // Whether that was noted.
@@ -189,7 +193,9 @@ private:
   // Before
 
   template <typename IsThere>
-  std::vector<std::uint64_t> find_missing(const Matrix_identity& identity, const IsThere& is_there)
+  std::vector<std::uint64_t> find_missing(const Matrix_identity& identity,
+                                          const bool are_changed_at_the_end,
+                                          const IsThere& is_there)
   {
     if(!std::filesystem::is_directory(m_names.folder()))
       reject("there is no folder " + m_names.folder());
@@ -204,8 +210,8 @@ private:
         check_identity(m_names.journal(journal.rank), *journal.contents.identity);
         has_begun = true;
       }
-    check_files(has_begun);
-    if(is_file_there() || are_all_there(journals))
+    check_files(has_begun, are_all_there(journals));
+    if(is_file_there() || (are_all_there(journals) && are_changed_at_the_end))
       return {};
     for(Journal& journal : journals)
       drop_wrong_records(journal, is_there);
@@ -235,12 +241,12 @@ private:
                Matrix_journal::remedy());
   }
 
-  void check_files(const bool has_begun) const
+  void check_files(const bool has_begun, const bool are_all_there) const
   {
+    if(is_file_there() && !are_all_there) // it cannot be what the journals are about
+      reject(m_names.file() + " is there already; remove it, or choose another name");
     if(has_begun)
       return;
-    if(is_file_there())
-      reject(m_names.file() + " is there already; remove it, or choose another name");
     const Matrix_file_names::By_rank parts = m_names.parts();
     if(!parts.empty())
       reject(parts.begin()->second + " is there without a journal; " + Matrix_journal::remedy());
@@ -296,17 +302,22 @@ private:
     const Journals journals = read_journals();
     if(!missing_blocks(journals).empty())
       return false;
-    complete(journals);
+    const std::string name = complete(journals);
+    note_all();
+    std::filesystem::rename(name, m_names.file());
     return true;
   }
 
   // Journals go last: whoever finds the file and one of them knows that it is complete.
   void remove_traces() const
   {
-    for(const auto& files : {m_names.parts(), m_names.journals()})
-      for(const auto& [rank, file] : files)
-        std::filesystem::remove(file);
-    std::filesystem::remove(Matrix_journal::replacement(m_names.journal(0)));
+    for(const auto& [rank, file] : m_names.parts())
+      std::filesystem::remove(file);
+    for(const auto& [rank, file] : m_names.journals())
+    {
+      std::filesystem::remove(Matrix_journal::replacement(file));
+      std::filesystem::remove(file);
+    }
   }
 
   Journals read_journals() const
