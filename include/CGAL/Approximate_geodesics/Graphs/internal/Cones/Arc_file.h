@@ -36,7 +36,7 @@ class Arc_file
   using Index = Intrinsic_triangulation::Index;
 
   static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4747444741; // AGDGG, and what text modes spoil
-  static constexpr std::uint32_t VERSION = 1;
+  static constexpr std::uint32_t VERSION = 2;
   static constexpr const char* CONTENTS = "the graph"; // in messages
 
 public:
@@ -55,6 +55,7 @@ public:
     writer.write(epsilon);
     writer.write(double(Cone_rules::SHARE_OF_ENDS));
     writer.write(double(Cone_rules::SHARE_OF_DETOURS));
+    writer.write(double(Cone_rules::SHARE_OF_BENDS));
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     {
       writer.write(static_cast<std::uint32_t>(rows.degree(v)));
@@ -125,7 +126,9 @@ private:
   {
     const auto ends = reader.read<double>();
     const auto detours = reader.read<double>();
-    if(ends != Cone_rules::SHARE_OF_ENDS || detours != Cone_rules::SHARE_OF_DETOURS)
+    const auto bends = reader.read<double>();
+    if(ends != Cone_rules::SHARE_OF_ENDS || detours != Cone_rules::SHARE_OF_DETOURS ||
+       bends != Cone_rules::SHARE_OF_BENDS)
       reject("the graph of the file was built by other rules than those of this version");
   }
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
@@ -34,18 +35,22 @@ struct Straight_arc
 };
 
 /*
- * One boundary ray of a cone: through a vertex that can be reached from the tip. A point x that is
- * seen from the tip and from the vertex is *served* by the vertex if the way over it is good
- * enough, which is the case if it saves enough of the rest of the way: |tip x| - |vertex x| >=
+ * One boundary ray of a cone, which goes through a vertex that can be reached from the tip. A point
+ * x that is seen from the tip is *served* by a vertex, the server, if the way over it is good
+ * enough, which is the case if it saves enough of the rest of the way: |tip x| - |server x| >=
  * saving. Such points are the inside of a branch of a hyperbola, which is convex, and with x it
- * contains all that lies behind it, seen from the tip.
+ * contains all that lies behind it, seen from the tip. At first, the server is the vertex on the
+ * ray. When the ray moves on to a vertex that has no arc, the server may stay behind: see
+ * `move_to()`.
  */
 struct Cone_side
 {
   Plane_vector direction; // of length 1
-  double distance;        // of the vertex
-  double saving;          // at which the cone may end
-  double large_saving;    // at which a vertex needs no arc
+  double distance;        // of the vertex on the ray
+  Plane_vector server;
+  double distance_of_server;
+  double saving;       // at which the cone may end
+  double large_saving; // at which a vertex needs no arc
 
   Plane_vector vertex() const { return distance * direction; }
 
@@ -62,16 +67,36 @@ struct Cone_side
 
   bool serves(const Plane_vector x, const double distance_of_x, const double wanted) const
   {
-    return distance * dot(direction, x) - (distance - wanted) * (distance + wanted) / 2 >=
+    return dot(server, x) - (distance_of_server - wanted) * (distance_of_server + wanted) / 2 >=
            wanted * distance_of_x;
   }
 
   // How far along `ray`, a vector of the given length, x has to be in order to be served.
   double start_of_service(const Plane_vector ray, const double length_of_ray) const
   {
-    const double gain = distance * dot(direction, ray) - saving * length_of_ray;
-    return gain > 0 ? (distance - saving) * (distance + saving) / 2 / gain
+    const double gain = dot(server, ray) - saving * length_of_ray;
+    return gain > 0 ? (distance_of_server - saving) * (distance_of_server + saving) / 2 / gain
                     : std::numeric_limits<double>::infinity();
+  }
+
+  // Turns the ray to x, which is served for the large saving. The way from the server to what lies
+  // behind x may have to bend there, which makes it longer, by `bend` at most. If that is little,
+  // the server goes on with so much less; if not, x takes its place.
+  void move_to(const Plane_vector x, const double distance_of_x)
+  {
+    direction = 1 / distance_of_x * x;
+    distance = distance_of_x;
+    const double way = length(x - server);
+    const double bend = (std::max)(way - distance + dot(server, direction), 0.);
+    const bool stays = bend <= Cone_rules::SHARE_OF_BENDS * (large_saving - saving);
+    const double loss = stays ? bend : way;
+    saving = (std::min)(saving + loss, distance);
+    large_saving = (std::min)(large_saving + loss, distance);
+    if(!stays)
+    {
+      server = x;
+      distance_of_server = distance;
+    }
   }
 };
 

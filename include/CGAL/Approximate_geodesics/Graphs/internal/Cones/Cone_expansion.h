@@ -123,7 +123,12 @@ private:
 
   Cone_side side(const Plane_vector position, const double distance) const
   {
-    return {1 / distance * position, distance, m_rules.part_saved * distance,
+    const Plane_vector direction = 1 / distance * position;
+    return {direction,
+            distance,
+            position,
+            distance,
+            m_rules.part_saved * distance,
             m_rules.large_part_saved * distance};
   }
 
@@ -260,14 +265,6 @@ private:
     return true;
   }
 
-  // The vertex is reached over `side`, and takes its place: the ray goes through it from now on.
-  static void replace(Cone_side& side, const Plane_vector position, const double distance)
-  {
-    const double way = length(position - side.vertex());
-    side = {1 / distance * position, distance, (std::min)(side.saving + way, distance),
-            (std::min)(side.large_saving + way, distance)};
-  }
-
   // One of the sides serves the apex, and so all that is seen between the two.
   template <typename Visitor>
   static bool pass(Cone& cone,
@@ -277,7 +274,7 @@ private:
                    const bool left,
                    const Visitor& visitor)
   {
-    replace(left ? cone.left : cone.right, apex, distance);
+    (left ? cone.left : cone.right).move_to(apex, distance);
     cone.has_middle = false;
     return left ? go_right(cone.window, face, apex, visitor)
                 : go_left(cone.window, face, apex, visitor);
