@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Vertex_search.h>
 
 #include <limits>
 
@@ -192,6 +193,10 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
       "approximate_geodesic_path() does not read one of these named parameters: its documentation "
       "lists those that it does; targets is for approximate_geodesic_distances()");
 
+  if constexpr(AG::internal::concerns_vertices_only<TriangleMesh, NamedParameters, Source,
+                                                    Target>())
+    if(const auto length = AG::internal::write_path_once(tmesh, points, source, target, np))
+      return *length;
   return AG::internal::search_once(tmesh, np, true, [&](auto& search) {
     search.run_to(source, target, AG::internal::positions_for_one_run(search, np), np);
     const AG::Path path = search.find_path(search.translation().intrinsic_point(target), np);

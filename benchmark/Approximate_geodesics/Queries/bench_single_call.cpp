@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // One call of the free function, with everything included, against Boost's Dijkstra on the mesh,
-// including the computation of the edges' lengths. See --help.
+// including the computation of the edges' lengths; and what each step of a call takes. See --help.
 
 #include "measuring/measure.h"
 #include "meshes/Mesh.h"
@@ -14,7 +14,18 @@
 
 #include <CGAL/approximate_geodesic_distances.h>
 
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
+
+namespace AG = CGAL::Approximate_geodesics;
+using Distances = Mesh::Property_map<Vertex, double>;
+
+// ----- one call
+
+// A source of this type may be any point, and makes the function build a triangulation.
+using Any_point = AG::Surface_point<Mesh>;
 
 void compare(Mesh& mesh, const std::string& name, const std::size_t rounds, Table& table)
 {
@@ -24,6 +35,9 @@ void compare(Mesh& mesh, const std::string& name, const std::size_t rounds, Tabl
   Contest contest;
   const auto ours = contest.add([&](const auto round) {
     CGAL::approximate_geodesic_distances(mesh, distances, sources[round]);
+  });
+  const auto with_triangulation = contest.add([&](const auto round) {
+    CGAL::approximate_geodesic_distances(mesh, distances, Any_point(sources[round]));
   });
   const auto theirs = contest.add([&](const auto round) {
     boost.compute_lengths();
@@ -35,23 +49,136 @@ void compare(Mesh& mesh, const std::string& name, const std::size_t rounds, Tabl
       .add(name)
       .add(double(mesh.number_of_vertices()), 0)
       .add(contest.median_seconds(ours) * 1e3, 3)
+      .add(contest.median_seconds(with_triangulation) * 1e3, 3)
       .add(contest.median_seconds(theirs) * 1e3, 3)
-      .add(contest.ratio(ours, theirs), 2);
+      .add(contest.ratio(ours, theirs), 2)
+      .add(contest.ratio(with_triangulation, theirs), 2);
+}
+
+// ----- its steps
+
+// Takes the times of steps that follow each other, round by round.
+class Steps
+{
+public:
+  explicit Steps(const std::size_t number) : m_seconds(number) {}
+
+  void start() { m_next = 0; }
+
+  template <typename F>
+  void time(F f)
+  {
+    m_seconds[m_next++].push_back(seconds_of(f));
+  }
+
+  void add_to(Table& table, const std::string& name) const
+  {
+    auto row = table.add_row();
+    row.add(name);
+    double sum = 0;
+    for(const std::vector<double>& seconds : m_seconds)
+    {
+      sum += median(seconds);
+      row.add(median(seconds) * 1e3, 3);
+    }
+    row.add(sum * 1e3, 3);
+  }
+
+private:
+  std::vector<std::vector<double>> m_seconds;
+  std::size_t m_next = 0;
+};
+
+void take_steps_with_triangulation(const Mesh& mesh,
+                                   const Vertex source,
+                                   Distances distances,
+                                   Steps& steps)
+{
+  std::unique_ptr<AG::Intrinsic_triangulation> triangulation;
+  std::unique_ptr<AG::Edge_graph> graph;
+  std::unique_ptr<AG::Propagation<AG::Edge_graph>> search;
+  const auto node = [&](const Vertex v) { return graph->triangulation().vertex(v); };
+  steps.start();
+  steps.time([&] { triangulation = std::make_unique<AG::Intrinsic_triangulation>(mesh); });
+  steps.time([&] { graph = std::make_unique<AG::Edge_graph>(std::move(*triangulation)); });
+  steps.time([&] { search = std::make_unique<AG::Propagation<AG::Edge_graph>>(*graph); });
+  steps.time([&] { search->run_from(node(source)); });
+  steps.time([&] {
+    for(const Vertex v : mesh.vertices())
+      distances[v] = search->distance(node(v));
+  });
+}
+
+void take_steps(const Mesh& mesh, const Vertex source, Distances distances, Steps& steps)
+{
+  using namespace AG::internal;
+  const auto np = CGAL::parameters::default_values();
+  const auto index_map = vertex_index_map(mesh, np);
+  using Numbers = Vertex_numbers<Mesh, std::decay_t<decltype(index_map)>>;
+  std::unique_ptr<Numbers> numbers;
+  std::unique_ptr<Adjacency_reader<Numbers, std::decay_t<decltype(np)>>> reader;
+  Edge_lengths lengths;
+  std::unique_ptr<Adjacency_graph> graph;
+  std::unique_ptr<AG::Propagation<Adjacency_graph>> search;
+  steps.start();
+  steps.time([&] {
+    numbers = std::make_unique<Numbers>(mesh, index_map, mesh.num_vertices());
+    numbers->list_vertices();
+  });
+  steps.time([&] {
+    reader = std::make_unique<Adjacency_reader<Numbers, std::decay_t<decltype(np)>>>(*numbers, np);
+    reader->read();
+  });
+  steps.time([&] { lengths = reader->lengths(); });
+  steps.time([&] {
+    graph = std::make_unique<Adjacency_graph>(std::move(reader->adjacency()),
+                                              std::move(lengths.of_halfedge), lengths.unit);
+  });
+  steps.time([&] { search = std::make_unique<AG::Propagation<Adjacency_graph>>(*graph); });
+  steps.time([&] { search->run_from(numbers->node(source)); });
+  steps.time([&] {
+    for(const Vertex v : mesh.vertices())
+      distances[v] = search->distance(numbers->node(v));
+  });
+}
+
+void measure_steps(
+    Mesh& mesh, const std::string& name, const std::size_t rounds, Table& table, Table& before)
+{
+  const auto distances = mesh.add_property_map<Vertex, double>("v:steps").first;
+  Steps steps(7), steps_before(5);
+  for(const Vertex source : random_sources(mesh, rounds))
+  {
+    take_steps(mesh, source, distances, steps);
+    take_steps_with_triangulation(mesh, source, distances, steps_before);
+  }
+  steps.add_to(table, name);
+  steps_before.add_to(before, name);
 }
 
 int main(int argc, char* argv[])
 {
   const auto compare_all = [](const Options& options, const Report& report) {
-    Table table({"mesh", "vertices", "free function ms", "Boost ms", "ours : Boost"});
+    const std::size_t rounds = options.number_of_rounds;
+    Table calls({"mesh", "vertices", "free function ms", "with triangulation ms", "Boost ms",
+                 "ours : Boost", "with triangulation : Boost"});
+    Table steps({"mesh", "vertices", "halfedges", "lengths", "graph", "workspace", "search",
+                 "results", "sum"});
+    Table before({"mesh", "triangulation", "graph", "workspace", "search", "results", "sum"});
     for(const std::string& name : options.meshes)
     {
       Mesh mesh = read_mesh(name);
-      compare(mesh, short_name(name), options.number_of_rounds, table);
+      compare(mesh, short_name(name), rounds, calls);
+      measure_steps(mesh, short_name(name), rounds, steps, before);
     }
-    report.print("single_call",
-                 "One call with everything included (medians of " +
-                     std::to_string(options.number_of_rounds) + " sources)",
-                 table);
+    const std::string medians = "medians of " + std::to_string(rounds) + " sources";
+    report.print("single_call", "One call with everything included (" + medians + ")", calls);
+    report.print("single_call_steps", "Its steps, in milliseconds (" + medians + ")", steps);
+    report.print("single_call_steps_with_triangulation",
+                 "The steps of a call that builds a triangulation, as is needed for points that "
+                 "are not vertices (" +
+                     medians + ")",
+                 before);
   };
   return run_benchmark(argc, argv, "bench_single_call", {usual_meshes(), 31, ""}, compare_all);
 }

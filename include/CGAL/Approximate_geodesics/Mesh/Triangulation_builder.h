@@ -80,6 +80,7 @@ public:
     copy_connectivity();
     link_opposites();
     check_sides();
+    free_memory();
     copy_lengths();
     copy_weights();
     copy_barriers();
@@ -284,6 +285,16 @@ private:
                name(checked_index(target(m_halfedges[h], m_mesh))) +
                " has a face, but is not one of those that go round it");
     reject("there are halfedges with a face that is not one of faces()");
+  }
+
+  // Lengths would add to what is not needed any more.
+  void free_memory()
+  {
+    m_frontier = std::vector<vertex_descriptor>();
+    m_number_of_halfedge = std::vector<Index>();
+    if constexpr(!is_any_given<NamedParameters, internal_np::edge_length_t,
+                               internal_np::face_weight_t, internal_np::edge_is_constrained_t>)
+      m_halfedges = std::vector<halfedge_descriptor>();
   }
 
   // ----- lengths, weights, and barriers

@@ -83,28 +83,28 @@ struct Edge_lengths
   std::vector<Space_vector> points; // of vertices, in that unit; none if lengths were given
 };
 
-inline std::string name_of_edge(const Intrinsic_triangulation::Index h,
-                                const Intrinsic_triangulation& triangulation)
+template <typename Connectivity>
+std::string name_of_edge(const typename Connectivity::Index h, const Connectivity& connectivity)
 {
-  return "edge between vertex " + std::to_string(triangulation.index(triangulation.source(h))) +
-         " and vertex " + std::to_string(triangulation.index(triangulation.target(h)));
+  return "edge between vertex " + std::to_string(connectivity.index(connectivity.source(h))) +
+         " and vertex " + std::to_string(connectivity.index(connectivity.target(h)));
 }
 
 // Reads lengths from a map.
-template <typename TriangleMesh, typename Halfedges, typename EdgeLengthMap>
+template <typename TriangleMesh, typename Halfedges, typename EdgeLengthMap, typename Connectivity>
 Edge_lengths given_lengths(const TriangleMesh& tmesh,
                            const Halfedges& halfedges,
                            const EdgeLengthMap& edge_length_map,
-                           const Intrinsic_triangulation& triangulation)
+                           const Connectivity& connectivity)
 {
   Edge_lengths result;
   result.of_halfedge.reserve(halfedges.size());
   double extent = 0;
-  for(Intrinsic_triangulation::Index h = 0; h < halfedges.size(); ++h)
+  for(typename Connectivity::Index h = 0; h < halfedges.size(); ++h)
   {
     const double length = CGAL::to_double(get(edge_length_map, edge(halfedges[h], tmesh)));
     if(!(length >= 0) || std::isinf(length))
-      reject("the " + name_of_edge(h, triangulation) + " has length " + text_of(length) +
+      reject("the " + name_of_edge(h, connectivity) + " has length " + text_of(length) +
              "; it must be a finite number that is not negative");
     result.of_halfedge.push_back(length + 0.0); // turns a negative zero into a positive one
     extent = (std::max)(extent, length);
@@ -125,12 +125,12 @@ Space_vector double_point(const Point_3& p, const Traits& traits)
           CGAL::to_double(traits.compute_z_3_object()(p))};
 }
 
-// The points of the vertices of a mesh, in the order of their numbers in the triangulation.
-template <typename TriangleMesh, typename Vertices, typename NamedParameters>
+// The points of the vertices of a mesh, in the order of their numbers in the connectivity.
+template <typename TriangleMesh, typename Vertices, typename NamedParameters, typename Connectivity>
 std::vector<Space_vector> double_points(const TriangleMesh& tmesh,
                                         const Vertices& vertices,
                                         const NamedParameters& np,
-                                        const Intrinsic_triangulation& triangulation)
+                                        const Connectivity& connectivity)
 {
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
   const Traits traits =
@@ -139,61 +139,62 @@ std::vector<Space_vector> double_points(const TriangleMesh& tmesh,
 
   std::vector<Space_vector> result;
   result.reserve(vertices.size());
-  for(Intrinsic_triangulation::Index v = 0; v < vertices.size(); ++v)
+  for(typename Connectivity::Index v = 0; v < vertices.size(); ++v)
   {
     result.push_back(double_point(get(point_map, vertices[v]), traits));
     for(const double coordinate : result.back())
       if(!std::isfinite(coordinate))
-        reject("vertex " + std::to_string(triangulation.index(v)) +
+        reject("vertex " + std::to_string(connectivity.index(v)) +
                " has a coordinate that is infinite or not a number");
   }
   return result;
 }
 
 // Isolated vertices do not count: they can be anywhere, and need not fit the unit.
-inline Scale scale_of(const std::vector<Space_vector>& points,
-                      const Intrinsic_triangulation& triangulation)
+template <typename Connectivity>
+Scale scale_of(const std::vector<Space_vector>& points, const Connectivity& connectivity)
 {
   double extent = 0;
-  for(Intrinsic_triangulation::Index v = 0; v < points.size(); ++v)
-    if(triangulation.degree(v) > 0)
+  for(typename Connectivity::Index v = 0; v < points.size(); ++v)
+    if(connectivity.degree(v) > 0)
       for(const double coordinate : points[v])
         extent = (std::max)(extent, std::abs(coordinate));
   return Scale(extent);
 }
 
 // Computes lengths from points.
-inline Edge_lengths straight_lengths(std::vector<Space_vector> points,
-                                     const Intrinsic_triangulation& triangulation)
+template <typename Connectivity>
+Edge_lengths straight_lengths(std::vector<Space_vector> points, const Connectivity& connectivity)
 {
-  using Index = Intrinsic_triangulation::Index;
+  using Index = typename Connectivity::Index;
 
-  const Scale scale = scale_of(points, triangulation);
+  const Scale scale = scale_of(points, connectivity);
   for(Space_vector& p : points)
     for(double& coordinate : p)
       coordinate = scale.reduce(coordinate);
 
   Edge_lengths result;
   result.unit = scale.unit();
-  result.of_halfedge.resize(triangulation.number_of_halfedges());
-  for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+  result.of_halfedge.resize(connectivity.number_of_halfedges());
+  for(Index v = 0; v < connectivity.number_of_vertices(); ++v)
+    for(Index h = connectivity.first_halfedge(v); h < connectivity.beyond_halfedge(v); ++h)
       result.of_halfedge[h] =
-          accurate_length(difference(points[v], points[triangulation.target(h)]));
+          accurate_length(difference(points[v], points[connectivity.target(h)]));
   result.points = std::move(points);
   return result;
 }
 
 // Twice the sum of all edges is an upper bound of the length of any path that revisits nothing;
 // where it fits a `double`, so do all distances.
-inline void check_sum(const Edge_lengths& lengths, const Intrinsic_triangulation& triangulation)
+template <typename Connectivity>
+void check_sum(const Edge_lengths& lengths, const Connectivity& connectivity)
 {
   const auto& l = lengths.of_halfedge; // each of an edge is there twice
   if(!std::isinf(Scale::LARGEST_DISTANCE * lengths.unit * static_cast<double>(l.size())))
     return;
   const auto longest = std::max_element(l.begin(), l.end());
   const std::string name =
-      name_of_edge(static_cast<Intrinsic_triangulation::Index>(longest - l.begin()), triangulation);
+      name_of_edge(static_cast<typename Connectivity::Index>(longest - l.begin()), connectivity);
   if(std::isinf(*longest * lengths.unit))
     reject("the length of the " + name + " does not fit a double");
   if(std::isinf(std::accumulate(l.begin(), l.end(), 0.) * lengths.unit))
@@ -203,21 +204,25 @@ inline void check_sum(const Edge_lengths& lengths, const Intrinsic_triangulation
 }
 
 // Reads the lengths of the edges of a mesh, whose vertices and halfedges are given by their numbers
-// in the triangulation.
-template <typename TriangleMesh, typename Vertices, typename Halfedges, typename NamedParameters>
+// in the connectivity.
+template <typename TriangleMesh,
+          typename Vertices,
+          typename Halfedges,
+          typename NamedParameters,
+          typename Connectivity>
 Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
                                const Vertices& vertices,
                                const Halfedges& halfedges,
                                const NamedParameters& np,
-                               const Intrinsic_triangulation& triangulation)
+                               const Connectivity& connectivity)
 {
   Edge_lengths result;
   if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
     result = given_lengths(tmesh, halfedges,
-                           parameters::get_parameter(np, internal_np::edge_length), triangulation);
+                           parameters::get_parameter(np, internal_np::edge_length), connectivity);
   else
-    result = straight_lengths(double_points(tmesh, vertices, np, triangulation), triangulation);
-  check_sum(result, triangulation);
+    result = straight_lengths(double_points(tmesh, vertices, np, connectivity), connectivity);
+  check_sum(result, connectivity);
   return result;
 }
 

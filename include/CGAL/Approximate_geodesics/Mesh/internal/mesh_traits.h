@@ -47,6 +47,17 @@ constexpr bool is_source<TriangleMesh, T, std::void_t<Begin_of_range<T>>> =
     is_surface_point<TriangleMesh, T> ||
     is_surface_point<TriangleMesh, std::decay_t<Begin_of_range<T>>>;
 
+// Whether `T` is a vertex of a mesh, or a range of them.
+template <typename TriangleMesh, typename T, typename = void>
+constexpr bool are_vertices =
+    std::is_convertible_v<T, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>;
+
+template <typename TriangleMesh, typename T>
+constexpr bool are_vertices<TriangleMesh, T, std::void_t<Begin_of_range<T>>> =
+    std::is_convertible_v<T, typename boost::graph_traits<TriangleMesh>::vertex_descriptor> ||
+    std::is_convertible_v<std::decay_t<Begin_of_range<T>>,
+                          typename boost::graph_traits<TriangleMesh>::vertex_descriptor>;
+
 // Whether points are those of a kernel, which computes others from them.
 template <typename Point, typename = void>
 constexpr bool is_point_of_kernel = false;

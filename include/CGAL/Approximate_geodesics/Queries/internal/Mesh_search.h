@@ -17,8 +17,8 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Vertex_predecessors.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Vertex_results.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Vertex_visitor.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
@@ -127,19 +127,11 @@ public:
     return internal::point(m_translation, p, m_point_map, np);
   }
 
-  // Writes the distances, and what else the named parameters ask for. All memory for that is
-  // allocated before anything is written.
+  // Writes the distances, and what else the named parameters ask for.
   template <typename VertexDistanceMap, typename NamedParameters>
   void write_results(VertexDistanceMap distances, const NamedParameters& np) const
   {
-    if constexpr(is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
-    {
-      Vertex_predecessors<typename Surface_search::Search> predecessors(m_search.search());
-      write_distances_and_sources(distances, np);
-      write_predecessors(predecessors, np);
-    }
-    else
-      write_distances_and_sources(distances, np);
+    Vertex_results(m_search.search(), m_translation).write(distances, np);
   }
 
 private:
@@ -165,82 +157,10 @@ private:
 
   // Under the visitor that the named parameters give, if any.
   template <typename NamedParameters>
-  void run(std::vector<Source_point> sources,
-           const Stop_rule& stop,
-           [[maybe_unused]] const NamedParameters& np)
+  void run(std::vector<Source_point> sources, const Stop_rule& stop, const NamedParameters& np)
   {
-    if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
-    {
-      auto visitor = parameters::get_parameter(np, internal_np::visitor);
-      m_search.run(std::move(sources), stop, make_vertex_visitor(visitor, m_translation));
-    }
-    else
-      m_search.run(std::move(sources), stop);
-  }
-
-  template <typename NamedParameters>
-  static void set_initial_distances([[maybe_unused]] const NamedParameters& np,
-                                    [[maybe_unused]] std::vector<Source_point>& sources)
-  {
-    if constexpr(is_given<NamedParameters, internal_np::initial_distances_t>)
-    {
-      std::size_t number = 0;
-      for(const auto& distance : parameters::get_parameter(np, internal_np::initial_distances))
-      {
-        if(number < sources.size())
-          sources[number].distance = CGAL::to_double(distance);
-        ++number;
-      }
-      if(number != sources.size())
-        reject("there are " + std::to_string(number) + " initial distances, and " +
-               std::to_string(sources.size()) + " sources");
-    }
-  }
-
-  template <typename VertexDistanceMap, typename NamedParameters>
-  void write_distances_and_sources(VertexDistanceMap distances,
-                                   [[maybe_unused]] const NamedParameters& np) const
-  {
-    const auto& search = m_search.search();
-    constexpr bool with_sources = is_given<NamedParameters, internal_np::nearest_source_t>;
-    if constexpr(with_sources)
-      allocate_sources();
-    for(const vertex_descriptor v : vertices(m_translation.mesh()))
-      put(distances, v, search.distance(m_translation.node(v)));
-    if constexpr(with_sources)
-    {
-      const auto sources = parameters::get_parameter(np, internal_np::nearest_source);
-      using Value = typename boost::property_traits<std::decay_t<decltype(sources)>>::value_type;
-      for(const vertex_descriptor v : vertices(m_translation.mesh()))
-        put(sources, v, static_cast<Value>(search.source(m_translation.node(v))));
-    }
-  }
-
-  // What the first question for a source allocates is enough for all.
-  void allocate_sources() const
-  {
-    const auto& search = m_search.search();
-    for(const Node node : search.reached_nodes())
-      if(search.source(node) != Surface_search::null_source)
-        return;
-  }
-
-  template <typename Predecessors, typename NamedParameters>
-  void write_predecessors(Predecessors& predecessors, const NamedParameters& np) const
-  {
-    const auto map = parameters::get_parameter(np, internal_np::geodesic_predecessor);
-    for(const vertex_descriptor v : vertices(m_translation.mesh()))
-      put(map, v, predecessor(v, predecessors));
-  }
-
-  template <typename Predecessors>
-  vertex_descriptor predecessor(const vertex_descriptor v, Predecessors& predecessors) const
-  {
-    const Node node = m_translation.node(v);
-    if(!m_search.search().is_reached(node))
-      return boost::graph_traits<Triangle_mesh>::null_vertex();
-    const Node before = predecessors(node);
-    return before == Surface_search::Search::null_node ? v : m_translation.vertex(before);
+    run_with_visitor(np, m_translation,
+                     [&](auto&& visitor) { m_search.run(std::move(sources), stop, visitor); });
   }
 
   const Translation& m_translation;

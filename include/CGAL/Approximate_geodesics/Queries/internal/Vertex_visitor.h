@@ -8,6 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+
 #include <cstddef>
 #include <functional>
 
@@ -58,6 +61,21 @@ Vertex_visitor<Visitor, Vertices> make_vertex_visitor(std::reference_wrapper<Vis
                                                       const Vertices& vertices)
 {
   return {visitor.get(), vertices};
+}
+
+// Calls `run` with the visitor of nodes that the named parameters give, or with an idle one.
+template <typename NamedParameters, typename Vertices, typename Run>
+void run_with_visitor([[maybe_unused]] const NamedParameters& np,
+                      [[maybe_unused]] const Vertices& vertices,
+                      Run run)
+{
+  if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
+  {
+    auto visitor = parameters::get_parameter(np, internal_np::visitor);
+    run(make_vertex_visitor(visitor, vertices));
+  }
+  else
+    run(Geodesic_visitor_base());
 }
 
 } // namespace internal

@@ -15,7 +15,11 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/number_utils.h>
 
+#include <cstddef>
+#include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -34,17 +38,44 @@ constexpr void refuse_run_parameters()
       "build_sequence_tree(), straighten is for a path, initial distances go with sources");
 }
 
+template <typename NamedParameters>
+double maximum_distance(const NamedParameters& np)
+{
+  return CGAL::to_double(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_distance),
+                                   std::numeric_limits<double>::infinity()));
+}
+
 // Reads the named parameters that say how far a run goes.
 template <typename StopRule, typename Translation, typename NamedParameters>
 StopRule stop_rule(const Translation& translation, const NamedParameters& np)
 {
   StopRule result;
-  result.maximum_distance = CGAL::to_double(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::maximum_distance), result.maximum_distance));
+  result.maximum_distance = maximum_distance(np);
   if constexpr(is_given<NamedParameters, internal_np::targets_t>)
     for(const auto& target : parameters::get_parameter(np, internal_np::targets))
       result.targets.push_back(translation.intrinsic_point(target));
   return result;
+}
+
+// Reads what distances start with: members of `sources`, which may be seeds.
+template <typename NamedParameters, typename Source>
+void set_initial_distances([[maybe_unused]] const NamedParameters& np,
+                           [[maybe_unused]] std::vector<Source>& sources)
+{
+  if constexpr(is_given<NamedParameters, internal_np::initial_distances_t>)
+  {
+    std::size_t number = 0;
+    for(const auto& distance : parameters::get_parameter(np, internal_np::initial_distances))
+    {
+      if(number < sources.size())
+        sources[number].distance = CGAL::to_double(distance);
+      ++number;
+    }
+    if(number != sources.size())
+      reject("there are " + std::to_string(number) + " initial distances, and " +
+             std::to_string(sources.size()) + " sources");
+  }
 }
 
 // Shortens a path, if the named parameters ask for it.
