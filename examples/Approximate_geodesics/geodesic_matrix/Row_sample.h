@@ -59,7 +59,7 @@ public:
   std::optional<std::size_t> next_block()
   {
     const std::size_t number = m_next++, size = m_plan->number_of_blocks();
-    if(number >= size || m_stopwatch.seconds() > 1)
+    if(number >= size || (number > 0 && m_stopwatch.seconds() > 1))
       return std::nullopt;
     return number * m_stride % size;
   }

@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -100,6 +102,35 @@ TEST_P(Interrupted_file, goes_on_after_an_error)
   Matrix_watcher watcher;
   EXPECT_TRUE(run.compute(job, watcher));
   EXPECT_EQ(watcher.numbers_done.size(), 0u);
+  expect_complete(job);
+}
+
+TEST_P(Interrupted_file, is_not_taken_for_one_that_was_put_there_meanwhile)
+{
+  const Matrix_job job(4);
+  Matrix_watcher watcher([&](const std::size_t number_done) {
+    if(number_done == 5)
+      std::ofstream(folder.file("distances")) << "another";
+    return true;
+  });
+  expect_message<std::invalid_argument>([&] { file.compute(job, watcher); }, " is there already");
+  EXPECT_EQ(folder.bytes("distances"), "another");
+  std::filesystem::remove(folder.file("distances"));
+  expect_incomplete();
+  EXPECT_TRUE(file.compute(job));
+  expect_complete(job);
+}
+
+TEST_P(Interrupted_file, is_computed_by_one_object_at_a_time)
+{
+  const Matrix_job job(4);
+  Matrix_watcher watcher([&](const std::size_t number_done) {
+    if(number_done == 5)
+      expect_message<std::invalid_argument>([&] { file.compute(job); },
+                                            " is being computed by this program already");
+    return true;
+  });
+  EXPECT_TRUE(file.compute(job, watcher));
   expect_complete(job);
 }
 

@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <new>
 #include <type_traits>
 
 namespace CGAL {
@@ -81,6 +83,10 @@ public:
     m_number_of_rows = 0;
     m_number_of_columns = plan.number_of_columns();
     m_distances.reset(); // before there is another one
+    if(m_number_of_columns > 0 &&
+       plan.number_of_rows() >
+           (std::numeric_limits<std::size_t>::max)() / sizeof(T) / m_number_of_columns)
+      throw std::bad_array_new_length();
     // not initialized: each thread is the first that touches the pages of its rows
     m_distances.reset(new T[plan.number_of_rows() * plan.number_of_columns()]);
     m_rows_to_come = plan.number_of_rows();

@@ -60,8 +60,10 @@ public:
   /// \name Creation
   /// @{
 
-  /// names the file. It is opened when the computation starts. What is lost if this process is
-  /// killed is at most what was computed in the last `seconds_between_commits`.
+  /// names the file. It is opened when the computation starts. If this process is killed, the
+  /// blocks are lost that threads are at, of 64 rows at most, and those that were completed since
+  /// the last record: records are written when a block is complete, but not more often than every
+  /// `seconds_between_commits`.
   explicit Npy_file(std::string file, const double seconds_between_commits = 1)
     : Base(std::move(file), seconds_between_commits)
   {

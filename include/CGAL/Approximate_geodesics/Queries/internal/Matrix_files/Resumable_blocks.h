@@ -135,7 +135,7 @@ public:
     m_team.wait();
     std::vector<std::uint64_t> is_complete{0};
     on_first([&] {
-      is_complete[0] = is_file_there() || complete_file(complete);
+      is_complete[0] = m_was_complete || complete_file(complete);
       if(is_complete[0] != 0)
         remove_traces();
       m_lock.reset();
@@ -211,7 +211,8 @@ private:
         has_begun = true;
       }
     check_files(has_begun, are_all_there(journals));
-    if(is_file_there() || (are_all_there(journals) && are_changed_at_the_end))
+    m_was_complete = is_file_there();
+    if(m_was_complete || (are_all_there(journals) && are_changed_at_the_end))
       return {};
     for(Journal& journal : journals)
       drop_wrong_records(journal, is_there);
@@ -243,13 +244,19 @@ private:
 
   void check_files(const bool has_begun, const bool are_all_there) const
   {
-    if(is_file_there() && !are_all_there) // it cannot be what the journals are about
-      reject(m_names.file() + " is there already; remove it, or choose another name");
+    if(!are_all_there) // what is there cannot be what the journals are about
+      check_is_not_there();
     if(has_begun)
       return;
     const Matrix_file_names::By_rank parts = m_names.parts();
     if(!parts.empty())
       reject(parts.begin()->second + " is there without a journal; " + Matrix_journal::remedy());
+  }
+
+  void check_is_not_there() const
+  {
+    if(is_file_there())
+      reject(m_names.file() + " is there already; remove it, or choose another name");
   }
 
   std::vector<std::uint64_t> missing_blocks(const Journals& journals) const
@@ -302,21 +309,24 @@ private:
     const Journals journals = read_journals();
     if(!missing_blocks(journals).empty())
       return false;
+    check_is_not_there(); // it was put there meanwhile
     const std::string name = complete(journals);
     note_all();
     std::filesystem::rename(name, m_names.file());
     return true;
   }
 
-  // Journals go last: whoever finds the file and one of them knows that it is complete.
+  // Journals go last, and that of process 0 last of all: whoever finds it beside the file knows
+  // that the file is complete.
   void remove_traces() const
   {
     for(const auto& [rank, file] : m_names.parts())
       std::filesystem::remove(file);
-    for(const auto& [rank, file] : m_names.journals())
+    const Matrix_file_names::By_rank journals = m_names.journals();
+    for(auto journal = journals.rbegin(); journal != journals.rend(); ++journal)
     {
-      std::filesystem::remove(Matrix_journal::replacement(file));
-      std::filesystem::remove(file);
+      std::filesystem::remove(Matrix_journal::replacement(journal->second));
+      std::filesystem::remove(journal->second);
     }
   }
 
@@ -344,6 +354,7 @@ private:
   const Distance_matrix_plan* m_plan = nullptr;
   Matrix_identity m_identity;        // process 0 only
   std::unique_ptr<File_lock> m_lock; // process 0 only
+  bool m_was_complete = false;       // process 0 only: at the start
   std::vector<std::uint64_t> m_missing;
   std::size_t m_rows_before = 0;
   std::atomic<std::size_t> m_rows_done{0};
