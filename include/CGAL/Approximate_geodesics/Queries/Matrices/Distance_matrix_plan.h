@@ -102,7 +102,7 @@ private:
         (std::max<std::size_t>)(1, m_number_of_columns) * sizeof(double);
     const bool is_sparse =
         m_number_of_nearest > 0 || m_maximum_distance < std::numeric_limits<double>::infinity();
-    const std::size_t by_memory = is_sparse ? most : bytes / size_of_row;
+    const std::size_t by_memory = (is_sparse ? 4 : 1) * bytes / size_of_row;
     const std::size_t result = (std::min)({number_of_rows() / blocks, most, by_memory});
     return (std::max<std::size_t>)(1, result);
   }

@@ -148,7 +148,7 @@ public:
           internal::Sparse_parts<T> parts(this->names(), this->plan());
           for(const auto& journal : journals)
             for(const internal::Block_record& record : journal.contents.records)
-              parts.add(journal.rank, record);
+              parts.add(journal.rank, record); // if it is still there
           parts.put_together(this->names().copy());
           internal::Local_file(this->names().copy()).sync(); // before the parts go
           return this->names().copy();

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Bulk_checksum.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -100,6 +101,9 @@ std::uint64_t checksum_of_graph(const Graph& graph)
   Bulk_checksum result;
   result.add_value(static_cast<std::uint64_t>(graph.number_of_nodes()));
   result.add_value(graph.unit());
+  const Arc_lengths lengths = graph.arc_lengths();
+  for(const double length : {lengths.shortest, lengths.mean, lengths.longest})
+    result.add_value(length);
   if constexpr(boost::is_detected_v<Epsilon_of, Graph>)
     result.add_value(graph.epsilon());
   return result.value();

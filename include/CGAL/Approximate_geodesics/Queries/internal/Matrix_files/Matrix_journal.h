@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -63,11 +64,17 @@ public:
     }
   };
 
+  // Nothing was written if there is no file.
   static Contents read(const std::string& file)
   {
+    Contents result;
+    if(!std::filesystem::exists(file))
+      return result;
+    errno = 0;
     std::ifstream in(file, std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
-    Contents result;
+    if(!in)
+      fail_to("read", file);
     if(bytes.size() < LENGTH_OF_HEADER)
       return result;
     result.identity = read_header(file, bytes);

@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -72,9 +73,12 @@ public:
            checksum(bytes) == record.checksum;
   }
 
-  // Finds out where the entries of a block's rows are.
+  // Finds out where the entries of a block's rows are, and whether they are still there.
   void add(const std::size_t rank, const Block_record& record)
   {
+    if(!is_there(rank, record))
+      throw std::runtime_error("Approximate_geodesics: " + m_names.part(rank) +
+                               " was changed by another program; the same call mends it");
     const auto rows = m_plan.rows_of_block(static_cast<std::size_t>(record.block));
     std::vector<std::uint32_t> numbers(rows.size());
     read(rank, record.offset, numbers);
