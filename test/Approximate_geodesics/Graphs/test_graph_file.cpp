@@ -127,10 +127,10 @@ TEST_F(Graph_file, is_refused_if_it_is_something_else)
 {
   expect_refused("", m_mesh, "too early");
   expect_refused("OFF\n8 12 0\n0 0 0\n", m_mesh, "not that of a discrete geodesic graph");
-  for(const char version : {1, 7}) // an older one, and a newer one
+  for(const int version : {1, 7}) // an older one, and a newer one
   {
     std::string other = m_file;
-    other[8] = version;
+    other[8] = static_cast<char>(version);
     expect_refused(other, m_mesh, "version " + std::to_string(version));
   }
 }
