@@ -1,6 +1,8 @@
 #ifndef GEODESIC_DISTANCES_OPTIONS_H
 #define GEODESIC_DISTANCES_OPTIONS_H
 
+#include "../command_line/read_options.h"
+
 #include <boost/program_options.hpp>
 
 #include <cstdint>
@@ -83,24 +85,14 @@ inline void print_help(const boost::program_options::options_description& descri
 
 inline Options parse_options(const int argc, char* argv[])
 {
-  namespace po = boost::program_options;
   Options options;
-  const po::options_description description = describe_options(options);
-  po::options_description all;
-  all.add(description).add_options()("mesh", po::value(&options.input), "the mesh");
-  po::positional_options_description positions;
-  positions.add("mesh", 1);
-
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positions).run(), values);
-  po::notify(values);
+  const boost::program_options::options_description description = describe_options(options);
+  const auto values = read_options(argc, argv, description, options.input);
   options.is_along_edges = values.count("epsilon") == 0;
   if(options.sources.empty())
     options.sources = {"0"};
   if(options.asks_for_help)
     print_help(description);
-  else if(options.input.empty())
-    throw std::invalid_argument("no mesh given (it comes before the options); try --help");
   return options;
 }
 
