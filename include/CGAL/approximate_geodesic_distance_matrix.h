@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Sequential_exact_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Matrices/distance_matrix.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Matrices/matrix_points.h>

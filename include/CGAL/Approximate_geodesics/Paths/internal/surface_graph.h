@@ -43,6 +43,14 @@ template <typename SurfaceGraph>
 constexpr bool has_positions =
     boost::is_detected_convertible_v<Intrinsic_point, Position_of_node, SurfaceGraph>;
 
+template <typename T>
+using Triangulation_of = decltype(std::declval<const T&>().triangulation());
+
+// Whether an argument is a graph, and not a mesh.
+template <typename T>
+constexpr bool is_surface_graph =
+    boost::is_detected_convertible_v<const Intrinsic_triangulation&, Triangulation_of, T>;
+
 // Where a node is.
 template <typename SurfaceGraph>
 Intrinsic_point position(const SurfaceGraph& graph, const typename SurfaceGraph::Node node)
@@ -61,8 +69,6 @@ struct Check_surface_graph
   using End = Intrinsic_point::Index;
 
   template <typename G>
-  using Triangulation = decltype(std::declval<const G&>().triangulation());
-  template <typename G>
   using Crossing = decltype(std::declval<const G&>().for_each_crossing(
       std::declval<End>(), std::declval<End>(), 1., std::declval<F>()));
   template <typename G>
@@ -79,10 +85,9 @@ struct Check_surface_graph
   using Crossing_to_point = decltype(std::declval<Attachment<G>>().for_each_crossing(
       std::declval<Intrinsic_point>(), 1., std::declval<F>()));
 
-  static_assert(
-      boost::is_detected_convertible_v<const Intrinsic_triangulation&, Triangulation, Graph>,
-      "A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation() "
-      "const`.");
+  static_assert(is_surface_graph<Graph>,
+                "A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation() "
+                "const`.");
   static_assert(!has_crossing_arcs<Graph> || needs_bounds<Graph> ||
                     boost::is_detected_convertible_v<double, Crossing, Graph>,
                 "A model of SurfaceGraph must have `double for_each_crossing(Node source, Node "

@@ -10,11 +10,9 @@
 
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <boost/type_traits/detected_or.hpp>
 #include <boost/type_traits/is_detected.hpp>
-#include <boost/type_traits/is_detected_convertible.hpp>
 
 #include <cstddef>
 #include <type_traits>
@@ -54,15 +52,6 @@ template <typename Rows>
 constexpr bool can_be_symmetric =
     boost::detected_or_t<std::false_type, Can_be_symmetric, Rows>::value;
 
-// Whether an argument is a graph, and not a mesh.
-template <typename T>
-using Triangulation_of = decltype(std::declval<const T&>().triangulation());
-template <typename T>
-constexpr bool is_surface_graph =
-    boost::is_detected_convertible_v<const Intrinsic_triangulation&, Triangulation_of, T>;
-
-// Returns whether rows can be handed over. If they cannot, the compiler says why, and that is all
-// it has to say.
 template <typename Rows>
 constexpr bool check_rows()
 {
