@@ -11,9 +11,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <ios>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -189,6 +191,39 @@ TEST_F(Graph_file, is_refused_with_two_arcs_to_one_target)
       expect_refused(out.str(), m_mesh, "damaged");
     else
       EXPECT_EQ(loaded(out.str(), m_mesh).number_of_arcs(), 2 * t.number_of_vertices());
+  }
+}
+
+TEST(Stored_arcs, are_rounded_up_and_no_farther_than_needed)
+{
+  constexpr float largest = (std::numeric_limits<float>::max)();
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(AG::internal::round_up(0), 0);
+  for(const double x : {1., 1 + 1e-12, 1 - 1e-12, 1. / 3, 2. / 3, 1e-30, 1e-42, 1e-300, 3e38,
+                        static_cast<double>(largest), std::nextafter(double(largest), 1e300)})
+  {
+    const float rounded = AG::internal::round_up(x);
+    EXPECT_GE(static_cast<double>(rounded), x);
+    EXPECT_LT(static_cast<double>(std::nextafter(rounded, -infinity)), x);
+  }
+}
+
+TEST(Stored_arcs, are_sorted_alike_whether_few_or_many)
+{
+  for(std::size_t size = 0; size <= AG::internal::FEW_ARCS; ++size)
+  {
+    std::vector<AG::internal::Stored_arc> few;
+    for(std::size_t i = 0; i < size; ++i) // some targets several times
+      few.push_back({static_cast<std::uint32_t>(i * 7919 % 97), static_cast<float>(i * 31 % 17)});
+    std::vector<AG::internal::Stored_arc> many = few;
+    AG::internal::sort_few_arcs(few);
+    AG::internal::sort_many_arcs(many);
+    ASSERT_EQ(few.size(), many.size());
+    for(std::size_t i = 0; i < few.size(); ++i)
+    {
+      EXPECT_EQ(few[i].target, many[i].target);
+      EXPECT_EQ(few[i].length, many[i].length);
+    }
   }
 }
 
