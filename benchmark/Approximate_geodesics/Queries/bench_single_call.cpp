@@ -66,9 +66,15 @@ public:
   void start() { m_next = 0; }
 
   template <typename F>
-  void time(F f)
+  double time(F f)
   {
-    m_seconds[m_next++].push_back(seconds_of(f));
+    return add(seconds_of(f));
+  }
+
+  double add(const double seconds)
+  {
+    m_seconds[m_next++].push_back(seconds);
+    return seconds;
   }
 
   void add_to(Table& table, const std::string& name) const
@@ -142,6 +148,61 @@ void take_steps(const Mesh& mesh, const Vertex source, Distances distances, Step
   });
 }
 
+// What the constructor does one after the other, and what it takes as a whole: the rest is for
+// lengths and thin faces.
+void take_steps_of_triangulation(const Mesh& mesh, Steps& steps)
+{
+  using namespace AG::internal;
+  const auto np = CGAL::parameters::default_values();
+  const auto index_map = vertex_index_map(mesh, np);
+  using Numbers = Vertex_numbers<Mesh, std::decay_t<decltype(index_map)>>;
+  Numbers numbers(mesh, index_map, mesh.num_vertices());
+  Adjacency_reader<Numbers, std::decay_t<decltype(np)>> reader(numbers, np);
+  steps.start();
+  double rest = -steps.time([&] { numbers.list_vertices(); });
+  rest -= steps.time([&] { reader.read_with_faces(); });
+  rest -= steps.time([&] {
+    Breadth_first_order order(reader.adjacency());
+    for(const Vertex root : mesh.vertices())
+      order.add_component(numbers.node(root));
+    order.finish();
+  });
+  std::unique_ptr<AG::Intrinsic_triangulation> triangulation;
+  rest += seconds_of([&] { triangulation = std::make_unique<AG::Intrinsic_triangulation>(mesh); });
+  steps.add(rest);
+}
+
+void take_steps_across_faces(const Mesh& mesh, const Vertex source, Steps& steps)
+{
+  using Graph = AG::Lazy_discrete_geodesic_graph;
+  std::unique_ptr<AG::Intrinsic_triangulation> triangulation;
+  std::unique_ptr<Graph> graph;
+  std::unique_ptr<AG::Propagation<Graph>> search;
+  steps.start();
+  steps.time([&] { triangulation = std::make_unique<AG::Intrinsic_triangulation>(mesh); });
+  steps.time([&] {
+    graph = std::make_unique<Graph>(std::move(*triangulation), CGAL::parameters::epsilon(0.1));
+  });
+  steps.time([&] { search = std::make_unique<AG::Propagation<Graph>>(*graph); });
+  steps.time([&] { search->run_from(graph->triangulation().vertex(source)); });
+}
+
+void measure_building(const Mesh& mesh,
+                      const std::string& name,
+                      const std::size_t rounds,
+                      Table& table,
+                      Table& across)
+{
+  Steps steps(4), steps_across(4);
+  for(const Vertex source : random_sources(mesh, rounds))
+  {
+    take_steps_of_triangulation(mesh, steps);
+    take_steps_across_faces(mesh, source, steps_across);
+  }
+  steps.add_to(table, name);
+  steps_across.add_to(across, name);
+}
+
 void measure_steps(
     Mesh& mesh, const std::string& name, const std::size_t rounds, Table& table, Table& before)
 {
@@ -165,11 +226,14 @@ int main(int argc, char* argv[])
     Table steps({"mesh", "vertices", "halfedges", "lengths", "graph", "workspace", "search",
                  "results", "sum"});
     Table before({"mesh", "triangulation", "graph", "workspace", "search", "results", "sum"});
+    Table building({"mesh", "vertices", "halfedges", "order", "lengths", "sum"});
+    Table across({"mesh", "triangulation", "graph", "workspace", "search", "sum"});
     for(const std::string& name : options.meshes)
     {
       Mesh mesh = read_mesh(name);
       compare(mesh, short_name(name), rounds, calls);
       measure_steps(mesh, short_name(name), rounds, steps, before);
+      measure_building(mesh, short_name(name), rounds, building, across);
     }
     const std::string medians = "medians of " + std::to_string(rounds) + " sources";
     report.print("single_call", "One call with everything included (" + medians + ")", calls);
@@ -179,6 +243,10 @@ int main(int argc, char* argv[])
                  "are not vertices (" +
                      medians + ")",
                  before);
+    report.print("single_call_triangulation",
+                 "The steps of building that triangulation (" + medians + ")", building);
+    report.print("single_call_across_faces",
+                 "The steps of a call with epsilon 0.1 (" + medians + ")", across);
   };
   return run_benchmark(argc, argv, "bench_single_call", {usual_meshes(), 31, ""}, compare_all);
 }

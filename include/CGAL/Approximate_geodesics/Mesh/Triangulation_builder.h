@@ -11,6 +11,9 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Adjacency_reader.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Breadth_first_order.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Vertex_numbers.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/halfedge_groups.h>
@@ -36,6 +39,10 @@ namespace internal {
  * mesh is traversed and its input is checked, with the help of the headers on links of faces,
  * lengths, and weights.
  *
+ * Where the mesh is right in every respect, and nothing was removed from it, its links are read in
+ * the order of its memory. If not, the mesh is traversed step by step, to find out what is wrong,
+ * or that it can be used as it is; this comes to the same, and takes more time.
+ *
  * One traversal numbers the vertices and writes the halfedge groups at the same time: the group of
  * a vertex is read when its turn comes, and numbers its new neighbors. Numbers follow
  * a breadth-first order; on large meshes, one patch of the surface after the other, so that
@@ -55,7 +62,12 @@ class Triangulation_builder
   using Halfedge_index_map = decltype(halfedge_index_map(std::declval<const TriangleMesh&>(),
                                                          std::declval<const NamedParameters&>()));
 
-  static constexpr std::size_t SIZE_OF_PATCH = 32768; // smaller ones make small meshes slower
+  using Numbers = Vertex_numbers<TriangleMesh, Vertex_index_map>;
+
+  static constexpr bool needs_halfedges = is_any_given<NamedParameters,
+                                                       internal_np::edge_length_t,
+                                                       internal_np::face_weight_t,
+                                                       internal_np::edge_is_constrained_t>;
 
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
@@ -76,11 +88,14 @@ public:
   void build()
   {
     check_size();
-    check_faces();
-    copy_connectivity();
-    link_opposites();
-    check_sides();
-    free_memory();
+    if(!read_links())
+    {
+      check_faces();
+      copy_connectivity();
+      link_opposites();
+      check_sides();
+      free_memory();
+    }
     copy_lengths();
     copy_weights();
     copy_barriers();
@@ -97,6 +112,57 @@ private:
                               std::to_string(m_number_of_vertices) + " vertices and " +
                               std::to_string(m_number_of_halfedges) +
                               " halfedges, more than 32-bit numbers can tell apart");
+  }
+
+  // Returns whether the mesh is as usual; else there is no result.
+  bool read_links()
+  {
+    Numbers numbers(m_mesh, m_vertex_index_map, m_number_of_vertices);
+    if(!numbers.list_vertices())
+      return false;
+    Adjacency_reader<Numbers, NamedParameters> reader(numbers, m_np);
+    if(!reader.read_with_faces())
+      return false;
+    Breadth_first_order order(reader.adjacency());
+    for(const vertex_descriptor root : vertices(m_mesh))
+      order.add_component(numbers.node(root));
+    order.finish();
+    m_result.m_vertex_of_index = std::move(order.vertex_of_index());
+    m_result.m_index_of_vertex = std::move(order.index_of_vertex());
+    take(order.result());
+    list_elements(numbers);
+    return true;
+  }
+
+  void take(Connectivity& connectivity)
+  {
+    m_result.m_first_halfedge = std::move(connectivity.first_of_vertex);
+    m_result.m_target = std::move(connectivity.target_of_halfedge);
+    m_result.m_is_border = std::move(connectivity.is_border);
+    m_result.m_opposite_rank = std::move(connectivity.opposite_rank);
+    m_result.m_number_of_faces = static_cast<Index>(connectivity.number_of_faces);
+  }
+
+  // Lists the vertices in the order of their numbers, and the halfedges, if something is to be read
+  // from them.
+  void list_elements(const Numbers& numbers)
+  {
+    m_vertices.reserve(m_number_of_vertices);
+    for(const Index i : m_result.m_index_of_vertex)
+      m_vertices.push_back(numbers.vertex(i));
+    if constexpr(needs_halfedges)
+    {
+      m_halfedges.reserve(m_number_of_halfedges);
+      for(Index v = 0; v < m_result.number_of_vertices(); ++v)
+      {
+        halfedge_descriptor h = first_halfedge_from(m_vertices[v], m_mesh);
+        for(Index left = m_result.degree(v); left > 0; --left)
+        {
+          m_halfedges.push_back(h);
+          h = counterclockwise(h, m_mesh);
+        }
+      }
+    }
   }
 
   void check_faces()
@@ -292,8 +358,7 @@ private:
   {
     m_frontier = std::vector<vertex_descriptor>();
     m_number_of_halfedge = std::vector<Index>();
-    if constexpr(!is_any_given<NamedParameters, internal_np::edge_length_t,
-                               internal_np::face_weight_t, internal_np::edge_is_constrained_t>)
+    if constexpr(!needs_halfedges)
       m_halfedges = std::vector<halfedge_descriptor>();
   }
 
@@ -301,11 +366,13 @@ private:
 
   void copy_lengths()
   {
-    Edge_lengths lengths = read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, m_result);
+    Sharp_corners corners(m_result);
+    Edge_lengths lengths =
+        read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, m_result, corners);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
     if(!lengths.points.empty())
-      m_result.m_thin_faces = thin_faces(lengths.points, m_result);
+      m_result.m_thin_faces = thin_faces(std::move(corners).faces(), lengths.points, m_result);
   }
 
   void copy_weights()

@@ -162,9 +162,22 @@ Scale scale_of(const std::vector<Space_vector>& points, const Connectivity& conn
   return Scale(extent);
 }
 
-// Computes lengths from points.
-template <typename Connectivity>
-Edge_lengths straight_lengths(std::vector<Space_vector> points, const Connectivity& connectivity)
+// For those who want to know nothing of edges but their lengths; see `Sharp_corners`.
+struct No_corners
+{
+  template <typename Index>
+  void add(const Index /* h */, const Space_vector& /* way */)
+  {
+  }
+  void finish() {}
+};
+
+// Computes lengths from points. Shows `corners` the ways along the halfedges of each vertex, one
+// after the other.
+template <typename Connectivity, typename Corners>
+Edge_lengths straight_lengths(std::vector<Space_vector> points,
+                              const Connectivity& connectivity,
+                              Corners& corners)
 {
   using Index = typename Connectivity::Index;
 
@@ -177,9 +190,15 @@ Edge_lengths straight_lengths(std::vector<Space_vector> points, const Connectivi
   result.unit = scale.unit();
   result.of_halfedge.resize(connectivity.number_of_halfedges());
   for(Index v = 0; v < connectivity.number_of_vertices(); ++v)
+  {
     for(Index h = connectivity.first_halfedge(v); h < connectivity.beyond_halfedge(v); ++h)
-      result.of_halfedge[h] =
-          accurate_length(difference(points[v], points[connectivity.target(h)]));
+    {
+      const Space_vector way = difference(points[v], points[connectivity.target(h)]);
+      result.of_halfedge[h] = accurate_length(way);
+      corners.add(h, way);
+    }
+    corners.finish();
+  }
   result.points = std::move(points);
   return result;
 }
@@ -209,19 +228,22 @@ template <typename TriangleMesh,
           typename Vertices,
           typename Halfedges,
           typename NamedParameters,
-          typename Connectivity>
+          typename Connectivity,
+          typename Corners>
 Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
                                const Vertices& vertices,
                                const Halfedges& halfedges,
                                const NamedParameters& np,
-                               const Connectivity& connectivity)
+                               const Connectivity& connectivity,
+                               Corners& corners)
 {
   Edge_lengths result;
   if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
     result = given_lengths(tmesh, halfedges,
                            parameters::get_parameter(np, internal_np::edge_length), connectivity);
   else
-    result = straight_lengths(double_points(tmesh, vertices, np, connectivity), connectivity);
+    result =
+        straight_lengths(double_points(tmesh, vertices, np, connectivity), connectivity, corners);
   check_sum(result, connectivity);
   return result;
 }

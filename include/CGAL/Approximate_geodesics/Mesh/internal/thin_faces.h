@@ -14,8 +14,10 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 // Computes the shapes of thin faces from coordinates, with twice as many digits as these have.
@@ -62,27 +64,95 @@ inline Thin_face thin_face(const Space_vector& p, const Space_vector& q, const S
   return result;
 }
 
-// The faces of a triangulation whose shapes its lengths say too little of. Its vertices have these
-// points, in its unit.
-inline Thin_faces thin_faces(const std::vector<Space_vector>& points,
-                             const Intrinsic_triangulation& triangulation)
+/*
+ * Collects the faces that may be thin, going by their smallest angle, while lengths are computed:
+ * it is below 2.2 degrees in a face that is thin. Others are not looked at again.
+ */
+class Sharp_corners
 {
+public:
   using Index = Intrinsic_triangulation::Index;
 
-  Thin_faces result;
-  for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+  // The triangulation has its connectivity already.
+  explicit Sharp_corners(const Intrinsic_triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  // Adds the next halfedge around a vertex, counterclockwise, which leads that way.
+  void add(const Index h, const Space_vector& way)
+  {
+    const Side side{way, dot(way, way), h};
+    if(m_is_first)
+      m_first = side;
+    else
+      add_corner(m_last, side);
+    m_last = side;
+    m_is_first = false;
+  }
+
+  // To be called after the last one.
+  void finish()
+  {
+    if(!m_is_first)
+      add_corner(m_last, m_first);
+    m_is_first = true;
+  }
+
+  // The halfedges with the smallest numbers of their faces, in order.
+  std::vector<Index> faces() &&
+  {
+    std::sort(m_faces.begin(), m_faces.end());
+    m_faces.erase(std::unique(m_faces.begin(), m_faces.end()), m_faces.end());
+    return std::move(m_faces);
+  }
+
+private:
+  struct Side
+  {
+    Space_vector way;
+    double squared_length;
+    Index halfedge;
+  };
+
+  void add_corner(const Side& right, const Side& left)
+  {
+    constexpr double squared_cosine = 1 - 1. / 256; // of 3.6 degrees: rounding does no harm
+    constexpr double smallest = 0x1p-960; // below, products may have lost bits to underflow
+    const double scalar_product = dot(right.way, left.way);
+    const double product = right.squared_length * left.squared_length;
+    const bool is_sharp =
+        scalar_product > 0 && scalar_product * scalar_product > squared_cosine * product;
+    if((is_sharp || product < smallest) && !m_triangulation.is_border(right.halfedge))
     {
-      const Index third = triangulation.counterclockwise(v, h); // seen from the other end
-      const Index target = triangulation.target(h), apex = triangulation.target(third);
-      if((target < v) | (apex < v) || triangulation.is_border(h)) // mostly another one is the first
-        continue;
-      const Thin_faces::Halfedges sides = triangulation.halfedges_of_face(h);
-      if(h < sides[1] && h < sides[2] &&
-         Thin_faces::is_thin(triangulation.length(h), triangulation.length(sides[1]),
-                             triangulation.length(third)))
-        result.add(sides, thin_face(points[v], points[target], points[apex]));
+      const auto sides = m_triangulation.halfedges_of_face(right.halfedge);
+      m_faces.push_back(*std::min_element(sides.begin(), sides.end()));
     }
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  std::vector<Index> m_faces;
+  Side m_first{}, m_last{};
+  bool m_is_first = true;
+};
+
+// The thin ones of some faces of a triangulation, those whose shapes its lengths say too little of.
+// Faces are given by their first halfedges, in order. The vertices have these points, in the unit
+// of the triangulation.
+inline Thin_faces thin_faces(const std::vector<Intrinsic_triangulation::Index>& faces,
+                             const std::vector<Space_vector>& points,
+                             const Intrinsic_triangulation& triangulation)
+{
+  Thin_faces result;
+  for(const auto h : faces)
+  {
+    const Thin_faces::Halfedges sides = triangulation.halfedges_of_face(h);
+    if(Thin_faces::is_thin(triangulation.length(h), triangulation.length(sides[1]),
+                           triangulation.length(sides[2])))
+      result.add(sides,
+                 thin_face(points[triangulation.target(sides[2])], points[triangulation.target(h)],
+                           points[triangulation.target(sides[1])]));
+  }
   result.shrink_to_fit();
   return result;
 }

@@ -8,6 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -45,6 +48,18 @@ public:
       m_large_rank[h] = rank;
     }
   }
+
+  // Copies those of `number` halfedges of `other`, from `first` on, to those from `h` on.
+  void copy(const Opposite_ranks& other, const Index first, const Index number, const Index h)
+  {
+    if(other.m_large_rank.empty())
+      std::copy_n(other.m_rank.data() + first, number, m_rank.data() + h);
+    else
+      for(Index i = 0; i < number; ++i)
+        set(h + i, other.rank_of_opposite(first + i));
+  }
+
+  void prefetch(const Index h) const { internal::prefetch(m_rank.data(), h); }
 
   std::size_t memory() const
   {
