@@ -61,6 +61,7 @@ public:
   void finish()
   {
     m_index_of_vertex.pop_back();
+    m_index_of_vertex.shrink_to_fit();
     for(const Index h : m_beyond)
     {
       Index& target = m_result.target_of_halfedge[h];
