@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_cache.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <utility>
@@ -84,6 +86,14 @@ public:
    *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
    *     \cgalParamDefault{`0.1`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{concurrency_tag}
+   *     \cgalParamDescription{whether several threads take part in each search of the graph. The
+   *                           result does not depend on their number.}
+   *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
+   *                    `CGAL::Parallel_if_available_tag`}
+   *     \cgalParamDefault{`CGAL::Sequential_tag`}
+   *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB.}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, if a face breaks
@@ -95,8 +105,9 @@ public:
   explicit Lazy_discrete_geodesic_graph(Intrinsic_triangulation triangulation,
                                         const NamedParameters& np = parameters::default_values(),
                                         const Arcs arcs = Arcs::FORGOTTEN)
-    : m_triangulation(std::move(triangulation)),
-      m_unfolding(m_triangulation),
+    : m_loop(internal::Loop::with_tag<Concurrency_tag<NamedParameters>>()),
+      m_triangulation(std::move(triangulation)),
+      m_unfolding(m_triangulation, m_loop),
       m_rules(internal::checked_epsilon(np)),
       m_edge_lengths(summarize_arc_lengths(m_triangulation.lengths())),
       m_unit(internal::unit_of_arcs(m_triangulation))
@@ -156,6 +167,14 @@ public:
       f(arc.target, static_cast<double>(arc.length) * m_unit);
   }
 
+  /// \cond SKIP_IN_MANUAL
+
+  // Whether several threads may look for arcs at the same time, and how they are called.
+  bool is_parallel() const { return m_loop.is_parallel(); }
+  const internal::Loop& loop() const { return m_loop; }
+
+  /// \endcond
+
   /*!
    * calls `f(h, t)` for every edge that the arc of the given length from `source` to `target`
    * crosses, in this order: at the point that is at the part `t` of the way from the source to the
@@ -201,6 +220,10 @@ public:
 private:
   using Expansion = internal::Cone_expansion<internal::Unfolding>;
 
+  template <typename NamedParameters>
+  using Concurrency_tag = typename internal_np::
+      Lookup_named_param_def<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type;
+
   // Does without a window if all that lies behind it is reached well enough over an end of the
   // window's edge, going by the labels: if, for every point x of the window,
   //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.
@@ -224,6 +247,7 @@ private:
     double factor;
   };
 
+  internal::Loop m_loop; // first, as it is used to make the others
   Intrinsic_triangulation m_triangulation;
   internal::Unfolding m_unfolding;
   internal::Cone_rules m_rules;

@@ -99,10 +99,10 @@ public:
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Saddle_vertex_graph(Intrinsic_triangulation triangulation,
                                const NamedParameters& np = parameters::default_values())
-    : m_edges(checked(std::move(triangulation), np)),
-      m_steps(m_edges.triangulation()),
-      m_bends(m_edges.triangulation(), m_steps),
-      m_loop(internal::Loop::with_tag<Concurrency_tag<NamedParameters>>())
+    : m_loop(internal::Loop::with_tag<Concurrency_tag<NamedParameters>>()),
+      m_edges(checked(std::move(triangulation), np)),
+      m_steps(m_edges.triangulation(), m_loop),
+      m_bends(m_edges.triangulation(), m_steps)
   {
   }
 
@@ -251,10 +251,10 @@ private:
 
   static constexpr std::size_t NUMBER_OF_PARTS = 64;
 
+  internal::Loop m_loop; // first, as it is used to make the others
   Edge_graph m_edges;
   internal::Face_steps m_steps;
   internal::Bends m_bends;
-  internal::Loop m_loop;
 };
 
 } // namespace Approximate_geodesics

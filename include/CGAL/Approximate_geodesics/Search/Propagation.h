@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Bounded_labels.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Candidate_list.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Goal.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Input_check.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
@@ -338,7 +339,7 @@ public:
   std::size_t memory() const
   {
     return m_labels.memory() + m_queue.memory() + m_sources.memory() +
-           m_seeds.capacity() * sizeof(Seed) + m_candidates.capacity() * sizeof(Candidate);
+           m_seeds.capacity() * sizeof(Seed) + m_candidates.memory();
   }
 
 private:
@@ -545,14 +546,13 @@ private:
   }
 
   using Labels = internal::Labels_of<Graph>;
-  using Candidate = internal::Candidate_of<Graph>;
 
   const Graph* m_graph;
   Labels m_labels;
   Queue m_queue;
-  std::vector<Candidate> m_candidates;         // memory for a batch
-  mutable internal::Nearest_sources m_sources; // found when first asked for
-  std::vector<Seed> m_seeds;                   // of the last run, distances in units of the graph
+  internal::Candidate_list<Graph> m_candidates; // of a batch; memory is kept
+  mutable internal::Nearest_sources m_sources;  // found when first asked for
+  std::vector<Seed> m_seeds;                    // of the last run, distances in units of the graph
   Propagation_statistics m_statistics;
   bool m_counts = false;
   bool m_ended_early = false;

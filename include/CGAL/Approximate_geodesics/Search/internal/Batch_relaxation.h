@@ -10,17 +10,17 @@
 
 #include <CGAL/Approximate_geodesics/Search/internal/Bounded_labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Candidate.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Candidate_list.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Parallel_expansion.h>
 #include <CGAL/Approximate_geodesics/Search/internal/heuristics.h>
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
-#include <CGAL/assertions.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -43,14 +43,13 @@ template <typename Graph, typename Queue, typename Labels, typename Heuristic, t
 class Batch_relaxation
 {
   using Node = internal::Labels::Node;
-  using Candidate = Candidate_of<Graph>;
 
 public:
   // `candidates` is memory to work in, and `limit` the largest distance, in units of the graph.
   Batch_relaxation(const Graph& graph,
                    Queue& queue,
                    Labels& labels,
-                   std::vector<Candidate>& candidates,
+                   Candidate_list<Graph>& candidates,
                    const Heuristic& heuristic,
                    const double limit,
                    const Counter& counter)
@@ -80,8 +79,10 @@ public:
       extract();
       if(!watch.go_further(m_size))
         return false;
+      if(relax_in_parallel())
+        continue;
       find_candidates();
-      lower_labels();
+      lower_labels(m_candidates);
     }
     return true;
   }
@@ -116,40 +117,34 @@ private:
     m_size = order.size() - first;
   }
 
-  // The second loop: looks at the arcs of these nodes. Each arc is written down as a candidate; if
-  // it does not lower the label of its end, the next one overwrites it.
+  // The second loop: looks at the arcs of these nodes, and writes down those that lower a label.
   void find_candidates()
   {
     const auto& order = m_labels.order();
     const double* const distances = m_labels.distances(); // kept in a register
-    m_number_of_candidates = 0;
-    if constexpr(needs_bounds<Graph>)
-      if(Parallel_expansion<Graph>::is_useful(m_graph, number_of_tasks()))
-        return find_candidates_in_parallel();
+    m_candidates.clear();
     for(std::size_t i = order.size() - m_size; i < order.size(); ++i)
     {
       m_counter.on_expansion();
       const Node node = order[i];
-      const double distance = distances[node];
-      Candidate* end = end_of_candidates();
-      const Arc_visitor visitor{*this, distances, distance, node, end};
-      if constexpr(needs_bounds<Graph>)
-        m_graph.for_each_arc(node, limited_labels(), visitor);
+      if constexpr(may_have_threads<Graph>)
+        append_arcs(m_candidates, node, whole_node, m_counter);
       else
-        m_graph.for_each_arc(node, m_labels, visitor);
-      m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
+        m_candidates.append(m_graph, node, distances, m_counter, [&](const auto& visitor) {
+          m_graph.for_each_arc(node, labels(), visitor);
+        });
       if constexpr(needs_expansion_history<Graph>)
         m_labels.set_expanded(node);
     }
   }
 
   // The third loop: lowers the labels of the ends of candidates, and enters these nodes.
-  void lower_labels()
+  void lower_labels(const Candidate_list<Graph>& candidates)
   {
     const double* const distances = m_labels.distances(); // kept in a register
-    for(std::size_t i = 0; i < m_number_of_candidates; ++i)
+    for(std::size_t i = 0; i < candidates.size(); ++i)
     {
-      const Candidate c = m_candidates[i];
+      const auto c = candidates[i];
       // still, after the earlier ones
       if(c.distance < distances[c.node] && c.distance <= m_limit)
       {
@@ -164,116 +159,63 @@ private:
 
   decltype(auto) next_batch()
   {
-    if constexpr(needs_bounds<Graph> && has_rounds<Queue>)
+    if constexpr(may_have_threads<Graph> && has_rounds<Queue>)
       if(m_graph.is_parallel())
         return m_queue.extract_round();
     return m_queue.extract_min();
   }
 
-  Limited_labels<Labels, Heuristic> limited_labels() const
+  // as the graph sees them
+  decltype(auto) labels() const
   {
-    return Limited_labels<Labels, Heuristic>(m_labels, m_limit, m_heuristic);
+    if constexpr(needs_bounds<Graph>)
+      return Limited_labels<Labels, Heuristic>(m_labels, m_limit, m_heuristic);
+    else
+      return static_cast<const Labels&>(m_labels);
   }
 
-  // What threads can do at the same time for the nodes of the batch.
-  std::size_t number_of_tasks() const
+  // Not inline, so that there is one compilation of it, whoever calls it: it may round otherwise in
+  // another one, and be slower.
+  BOOST_NOINLINE void append_arcs(Candidate_list<Graph>& candidates,
+                                  const Node node,
+                                  [[maybe_unused]] const std::size_t part,
+                                  const Counter& counter) const
   {
-    const auto& order = m_labels.order();
-    std::size_t result = 0;
-    for(std::size_t i = order.size() - m_size; i < order.size(); ++i)
-      result += m_graph.number_of_parts(order[i], limited_labels());
-    return result;
+    candidates.append(m_graph, node, m_labels.distances(), counter, [&](const auto& visitor) {
+      if constexpr(has_parts<Graph>)
+        if(part != whole_node)
+          return m_graph.for_each_arc_of_part(node, part, labels(), visitor);
+      m_graph.for_each_arc(node, labels(), visitor);
+    });
   }
 
-  void find_candidates_in_parallel()
+  // The second and the third loop with the graph's threads. Returns false, and does nothing, if
+  // these are not worth their while.
+  bool relax_in_parallel()
   {
-    const auto& order = m_labels.order();
-    for(std::size_t i = 0; i < m_size; ++i)
-      m_counter.on_expansion();
-    m_parallel_expansion.expand(
-        m_graph, order.data() + (order.size() - m_size), m_size, limited_labels(),
-        [&](const std::vector<Candidate>& found) {
-          if(m_candidates.size() < m_number_of_candidates + found.size())
-            m_candidates.resize(2 * (m_number_of_candidates + found.size()));
-          std::copy(found.begin(), found.end(),
-                    m_candidates.begin() + static_cast<std::ptrdiff_t>(m_number_of_candidates));
-          m_number_of_candidates += found.size();
-          for(std::size_t i = 0; i < found.size(); ++i)
-            m_counter.on_relaxation();
-        });
-  }
-
-  // Writes down where the arcs of a node lead.
-  struct Arc_visitor
-  {
-    void operator()(const Node target, const double length) const
+    if constexpr(may_have_threads<Graph>)
     {
-      if constexpr(!has_maximum_degree<Graph>)
-        end = batch.with_room_at(end);
-      end = append(end, target, length);
-    }
-
-    // an arc that arrives in a certain way
-    template <typename Arrival>
-    void operator()(const Node target, const double length, const Arrival& arrival) const
-    {
-      Candidate* const position = batch.with_room_at(end);
-      end = append(position, target, length);
-      position->arrival = arrival;
-    }
-
-    // arcs to consecutive nodes
-    void operator()(const Node first, const double* const lengths, const std::size_t number) const
-    {
-      if constexpr(!has_maximum_degree<Graph>)
-        for(std::size_t i = 0; i < number; ++i)
-          (*this)(first + static_cast<Node>(i), lengths[i]);
-      else
+      const auto& order = m_labels.order();
+      const Node* const nodes = order.data() + (order.size() - m_size);
+      if(!m_graph.is_parallel() || !m_expansion.prepare(m_graph, nodes, m_size, labels()))
+        return false;
+      m_expansion.run(m_graph.loop(), m_counter,
+                      [this](auto&&... arguments) { append_arcs(arguments...); });
+      for(std::size_t i = 0; i < m_size; ++i)
       {
-        Candidate* beyond = end; // kept in a register
-        for(std::size_t i = 0; i < number; ++i)
-          beyond = append(beyond, first + static_cast<Node>(i), lengths[i]);
-        end = beyond;
+        m_counter.on_expansion();
+        if constexpr(needs_expansion_history<Graph>)
+          m_labels.set_expanded(nodes[i]);
       }
+      m_expansion.for_each_list([this](const auto& candidates) { lower_labels(candidates); });
+      return true;
     }
-
-    Candidate* append(Candidate* const position, const Node target, const double length) const
-    {
-      batch.m_counter.on_relaxation();
-      CGAL_assertion(position < batch.m_candidates.data() + batch.m_candidates.size());
-      static_cast<internal::Candidate&>(*position) = {distance + length, target, node};
-      return position + static_cast<std::ptrdiff_t>(position->distance < distances[target]);
-    }
-
-    Batch_relaxation& batch;
-    const double* distances; // labels
-    double distance;
-    Node node;
-    Candidate*& end;
-  };
-
-  // Returns where the next candidates go. There is room for those of a node if the graph knows how
-  // many these may be, or for one.
-  Candidate* end_of_candidates()
-  {
-    std::size_t room = 1;
-    if constexpr(has_maximum_degree<Graph>)
-      room = m_graph.maximum_degree();
-    if(m_candidates.size() < m_number_of_candidates + room)
-      m_candidates.resize(2 * (m_number_of_candidates + room));
-    return m_candidates.data() + m_number_of_candidates;
-  }
-
-  // Makes room for one more, which may move those that are there.
-  Candidate* with_room_at(const Candidate* end)
-  {
-    m_number_of_candidates = static_cast<std::size_t>(end - m_candidates.data());
-    return end_of_candidates();
+    return false;
   }
 
   // Along an arc, a consistent heuristic falls by no more than the length of the arc, but for
   // rounding; and keys must not fall.
-  double key(const Candidate& c) const
+  double key(const internal::Candidate& c) const
   {
     if constexpr(is_heuristic<Heuristic>)
       return (std::max)(c.distance + m_heuristic(c.node), m_smallest_key);
@@ -284,14 +226,13 @@ private:
   const Graph& m_graph;
   Queue& m_queue;
   Labels& m_labels;
-  std::vector<Candidate>& m_candidates;
-  std::size_t m_number_of_candidates = 0;
+  Candidate_list<Graph>& m_candidates;
   const Heuristic& m_heuristic;
   double m_limit;
   double m_smallest_key = 0; // of the batch, if there is a heuristic
   std::size_t m_size = 0;
   Counter m_counter;
-  Parallel_expansion<Graph> m_parallel_expansion; // empty unless the graph has threads
+  Parallel_expansion<Graph> m_expansion; // empty unless the graph has threads
 };
 
 } // namespace internal

@@ -23,6 +23,9 @@ struct No_counter
   void on_expansion() const {}
   void on_relaxation() const {}
   void on_improvement() const {}
+
+  No_counter with(Propagation_statistics& /* share */) const { return {}; }
+  void add(const Propagation_statistics& /* share */) const {}
 };
 
 // Counts for statistics.
@@ -36,6 +39,13 @@ struct Counter
   void on_expansion() const { ++statistics.pops; }
   void on_relaxation() const { ++statistics.relaxations; }
   void on_improvement() const { ++statistics.improvements; }
+
+  // what one of several threads counts, and what is made of it
+  Counter with(Propagation_statistics& share) const { return {share}; }
+  void add(const Propagation_statistics& share) const
+  {
+    statistics.relaxations += share.relaxations;
+  }
 
   Propagation_statistics& statistics;
 };

@@ -37,6 +37,9 @@ using Needs_expansion_history = std::bool_constant<Graph::needs_expansion_histor
 template <typename Graph>
 using Arrival_at_node = typename Graph::Arrival;
 
+template <typename Graph>
+using Loop_of_threads = decltype(std::declval<const Graph&>().loop());
+
 template <typename Queue>
 using Statistics = decltype(std::declval<const Queue&>().statistics());
 
@@ -68,6 +71,14 @@ struct No_arrival
 
 template <typename Graph>
 using Arrival_of = boost::detected_or_t<No_arrival, Arrival_at_node, Graph>;
+
+// Whether a graph may have threads that look for arcs at the same time.
+template <typename Graph>
+constexpr bool may_have_threads = boost::is_detected_v<Loop_of_threads, Graph>;
+
+// Whether a graph with threads may divide the arcs of a node among them.
+template <typename Graph>
+constexpr bool has_parts = may_have_threads<Graph>&& needs_bounds<Graph>;
 
 // Whether a queue can hand out batches that are larger than usual.
 template <typename Queue>

@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Search/Propagation_rules.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Candidate.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Candidate_list.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/counters.h>
 #include <CGAL/Approximate_geodesics/Search/internal/watches.h>
@@ -41,7 +41,7 @@ void search_edges(const EdgeGraph& edges,
     labels.set(seed.node, distance, Labels::null_node);
     queue.push(seed.node, distance + heuristic(seed.node));
   }
-  std::vector<Candidate> candidates;
+  Candidate_list<EdgeGraph> candidates;
   Batch_relaxation<EdgeGraph, Queue, Labels, Heuristic, No_counter> batch(
       edges, queue, labels, candidates, heuristic, limit, No_counter());
   Goal_watch watch(labels, std::move(goal));

@@ -8,10 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -69,18 +71,25 @@ inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
 // What `unfold(triangulation, source, h)` makes of the faces of all halfedges.
 // Throws if a face breaks the triangle inequality.
 template <typename Face, typename Unfold>
-std::vector<Face> unfold_all(const Intrinsic_triangulation& triangulation, Unfold unfold)
+std::vector<Face>
+unfold_all(const Intrinsic_triangulation& triangulation, const Loop& loop, Unfold unfold)
 {
   using Index = Intrinsic_triangulation::Index;
   std::vector<Face> result(triangulation.number_of_halfedges());
-  bool is_suspicious = false;
-  for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-    {
-      result[h] = unfold(triangulation, v, h);
-      is_suspicious = is_suspicious || !(result[h].across > 0);
-    }
-  if(is_suspicious) // an impossible face has got no area
+  std::atomic<bool> is_any_suspicious(false);
+  loop.run_blocks(
+      triangulation.number_of_vertices(), [&](const std::size_t first, const std::size_t beyond) {
+        bool is_suspicious = false;
+        for(Index v = static_cast<Index>(first); v < beyond; ++v)
+          for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+          {
+            result[h] = unfold(triangulation, v, h);
+            is_suspicious = is_suspicious || !(result[h].across > 0);
+          }
+        if(is_suspicious)
+          is_any_suspicious = true;
+      });
+  if(is_any_suspicious) // an impossible face has got no area
     triangulation.check_triangle_inequality();
   return result;
 }
@@ -95,9 +104,9 @@ public:
   using Index = Intrinsic_triangulation::Index;
 
   // Throws if a face breaks the triangle inequality.
-  explicit Unfolding(const Intrinsic_triangulation& triangulation)
-    : m_faces(
-          unfold_all<Unfolded_face>(triangulation, [](const auto& t, const Index v, const Index h) {
+  explicit Unfolding(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
+    : m_faces(unfold_all<Unfolded_face>(
+          triangulation, loop, [](const auto& t, const Index v, const Index h) {
             return unfolded_face(t, v, h);
           }))
   {

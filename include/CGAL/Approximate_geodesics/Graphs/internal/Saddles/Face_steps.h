@@ -69,8 +69,8 @@ public:
   using Index = Intrinsic_triangulation::Index;
 
   // Throws if a face breaks the triangle inequality.
-  explicit Face_steps(const Intrinsic_triangulation& triangulation)
-    : m_steps(unfold_all<Face_step>(triangulation, face_step))
+  explicit Face_steps(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
+    : m_steps(unfold_all<Face_step>(triangulation, loop, face_step))
   {
   }
 
