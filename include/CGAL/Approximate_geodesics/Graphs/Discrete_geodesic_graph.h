@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_file.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
@@ -22,7 +23,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 #include <CGAL/for_each.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -108,11 +108,8 @@ public:
                                    const NamedParameters& np = parameters::default_values())
     : m_triangulation(std::move(triangulation)), m_rules(internal::checked_epsilon(np))
   {
-    using Concurrency_tag =
-        typename internal_np::Lookup_named_param_def<internal_np::concurrency_tag_t,
-                                                     NamedParameters, Sequential_tag>::type;
     internal::reject_weights(m_triangulation, np, "Discrete_geodesic_graph");
-    build<Concurrency_tag>();
+    build<internal::Concurrency_tag<NamedParameters>>();
   }
 
   /// @}
@@ -225,7 +222,8 @@ private:
   template <typename ConcurrencyTag>
   void build()
   {
-    const internal::Unfolding unfolding(m_triangulation);
+    const internal::Unfolding unfolding(m_triangulation,
+                                        internal::Loop::with_tag<ConcurrencyTag>());
     const Node number_of_vertices = m_triangulation.number_of_vertices();
     std::vector<internal::Compressed_arcs> blocks((number_of_vertices + SIZE_OF_BLOCK - 1) /
                                                   SIZE_OF_BLOCK);

@@ -21,7 +21,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <utility>
@@ -105,7 +104,7 @@ public:
   explicit Lazy_discrete_geodesic_graph(Intrinsic_triangulation triangulation,
                                         const NamedParameters& np = parameters::default_values(),
                                         const Arcs arcs = Arcs::FORGOTTEN)
-    : m_loop(internal::Loop::with_tag<Concurrency_tag<NamedParameters>>()),
+    : m_loop(internal::Loop::with_tag<internal::Concurrency_tag<NamedParameters>>()),
       m_triangulation(std::move(triangulation)),
       m_unfolding(m_triangulation, m_loop),
       m_rules(internal::checked_epsilon(np)),
@@ -219,10 +218,6 @@ public:
 
 private:
   using Expansion = internal::Cone_expansion<internal::Unfolding>;
-
-  template <typename NamedParameters>
-  using Concurrency_tag = typename internal_np::
-      Lookup_named_param_def<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type;
 
   // Does without a window if all that lies behind it is reached well enough over an end of the
   // window's edge, going by the labels: if, for every point x of the window,

@@ -99,7 +99,7 @@ public:
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Saddle_vertex_graph(Intrinsic_triangulation triangulation,
                                const NamedParameters& np = parameters::default_values())
-    : m_loop(internal::Loop::with_tag<Concurrency_tag<NamedParameters>>()),
+    : m_loop(internal::Loop::with_tag<internal::Concurrency_tag<NamedParameters>>()),
       m_edges(checked(std::move(triangulation), np)),
       m_steps(m_edges.triangulation(), m_loop),
       m_bends(m_edges.triangulation(), m_steps)
@@ -244,10 +244,6 @@ private:
         internal::reject("Saddle_vertex_graph gives exact distances: epsilon must be 0, if given");
     return triangulation;
   }
-
-  template <typename NamedParameters>
-  using Concurrency_tag = typename internal_np::
-      Lookup_named_param_def<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type;
 
   static constexpr std::size_t NUMBER_OF_PARTS = 64;
 

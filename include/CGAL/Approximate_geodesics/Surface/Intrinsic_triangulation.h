@@ -134,6 +134,15 @@ public:
    *                    `bool` as value type}
    *     \cgalParamDefault{unused: no edge is a barrier}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{concurrency_tag}
+   *     \cgalParamDescription{whether several threads compute lengths and the shapes of thin faces
+   *                           at the same time; only one reads `tmesh` and property maps. The
+   *                           result is the same.}
+   *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
+   *                    `CGAL::Parallel_if_available_tag`}
+   *     \cgalParamDefault{`CGAL::Sequential_tag`}
+   *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB.}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{vertex_index_map}
    *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
    *                           between `0` and `num_vertices(tmesh) - 1`}

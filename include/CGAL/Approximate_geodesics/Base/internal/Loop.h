@@ -33,7 +33,9 @@ namespace internal {
 class Loop
 {
 public:
-  using Turn = std::function<void(std::size_t)>;
+  using Turn = std::function<void(std::size_t, std::size_t)>;
+
+  static constexpr std::size_t SIZE_OF_BLOCK = 4096; // a fraction of a millisecond, for vertices
 
   template <typename ConcurrencyTag>
   static Loop with_tag()
@@ -53,7 +55,18 @@ public:
 
   bool is_parallel() const { return m_run != nullptr; }
 
-  // Calls `turn(i)` for all numbers below `size`. \pre The loop is parallel.
+  // the largest number of threads that may take turns now
+  static std::size_t number_of_threads()
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+#else
+    return 1;
+#endif
+  }
+
+  // Calls `turn(i, thread)` for all numbers `i` below `size`; no two threads at a time have the
+  // same number, which is below `number_of_threads()`. \pre The loop is parallel.
   void run(const std::size_t size, const Turn& turn) const { m_run(size, turn); }
 
   // Calls `f(first, beyond)` for blocks of the numbers below `size`, or for all at once if the loop
@@ -61,13 +74,13 @@ public:
   template <typename F>
   void run_blocks(const std::size_t size, const F& f) const
   {
-    constexpr std::size_t size_of_block = 4096;
-    if(!is_parallel() || size <= size_of_block)
+    if(!is_parallel() || size <= SIZE_OF_BLOCK)
       f(std::size_t(0), size);
     else
-      run((size + size_of_block - 1) / size_of_block, [&](const std::size_t i) {
-        f(i * size_of_block, (std::min)((i + 1) * size_of_block, size));
-      });
+      run((size + SIZE_OF_BLOCK - 1) / SIZE_OF_BLOCK,
+          [&](const std::size_t i, std::size_t /* thread */) {
+            f(i * SIZE_OF_BLOCK, (std::min)((i + 1) * SIZE_OF_BLOCK, size));
+          });
   }
 
 private:
@@ -77,11 +90,11 @@ private:
   static void run_all(const std::size_t size, const Turn& turn)
   {
     std::atomic<std::size_t> next(0);
-    const auto take_turns = [&](const tbb::blocked_range<std::size_t>& /* threads */) {
+    const auto take_turns = [&](const tbb::blocked_range<std::size_t>& threads) {
       try
       {
         for(std::size_t i = next++; i < size; i = next++)
-          turn(i);
+          turn(i, threads.begin());
       }
       catch(...)
       {
@@ -89,8 +102,7 @@ private:
         throw;
       }
     };
-    const auto concurrency = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-    const tbb::blocked_range<std::size_t> threads(0, (std::min)(concurrency, size));
+    const tbb::blocked_range<std::size_t> threads(0, (std::min)(number_of_threads(), size));
     tbb::this_task_arena::isolate([&] { tbb::parallel_for(threads, take_turns); });
   }
 #endif

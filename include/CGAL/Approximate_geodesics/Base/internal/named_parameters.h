@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 #include <CGAL/version.h>
 
 #include <functional>
@@ -136,6 +137,11 @@ std::false_type is_named_parameters_test(...);
 template <typename T>
 constexpr bool is_named_parameters =
     decltype(is_named_parameters_test(static_cast<const T*>(nullptr)))::value;
+
+// whether several threads are wanted
+template <typename NamedParameters>
+using Concurrency_tag = typename internal_np::
+    Lookup_named_param_def<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type;
 
 template <typename NamedParameters, typename... Tags>
 constexpr bool is_any_given = (is_given<NamedParameters, Tags> || ...);

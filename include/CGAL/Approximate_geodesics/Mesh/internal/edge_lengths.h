@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
@@ -170,6 +171,7 @@ struct No_corners
   {
   }
   void finish() {}
+  void merge(const No_corners& /* other */) {}
 };
 
 // Computes lengths from points. Shows `corners` the ways along the halfedges of each vertex, one
@@ -177,28 +179,37 @@ struct No_corners
 template <typename Connectivity, typename Corners>
 Edge_lengths straight_lengths(std::vector<Space_vector> points,
                               const Connectivity& connectivity,
+                              const Loop& loop,
                               Corners& corners)
 {
   using Index = typename Connectivity::Index;
 
   const Scale scale = scale_of(points, connectivity);
-  for(Space_vector& p : points)
-    for(double& coordinate : p)
-      coordinate = scale.reduce(coordinate);
+  loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
+    for(std::size_t v = first; v < beyond; ++v)
+      for(double& coordinate : points[v])
+        coordinate = scale.reduce(coordinate);
+  });
 
   Edge_lengths result;
   result.unit = scale.unit();
   result.of_halfedge.resize(connectivity.number_of_halfedges());
-  for(Index v = 0; v < connectivity.number_of_vertices(); ++v)
-  {
-    for(Index h = connectivity.first_halfedge(v); h < connectivity.beyond_halfedge(v); ++h)
+  std::vector<Corners> shares(points.size() / Loop::SIZE_OF_BLOCK + 1, corners); // by block
+  loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
+    Corners& share = shares[first / Loop::SIZE_OF_BLOCK];
+    for(Index v = static_cast<Index>(first); v < beyond; ++v)
     {
-      const Space_vector way = difference(points[v], points[connectivity.target(h)]);
-      result.of_halfedge[h] = accurate_length(way);
-      corners.add(h, way);
+      for(Index h = connectivity.first_halfedge(v); h < connectivity.beyond_halfedge(v); ++h)
+      {
+        const Space_vector way = difference(points[v], points[connectivity.target(h)]);
+        result.of_halfedge[h] = accurate_length(way);
+        share.add(h, way);
+      }
+      share.finish();
     }
-    corners.finish();
-  }
+  });
+  for(const Corners& share : shares)
+    corners.merge(share);
   result.points = std::move(points);
   return result;
 }
@@ -242,8 +253,8 @@ Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
     result = given_lengths(tmesh, halfedges,
                            parameters::get_parameter(np, internal_np::edge_length), connectivity);
   else
-    result =
-        straight_lengths(double_points(tmesh, vertices, np, connectivity), connectivity, corners);
+    result = straight_lengths(double_points(tmesh, vertices, np, connectivity), connectivity,
+                              Loop::with_tag<Concurrency_tag<NamedParameters>>(), corners);
   check_sum(result, connectivity);
   return result;
 }

@@ -99,6 +99,12 @@ public:
     m_is_first = true;
   }
 
+  // Adds what another one has collected, around other vertices of the same triangulation.
+  void merge(const Sharp_corners& other)
+  {
+    m_faces.insert(m_faces.end(), other.m_faces.begin(), other.m_faces.end());
+  }
+
   // The halfedges with the smallest numbers of their faces, in order.
   std::vector<Index> faces() &&
   {

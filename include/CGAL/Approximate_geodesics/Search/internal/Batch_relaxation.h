@@ -82,7 +82,7 @@ public:
       if(relax_in_parallel())
         continue;
       find_candidates();
-      lower_labels(m_candidates);
+      lower_labels(m_candidates, 0, m_candidates.size());
     }
     return true;
   }
@@ -139,10 +139,12 @@ private:
   }
 
   // The third loop: lowers the labels of the ends of candidates, and enters these nodes.
-  void lower_labels(const Candidate_list<Graph>& candidates)
+  void lower_labels(const Candidate_list<Graph>& candidates,
+                    const std::size_t first,
+                    const std::size_t beyond)
   {
     const double* const distances = m_labels.distances(); // kept in a register
-    for(std::size_t i = 0; i < candidates.size(); ++i)
+    for(std::size_t i = first; i < beyond; ++i)
     {
       const auto c = candidates[i];
       // still, after the earlier ones
@@ -199,7 +201,7 @@ private:
       const Node* const nodes = order.data() + (order.size() - m_size);
       if(!m_graph.is_parallel() || !m_expansion.prepare(m_graph, nodes, m_size, labels()))
         return false;
-      m_expansion.run(m_graph.loop(), m_counter,
+      m_expansion.run(m_graph, m_counter,
                       [this](auto&&... arguments) { append_arcs(arguments...); });
       for(std::size_t i = 0; i < m_size; ++i)
       {
@@ -207,7 +209,7 @@ private:
         if constexpr(needs_expansion_history<Graph>)
           m_labels.set_expanded(nodes[i]);
       }
-      m_expansion.for_each_list([this](const auto& candidates) { lower_labels(candidates); });
+      m_expansion.for_each_part([this](auto&&... arguments) { lower_labels(arguments...); });
       return true;
     }
     return false;

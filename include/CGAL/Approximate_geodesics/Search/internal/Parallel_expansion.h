@@ -60,31 +60,37 @@ public:
 
   // Calls `append_arcs(candidates, node, part, counter)` for all of this.
   template <typename Counter, typename F>
-  void run(const Loop& loop, const Counter& counter, const F& append_arcs)
+  void run(const Graph& graph, const Counter& counter, const F& append_arcs)
   {
-    m_number_of_turns = (m_tasks.size() + tasks_per_turn - 1) / tasks_per_turn;
-    if(m_found.size() < m_number_of_turns)
-      m_found.resize(m_number_of_turns);
-    loop.run(m_number_of_turns, [&](const std::size_t turn) {
-      Found found{std::move(m_found[turn].candidates), {}}; // away from where other threads write
-      found.candidates.clear();
-      const std::size_t first = turn * tasks_per_turn;
-      const std::size_t beyond = (std::min)(first + tasks_per_turn, m_tasks.size());
-      for(std::size_t i = first; i < beyond; ++i)
-        append_arcs(found.candidates, m_tasks[i].node, m_tasks[i].part,
-                    counter.with(found.statistics));
-      m_found[turn] = std::move(found);
+    m_turns.resize((m_tasks.size() + tasks_per_turn - 1) / tasks_per_turn);
+    m_lists.resize((std::max)(m_lists.size(), Loop::number_of_threads()));
+    for(Candidate_list<Graph>& list : m_lists)
+      list.clear();
+    graph.loop().run(m_turns.size(), [&](const std::size_t number, const std::size_t thread) {
+      Candidate_list<Graph> list = std::move(m_lists[thread]); // away from where others write
+      Turn turn{thread, list.size(), 0, {}};
+      const Task* const first = m_tasks.data() + number * tasks_per_turn;
+      const Task* const end =
+          first + (std::min)(tasks_per_turn, m_tasks.size() - number * tasks_per_turn);
+      if constexpr(has_prefetch<Graph>)
+        for(const Task* task = first; task < end; ++task)
+          graph.prefetch(task->node);
+      for(const Task* task = first; task < end; ++task)
+        append_arcs(list, task->node, task->part, counter.with(turn.statistics));
+      turn.beyond = list.size();
+      m_lists[thread] = std::move(list);
+      m_turns[number] = turn;
     });
-    for(std::size_t turn = 0; turn < m_number_of_turns; ++turn)
-      counter.add(m_found[turn].statistics);
+    for(const Turn& turn : m_turns)
+      counter.add(turn.statistics);
   }
 
-  // Calls `f(candidates)` for what was found, one part of it after the other.
+  // Calls `f(candidates, first, beyond)` for what was found, one part of it after the other.
   template <typename F>
-  void for_each_list(const F& f) const
+  void for_each_part(const F& f) const
   {
-    for(std::size_t turn = 0; turn < m_number_of_turns; ++turn)
-      f(m_found[turn].candidates);
+    for(const Turn& turn : m_turns)
+      f(m_lists[turn.thread], turn.first, turn.beyond);
   }
 
 private:
@@ -94,15 +100,17 @@ private:
     std::size_t part;
   };
 
-  struct Found
+  // what was found in a turn, and where it is
+  struct Turn
   {
-    Candidate_list<Graph> candidates;
+    std::size_t thread;
+    std::size_t first, beyond;
     Propagation_statistics statistics;
   };
 
   std::vector<Task> m_tasks;
-  std::size_t m_number_of_turns = 0;
-  std::vector<Found> m_found; // by turn
+  std::vector<Turn> m_turns;
+  std::vector<Candidate_list<Graph>> m_lists; // by thread, so that memory stays in its cache
 };
 
 } // namespace internal

@@ -61,7 +61,8 @@ public:
   bool run(const Loop& loop)
   {
     if(loop.is_parallel() && m_plan.number_of_rows() > 1)
-      loop.run(m_plan.number_of_blocks(), [this](std::size_t) { work_or_stop(); });
+      loop.run(m_plan.number_of_blocks(),
+               [this](std::size_t /* block */, std::size_t /* thread */) { work_or_stop(); });
     else
       work();
     return !m_is_stopped;

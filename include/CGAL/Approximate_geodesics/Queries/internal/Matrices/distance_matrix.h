@@ -87,12 +87,10 @@ using Is_parallel = decltype(std::declval<const Graph&>().is_parallel());
 template <typename NamedParameters, typename Graph>
 Loop loop_over_rows([[maybe_unused]] const Graph& graph, const NamedParameters& /* np */)
 {
-  using Tag = typename internal_np::Lookup_named_param_def<internal_np::concurrency_tag_t,
-                                                           NamedParameters, Sequential_tag>::type;
   if constexpr(boost::is_detected_v<Is_parallel, Graph>)
     if(graph.is_parallel())
       return Loop();
-  return Loop::with_tag<Tag>();
+  return Loop::with_tag<Concurrency_tag<NamedParameters>>();
 }
 
 template <typename NamedParameters>
