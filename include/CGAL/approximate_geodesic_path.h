@@ -78,8 +78,9 @@ namespace CGAL {
  *                     then.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{concurrency_tag}
- *     \cgalParamDescription{whether several threads take part if `epsilon` is `0`; else only one
- *                           does}
+ *     \cgalParamDescription{whether several threads take part: in computing lengths, and in the
+ *                           search if `epsilon` is given and there are neither weights nor
+ *                           barriers. The result does not depend on their number.}
  *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
  *                    `CGAL::Parallel_if_available_tag`}
  *     \cgalParamDefault{`CGAL::Sequential_tag`}

@@ -7,6 +7,7 @@
 // including the computation of the edges' lengths; and what each step of a call takes. See --help.
 
 #include "measuring/measure.h"
+#include "measuring/threads.h"
 #include "meshes/Mesh.h"
 #include "output/Options.h"
 #include "output/Table.h"
@@ -14,6 +15,7 @@
 
 #include <CGAL/approximate_geodesic_distances.h>
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>
@@ -172,35 +174,41 @@ void take_steps_of_triangulation(const Mesh& mesh, Steps& steps)
   steps.add(rest);
 }
 
-void take_steps_across_faces(const Mesh& mesh, const Vertex source, Steps& steps)
+void measure_steps_of_triangulation(const Mesh& mesh,
+                                    const std::string& name,
+                                    const std::size_t rounds,
+                                    Table& table)
 {
-  using Graph = AG::Lazy_discrete_geodesic_graph;
-  std::unique_ptr<AG::Intrinsic_triangulation> triangulation;
-  std::unique_ptr<Graph> graph;
-  std::unique_ptr<AG::Propagation<Graph>> search;
-  steps.start();
-  steps.time([&] { triangulation = std::make_unique<AG::Intrinsic_triangulation>(mesh); });
-  steps.time([&] {
-    graph = std::make_unique<Graph>(std::move(*triangulation), CGAL::parameters::epsilon(0.1));
-  });
-  steps.time([&] { search = std::make_unique<AG::Propagation<Graph>>(*graph); });
-  steps.time([&] { search->run_from(graph->triangulation().vertex(source)); });
+  Steps steps(4);
+  for(std::size_t round = 0; round < rounds; ++round)
+    take_steps_of_triangulation(mesh, steps);
+  steps.add_to(table, name);
 }
 
-void measure_building(const Mesh& mesh,
-                      const std::string& name,
-                      const std::size_t rounds,
-                      Table& table,
-                      Table& across)
+// The first answer across faces, by so many threads.
+void measure_steps_across_faces(const Mesh& mesh,
+                                const std::string& name,
+                                const std::size_t rounds,
+                                const std::size_t number_of_threads,
+                                Table& table)
 {
-  Steps steps(4), steps_across(4);
-  for(const Vertex source : random_sources(mesh, rounds))
-  {
-    take_steps_of_triangulation(mesh, steps);
-    take_steps_across_faces(mesh, source, steps_across);
-  }
-  steps.add_to(table, name);
-  steps_across.add_to(across, name);
+  using Graph = AG::Lazy_discrete_geodesic_graph;
+  Steps steps(4);
+  with_threads(number_of_threads, [&](const auto tag) {
+    const auto np = CGAL::parameters::epsilon(0.1).concurrency_tag(tag);
+    for(const Vertex source : random_sources(mesh, rounds))
+    {
+      std::unique_ptr<AG::Intrinsic_triangulation> triangulation;
+      std::unique_ptr<Graph> graph;
+      std::unique_ptr<AG::Propagation<Graph>> search;
+      steps.start();
+      steps.time([&] { triangulation = std::make_unique<AG::Intrinsic_triangulation>(mesh, np); });
+      steps.time([&] { graph = std::make_unique<Graph>(std::move(*triangulation), np); });
+      steps.time([&] { search = std::make_unique<AG::Propagation<Graph>>(*graph); });
+      steps.time([&] { search->run_from(graph->triangulation().vertex(source)); });
+    }
+  });
+  steps.add_to(table, name + ", " + std::to_string(number_of_threads));
 }
 
 void measure_steps(
@@ -227,13 +235,16 @@ int main(int argc, char* argv[])
                  "results", "sum"});
     Table before({"mesh", "triangulation", "graph", "workspace", "search", "results", "sum"});
     Table building({"mesh", "vertices", "halfedges", "order", "lengths", "sum"});
-    Table across({"mesh", "triangulation", "graph", "workspace", "search", "sum"});
+    Table across({"mesh, threads", "triangulation", "unfolding", "workspace", "search", "sum"});
     for(const std::string& name : options.meshes)
     {
       Mesh mesh = read_mesh(name);
       compare(mesh, short_name(name), rounds, calls);
       measure_steps(mesh, short_name(name), rounds, steps, before);
-      measure_building(mesh, short_name(name), rounds, building, across);
+      measure_steps_of_triangulation(mesh, short_name(name), rounds, building);
+      for(const std::size_t threads : {1, 2})
+        if(threads == 1 || HAS_THREADS)
+          measure_steps_across_faces(mesh, short_name(name), rounds, threads, across);
     }
     const std::string medians = "medians of " + std::to_string(rounds) + " sources";
     report.print("single_call", "One call with everything included (" + medians + ")", calls);
@@ -246,7 +257,7 @@ int main(int argc, char* argv[])
     report.print("single_call_triangulation",
                  "The steps of building that triangulation (" + medians + ")", building);
     report.print("single_call_across_faces",
-                 "The steps of a call with epsilon 0.1 (" + medians + ")", across);
+                 "The steps of a call across faces, with epsilon 0.1 (" + medians + ")", across);
   };
   return run_benchmark(argc, argv, "bench_single_call", {usual_meshes(), 31, ""}, compare_all);
 }

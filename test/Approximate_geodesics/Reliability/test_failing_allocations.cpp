@@ -74,6 +74,23 @@ TEST(Interrupted_construction, of_a_graph_by_several_threads)
         Triangulation(mesh), parameters::epsilon(1.).concurrency_tag(CGAL::Parallel_tag())));
   });
 }
+
+// From all vertices of a side, so that there is enough for several threads to do.
+TEST(Interrupted_search, by_several_threads)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(100, 5, random));
+  const auto np = parameters::epsilon(1.).concurrency_tag(CGAL::Parallel_tag());
+  const Lazy_discrete_geodesic_graph graph(Triangulation(mesh), np);
+  std::vector<CGAL::Approximate_geodesics::Seed> seeds;
+  for(Node v = 0; v < 100; ++v)
+    seeds.push_back({v, 0});
+  expect_survival([&] {
+    CGAL::Approximate_geodesics::Propagation<Lazy_discrete_geodesic_graph> search(graph);
+    search.run(seeds);
+    return distances_of_nodes(search);
+  });
+}
 #endif
 
 class Interrupted_file : public testing::Test

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "checks/distance_matrices.h"
+#include "checks/numbers_of_threads.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
@@ -12,11 +13,6 @@
 #include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-#endif
 
 #include <algorithm>
 #include <atomic>
@@ -53,22 +49,6 @@ public:
 private:
   std::atomic<bool> m_is_inside{false};
 };
-
-// Calls `f(np)` for one thread, and for several numbers of them.
-template <typename F>
-void for_each_number_of_threads(F f)
-{
-  f(parameters::concurrency_tag(CGAL::Sequential_tag()));
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control more_than_cores(tbb::global_control::max_allowed_parallelism, 7);
-  for(const int number : {1, 2, 3, 7})
-  {
-    SCOPED_TRACE(testing::Message() << number << " threads");
-    tbb::task_arena arena(number);
-    arena.execute([&] { f(parameters::concurrency_tag(CGAL::Parallel_tag())); });
-  }
-#endif
-}
 
 struct Failure : std::runtime_error
 {

@@ -273,6 +273,31 @@ TEST(Parallel_search, gives_the_same_distances)
   EXPECT_TRUE(have_same_bits(found, distances(together, 0)));
 }
 
+// Many sources make long fronts, which keep threads busy.
+TEST(Parallel_search, gives_the_same_distances_across_faces)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(70, 65, random)); // more than one block
+  std::vector<AG::Seed> seeds;
+  for(Node v = 0; v < 100; ++v)
+    seeds.push_back({v, 0.01 * v});
+  const auto find = [&](const auto& np, const Lazy_discrete_geodesic_graph::Arcs arcs) {
+    const Lazy_discrete_geodesic_graph graph(Triangulation(mesh, np), np, arcs);
+    AG::Propagation<Lazy_discrete_geodesic_graph> search(graph);
+    search.run(seeds);
+    return distances_of_nodes(search);
+  };
+  const auto alone = parameters::epsilon(0.1);
+  const auto together = alone.concurrency_tag(CGAL::Parallel_tag());
+  using Arcs = Lazy_discrete_geodesic_graph::Arcs;
+  EXPECT_TRUE(have_same_bits(find(together, Arcs::KEPT), find(alone, Arcs::KEPT)));
+  const Values found = find(together, Arcs::FORGOTTEN);
+  EXPECT_TRUE(have_same_bits(found, find(together, Arcs::FORGOTTEN)));
+  const Values expected = find(alone, Arcs::FORGOTTEN);
+  for(std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i], expected[i], 0.1 * expected[i]);
+}
+
 // Rows that threads compute, for a sink and for a function object.
 TEST(Parallel_matrix, has_the_same_rows)
 {

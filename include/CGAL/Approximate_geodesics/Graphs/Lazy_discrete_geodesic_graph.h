@@ -41,7 +41,9 @@ namespace Approximate_geodesics {
  *
  * When a node is expanded, the distances found so far tell which arcs are of no use, and these are
  * never computed; which ones that are depends on the order in which nodes are expanded. So
- * distances may differ between queues, and from those in the built graph, always within the bound.
+ * distances may differ between queues, from run to run of one workspace, whose queue adapts to the
+ * mesh, with and without `Parallel_tag`, and from those in the built graph: always within the
+ * bound.
  * If arcs are to be kept, all arcs of a node are computed when it is expanded for the first time,
  * and those are the arcs, and the distances, of `Discrete_geodesic_graph`.
  *

@@ -57,6 +57,9 @@ namespace Approximate_geodesics {
  * the usual single loop, a processor spends most of its time on wrong predictions; the first two of
  * these loops have no branch that depends on a label.
  *
+ * If the graph has threads, batches are larger, and these share the second loop
+ * (Parallel_expansion.h).
+ *
  * A node whose label falls after it was expanded is entered again, so that any order leads to the
  * same labels: the smallest sum of arc lengths from a source, over all paths, added up in the order
  * of the path. Rounding is monotone, so they are the same to the last bit. A good order saves

@@ -1,0 +1,25 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef APPROXIMATE_GEODESICS_TEST_STANDARD_THREADS_TBB_TASK_ARENA_H
+#define APPROXIMATE_GEODESICS_TEST_STANDARD_THREADS_TBB_TASK_ARENA_H
+
+// Stands in for TBB's: see parallel_for.h.
+
+namespace tbb {
+namespace this_task_arena {
+
+inline int max_concurrency() { return 2; }
+
+template <typename F>
+void isolate(const F& f)
+{
+  f();
+}
+
+} // namespace this_task_arena
+} // namespace tbb
+
+#endif // APPROXIMATE_GEODESICS_TEST_STANDARD_THREADS_TBB_TASK_ARENA_H
