@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "checks/distance_matrices.h"
-#include "checks/numbers_of_threads.h"
+#include "threads/numbers_of_threads.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>

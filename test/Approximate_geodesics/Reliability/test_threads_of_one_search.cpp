@@ -5,10 +5,10 @@
 
 #include "checks/expect_message.h"
 #include "checks/graphs_of_all_kinds.h"
-#include "checks/numbers_of_threads.h"
 #include "checks/test_recorder.h"
 #include "meshes/hostile_meshes.h"
 #include "meshes/surface_points.h"
+#include "threads/numbers_of_threads.h"
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
