@@ -10,6 +10,7 @@
 #include "meshes/surface_points.h"
 #include "threads/numbers_of_threads.h"
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -22,10 +23,14 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 #include <vector>
 
 // Threads that take part in one search across faces: their number changes nothing, to the last bit.
@@ -285,6 +290,29 @@ TEST(Triangulation_by_threads, is_the_same)
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
+// A thread that waits for another one's last turn has time to start on something else.
+TEST(Loop_of_threads, takes_up_nothing_else_while_it_waits)
+{
+  const auto loop = AG::internal::Loop::with_tag<CGAL::Parallel_tag>();
+  std::atomic<std::size_t> number_of_turns(0);
+  const tbb::global_control more_than_cores(tbb::global_control::max_allowed_parallelism, 4);
+  tbb::enumerable_thread_specific<bool> is_inside(false);
+  tbb::task_arena(4).execute([&] {
+    tbb::parallel_for(0, 60, [&](const int) {
+      bool& is_here = is_inside.local();
+      EXPECT_FALSE(is_here);
+      is_here = true;
+      loop.run(5, [&](const std::size_t i, const std::size_t thread) {
+        EXPECT_LT(thread, 4u);
+        std::this_thread::sleep_for(std::chrono::microseconds(200 * i));
+        ++number_of_turns;
+      });
+      is_here = false;
+    });
+  });
+  EXPECT_EQ(number_of_turns, 300u);
+}
+
 // In a loop of the user's, who gives each thread a workspace of its own. A thread that waits for
 // others must not start on another source meanwhile: it would search in the same workspace.
 TEST_F(One_search_by_threads, may_be_part_of_another_loop)
