@@ -197,12 +197,15 @@ Edge_lengths straight_lengths(std::vector<Space_vector> points,
   std::vector<Corners> shares(points.size() / Loop::SIZE_OF_BLOCK + 1, corners); // by block
   loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
     Corners& share = shares[first / Loop::SIZE_OF_BLOCK];
+    const Connectivity& c = connectivity; // these three are kept in registers
+    const Space_vector* const point = points.data();
+    double* const lengths = result.of_halfedge.data();
     for(Index v = static_cast<Index>(first); v < beyond; ++v)
     {
-      for(Index h = connectivity.first_halfedge(v); h < connectivity.beyond_halfedge(v); ++h)
+      for(Index h = c.first_halfedge(v); h < c.beyond_halfedge(v); ++h)
       {
-        const Space_vector way = difference(points[v], points[connectivity.target(h)]);
-        result.of_halfedge[h] = accurate_length(way);
+        const Space_vector way = difference(point[v], point[c.target(h)]);
+        lengths[h] = accurate_length(way);
         share.add(h, way);
       }
       share.finish();

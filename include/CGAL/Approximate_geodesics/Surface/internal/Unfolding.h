@@ -79,12 +79,14 @@ unfold_all(const Intrinsic_triangulation& triangulation, const Loop& loop, Unfol
   std::atomic<bool> is_any_suspicious(false);
   loop.run_blocks(
       triangulation.number_of_vertices(), [&](const std::size_t first, const std::size_t beyond) {
+        const Intrinsic_triangulation& t = triangulation; // these two are kept in registers
+        Face* const faces = result.data();
         bool is_suspicious = false;
         for(Index v = static_cast<Index>(first); v < beyond; ++v)
-          for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+          for(Index h = t.first_halfedge(v); h < t.beyond_halfedge(v); ++h)
           {
-            result[h] = unfold(triangulation, v, h);
-            is_suspicious = is_suspicious || !(result[h].across > 0);
+            faces[h] = unfold(t, v, h);
+            is_suspicious = is_suspicious || !(faces[h].across > 0);
           }
         if(is_suspicious)
           is_any_suspicious = true;
