@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_cache.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_front.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
@@ -21,6 +22,9 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+
+#include <boost/config.hpp>
+#include <boost/container/small_vector.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -149,26 +153,48 @@ public:
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
     const Expansion expansion(m_triangulation, m_unfolding, m_rules);
-    if(!m_arc_cache.is_enabled())
+    if(m_arc_cache.is_enabled())
     {
-      const auto report = [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); };
-      if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
-        expansion.expand(node, report, internal::Leave_out_nothing());
-      else
-        expansion.expand(
-            node, report,
-            Label_pruning<Labels>{
-                {}, m_triangulation, labels, labels.distance(node), m_rules.longest_detour});
-      return;
+      const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
+        internal::find_stored_arcs(expansion, node, m_unit, arcs);
+      };
+      for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
+        f(arc.target, static_cast<double>(arc.length) * m_unit);
     }
-    const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
-      internal::find_stored_arcs(expansion, node, m_unit, arcs);
-    };
-    for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
-      f(arc.target, static_cast<double>(arc.length) * m_unit);
+    else if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
+      expansion.expand(
+          node, [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); },
+          internal::Leave_out_nothing());
+    else
+    {
+      Arc_function<F> arcs{f};
+      expand(&node, 1, labels, arcs);
+    }
   }
 
   /// \cond SKIP_IN_MANUAL
+
+  // How many nodes a search should expand at a time.
+  static constexpr std::size_t nodes_at_a_time = 32;
+
+  // Appends the arcs of several nodes to `arcs`, as `Cone_front` does.
+  template <typename Labels, typename Arcs>
+  void append_arcs(const Node* const nodes,
+                   const std::size_t number,
+                   const Labels& labels,
+                   Arcs& arcs) const
+  {
+    boost::container::small_vector<Node, nodes_at_a_time> together;
+    for(std::size_t i = 0; i < number; ++i)
+      if(const Node node = nodes[i]; m_arc_cache.is_enabled() || labels.was_expanded(node))
+        for_each_arc(node, labels, [&](const Node target, const double length) {
+          arcs.make_room(1);
+          arcs.append(true, node, labels.distance(node), target, length);
+        });
+      else
+        together.push_back(node);
+    expand(together.data(), together.size(), labels, arcs);
+  }
 
   // Whether several threads may look for arcs at the same time, and how they are called.
   bool is_parallel() const { return m_loop.is_parallel(); }
@@ -189,8 +215,9 @@ public:
       return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_rules, source,
                                                               target, length, f);
     else
-      return internal::trace_arc<internal::Leave_out_nothing>(m_triangulation, m_rules, source,
-                                                              target, length, f);
+      return internal::trace_arc<internal::Leave_out_nothing>(
+          m_triangulation, m_rules.farther(internal::Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS),
+          source, target, length, f);
   }
 
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
@@ -221,28 +248,29 @@ public:
 private:
   using Expansion = internal::Cone_expansion<internal::Unfolding>;
 
-  // Does without a window if all that lies behind it is reached well enough over an end of the
-  // window's edge, going by the labels: if, for every point x of the window,
-  //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.
-  // The difference of the lengths is smallest at the other end of the edge.
-  template <typename Labels>
-  struct Label_pruning : internal::Cone_visitor_base
+  template <typename F>
+  struct Arc_function
   {
-    static constexpr bool wants_distances = true;
-    static constexpr bool leaves_out_arcs = false;
+    void make_room(std::size_t /* number */) const {}
 
-    bool prune(const internal::Window& w) const
+    void append(const bool is_arc, Node, double, const Node target, const double length) const
     {
-      const double edge = triangulation.length(w.halfedge);
-      return labels.distance(w.left_end) - label_of_tip < factor * (w.right_distance - edge) ||
-             labels.distance(w.right_end) - label_of_tip < factor * (w.left_distance - edge);
+      if(is_arc)
+        f(target, length);
     }
 
-    const Intrinsic_triangulation& triangulation;
-    const Labels& labels;
-    double label_of_tip;
-    double factor;
+    F& f;
   };
+
+  // Not inline, so that there is one compilation of it, whoever calls it: it may round otherwise in
+  // another one.
+  template <typename Labels, typename Arcs>
+  BOOST_NOINLINE void
+  expand(const Node* const nodes, const std::size_t number, const Labels& labels, Arcs& arcs) const
+  {
+    internal::Cone_front<Labels, Arcs>(m_triangulation, m_unfolding, m_rules.epsilon, labels, arcs)
+        .expand(nodes, number);
+  }
 
   internal::Loop m_loop; // first, as it is used to make the others
   Intrinsic_triangulation m_triangulation;

@@ -120,6 +120,8 @@ private:
   // The second loop: looks at the arcs of these nodes, and writes down those that lower a label.
   void find_candidates()
   {
+    if constexpr(expands_together<Graph>)
+      return find_candidates_together();
     const auto& order = m_labels.order();
     const double* const distances = m_labels.distances(); // kept in a register
     m_candidates.clear();
@@ -135,6 +137,30 @@ private:
         });
       if constexpr(needs_expansion_history<Graph>)
         m_labels.set_expanded(node);
+    }
+  }
+
+  // The same for graphs that find the arcs of several nodes together.
+  void find_candidates_together()
+  {
+    const auto& order = m_labels.order();
+    m_candidates.clear();
+    for(std::size_t i = order.size() - m_size, number = 0; i < order.size(); i += number)
+    {
+      number = (std::min)(nodes_at_a_time<Graph>, order.size() - i);
+      append_arcs(m_candidates, order.data() + i, number, m_counter);
+    }
+    set_expanded();
+  }
+
+  void set_expanded()
+  {
+    const auto& order = m_labels.order();
+    for(std::size_t i = order.size() - m_size; i < order.size(); ++i)
+    {
+      m_counter.on_expansion();
+      if constexpr(needs_expansion_history<Graph>)
+        m_labels.set_expanded(order[i]);
     }
   }
 
@@ -191,6 +217,18 @@ private:
     });
   }
 
+  void append_arcs(Candidate_list<Graph>& candidates,
+                   const Node* const nodes,
+                   const std::size_t number,
+                   const Counter& counter) const
+  {
+    if constexpr(expands_together<Graph>)
+      candidates.append_together(m_graph, nodes, number, m_labels, counter);
+    else
+      for(std::size_t i = 0; i < number; ++i)
+        append_arcs(candidates, nodes[i], whole_node, counter);
+  }
+
   // The second and the third loop with the graph's threads. Returns false, and does nothing, if
   // these are not worth their while.
   bool relax_in_parallel()
@@ -203,12 +241,7 @@ private:
         return false;
       m_expansion.run(m_graph, m_counter,
                       [this](auto&&... arguments) { append_arcs(arguments...); });
-      for(std::size_t i = 0; i < m_size; ++i)
-      {
-        m_counter.on_expansion();
-        if constexpr(needs_expansion_history<Graph>)
-          m_labels.set_expanded(nodes[i]);
-      }
+      set_expanded();
       m_expansion.for_each_part([this](auto&&... arguments) { lower_labels(arguments...); });
       return true;
     }

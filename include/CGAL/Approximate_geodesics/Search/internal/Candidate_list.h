@@ -52,7 +52,47 @@ public:
     m_size = static_cast<std::size_t>(end - m_memory.data());
   }
 
+  // The same for several nodes, whose arcs the graph finds together.
+  template <typename Counter, typename Labels>
+  void append_together(const Graph& graph,
+                       const Node* const nodes,
+                       const std::size_t number,
+                       const Labels& labels,
+                       const Counter& counter)
+  {
+    Arc_writer<Counter> writer{*this, counter, labels.distances(), m_memory.data() + m_size};
+    graph.append_arcs(nodes, number, labels, writer);
+    m_size = static_cast<std::size_t>(writer.end - m_memory.data());
+  }
+
 private:
+  template <typename Counter>
+  struct Arc_writer
+  {
+    void make_room(const std::size_t number)
+    {
+      list.m_size = static_cast<std::size_t>(end - list.m_memory.data());
+      end = list.end_with_room(number + 1); // one is written in vain
+    }
+
+    void append(const bool is_arc,
+                const Node node,
+                const double distance,
+                const Node target,
+                const double length)
+    {
+      counter.on_relaxations(is_arc ? 1 : 0);
+      CGAL_assertion(end < list.m_memory.data() + list.m_memory.size());
+      static_cast<internal::Candidate&>(*end) = {distance + length, target, node};
+      end += static_cast<std::ptrdiff_t>(is_arc & (distance + length < distances[target]));
+    }
+
+    Candidate_list& list;
+    const Counter& counter;
+    const double* distances; // labels
+    Candidate* end;
+  };
+
   template <typename Counter>
   struct Arc_visitor
   {
@@ -89,7 +129,7 @@ private:
 
     Candidate* append(Candidate* const position, const Node target, const double length) const
     {
-      counter.on_relaxation();
+      counter.on_relaxations(1);
       CGAL_assertion(position < list.m_memory.data() + list.m_memory.size());
       static_cast<internal::Candidate&>(*position) = {distance + length, target, node};
       return position + static_cast<std::ptrdiff_t>(position->distance < distances[target]);
@@ -108,9 +148,14 @@ private:
   // many these may be, or for one.
   Candidate* end_with_room([[maybe_unused]] const Graph& graph)
   {
-    std::size_t room = 1;
     if constexpr(has_maximum_degree<Graph>)
-      room = graph.maximum_degree();
+      return end_with_room(graph.maximum_degree());
+    else
+      return end_with_room(std::size_t(1));
+  }
+
+  Candidate* end_with_room(const std::size_t room)
+  {
     if(m_memory.size() < m_size + room)
       m_memory.resize(2 * (m_size + room));
     return m_memory.data() + m_size;

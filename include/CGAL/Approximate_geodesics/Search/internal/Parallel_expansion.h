@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -37,7 +38,7 @@ class Parallel_expansion
 {
   using Node = Labels::Node;
 
-  static constexpr std::size_t tasks_per_turn = has_parts<Graph> ? 1 : 8;
+  static constexpr std::size_t tasks_per_turn = has_parts<Graph> ? 1 : nodes_at_a_time<Graph>;
   static constexpr std::size_t fewest_tasks = has_parts<Graph> ? 16 : 64; // to be worth their while
 
 public:
@@ -58,7 +59,8 @@ public:
     return m_tasks.size() >= fewest_tasks;
   }
 
-  // Calls `append_arcs(candidates, node, part, counter)` for all of this.
+  // Calls `append_arcs(candidates, nodes, number, counter)` for all of this, or, if the graph may
+  // divide the arcs of a node, `append_arcs(candidates, node, part, counter)`.
   template <typename Counter, typename F>
   void run(const Graph& graph, const Counter& counter, const F& append_arcs)
   {
@@ -75,8 +77,7 @@ public:
       if constexpr(has_prefetch<Graph>)
         for(const Task* task = first; task < end; ++task)
           graph.prefetch(task->node);
-      for(const Task* task = first; task < end; ++task)
-        append_arcs(list, task->node, task->part, counter.with(turn.statistics));
+      append(list, first, end, counter.with(turn.statistics), append_arcs);
       turn.beyond = list.size();
       m_lists[thread] = std::move(list);
       m_turns[number] = turn;
@@ -107,6 +108,24 @@ private:
     std::size_t first, beyond;
     Propagation_statistics statistics;
   };
+
+  template <typename Counter, typename F>
+  static void append(Candidate_list<Graph>& list,
+                     const Task* const first,
+                     const Task* const end,
+                     const Counter& counter,
+                     const F& append_arcs)
+  {
+    if constexpr(has_parts<Graph>)
+      for(const Task* task = first; task < end; ++task)
+        append_arcs(list, task->node, task->part, counter);
+    else
+    {
+      std::array<Node, tasks_per_turn> nodes;
+      std::transform(first, end, nodes.begin(), [](const Task& task) { return task.node; });
+      append_arcs(list, nodes.data(), static_cast<std::size_t>(end - first), counter);
+    }
+  }
 
   std::vector<Task> m_tasks;
   std::vector<Turn> m_turns;

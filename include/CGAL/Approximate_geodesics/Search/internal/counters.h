@@ -21,7 +21,7 @@ struct No_counter
 {
   void on_stale_pops(std::size_t /* number */) const {}
   void on_expansion() const {}
-  void on_relaxation() const {}
+  void on_relaxations(std::size_t /* number */) const {}
   void on_improvement() const {}
 
   No_counter with(Propagation_statistics& /* share */) const { return {}; }
@@ -37,7 +37,7 @@ struct Counter
     statistics.stale_pops += number;
   }
   void on_expansion() const { ++statistics.pops; }
-  void on_relaxation() const { ++statistics.relaxations; }
+  void on_relaxations(const std::size_t number) const { statistics.relaxations += number; }
   void on_improvement() const { ++statistics.improvements; }
 
   // what one of several threads counts, and what is made of it

@@ -40,6 +40,9 @@ using Arrival_at_node = typename Graph::Arrival;
 template <typename Graph>
 using Loop_of_threads = decltype(std::declval<const Graph&>().loop());
 
+template <typename Graph>
+using Nodes_at_a_time = std::integral_constant<std::size_t, Graph::nodes_at_a_time>;
+
 template <typename Queue>
 using Statistics = decltype(std::declval<const Queue&>().statistics());
 
@@ -79,6 +82,15 @@ constexpr bool may_have_threads = boost::is_detected_v<Loop_of_threads, Graph>;
 // Whether a graph with threads may divide the arcs of a node among them.
 template <typename Graph>
 constexpr bool has_parts = may_have_threads<Graph>&& needs_bounds<Graph>;
+
+// Whether a graph finds the arcs of several nodes together.
+template <typename Graph>
+constexpr bool expands_together = boost::is_detected_v<Nodes_at_a_time, Graph>;
+
+// How many nodes are expanded one after the other, by one thread.
+template <typename Graph>
+constexpr std::size_t nodes_at_a_time =
+    boost::detected_or_t<std::integral_constant<std::size_t, 8>, Nodes_at_a_time, Graph>::value;
 
 // Whether a queue can hand out batches that are larger than usual.
 template <typename Queue>

@@ -32,6 +32,11 @@ struct Cone_rules
   // errors.
   static constexpr double SHARE_OF_BENDS = 1. / 512;
 
+  // The share of epsilon that ends cones where the labels of a search do not, which they do with
+  // the whole of it. As they end most cones, a small share costs little time, and makes errors
+  // small.
+  static constexpr double SHARE_OF_ENDS_BESIDE_LABELS = 0.3;
+
   explicit Cone_rules(const double bound, const double share_of_detours = SHARE_OF_DETOURS)
     : epsilon(bound),
       longest_detour(1 + SHARE_OF_ENDS * bound),

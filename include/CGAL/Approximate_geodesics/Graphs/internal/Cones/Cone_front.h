@@ -1,0 +1,274 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_FRONT_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_FRONT_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * A cone of straight lines from a vertex, the tip, and the window that they go through: a part of
+ * the edge between its ends. Two cache lines.
+ */
+struct alignas(64) Narrow_cone
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  // A ray through a vertex that is seen from the tip.
+  struct Side
+  {
+    // whether x, which is `outside` out of the cone on this side, is out of sight
+    bool is_passed(const Plane_vector x, const double outside) const
+    {
+      constexpr double rounding = 1e-14;
+      const double along = dot(direction, x);
+      return (outside >= 0) & ((along >= distance) | (outside > rounding * std::abs(along)));
+    }
+
+    Plane_vector direction; // of length 1
+    double distance;        // of the vertex
+  };
+
+  // An end of the edge that the window is on.
+  struct End
+  {
+    Plane_vector position;
+    double distance;
+    double rise; // from the label of the tip to that of the end
+  };
+
+  End left, right;
+  Side left_side, right_side;
+  Index halfedge; // of the window; the face ahead is to its left
+  Index tip;
+  std::uint32_t depth; // the number of faces on the way
+  Index checkpoint;    // one of the halfedges on the way
+};
+
+/*
+ * Memory for cones, which it leaves as it is.
+ */
+class Cone_memory
+{
+public:
+  // makes room for so many, and forgets those that are there
+  Narrow_cone* reserve(const std::size_t size)
+  {
+    if(size > m_size)
+    {
+      m_size = 2 * size;
+      m_cones.reset(new Narrow_cone[m_size]);
+    }
+    return m_cones.get();
+  }
+
+  Narrow_cone* cones() const { return m_cones.get(); }
+
+private:
+  std::unique_ptr<Narrow_cone[]> m_cones;
+  std::size_t m_size = 0;
+};
+
+/*
+ * Finds arcs of several vertices that a search with these labels may need. The cones of all of them
+ * advance together, a face at a time. Whether a cone is split, passes a vertex or ends is a toss-up
+ * that a processor cannot foresee; so no branch depends on it: what comes of a cone is always
+ * written down, and what is written next takes its place unless it is good.
+ *
+ * `arcs` takes the arcs: `arcs.make_room(number)` says how many may come, and
+ * `arcs.append(is_arc, source, label_of_source, target, length)` appends one if it is one.
+ */
+template <typename Labels, typename Arcs>
+class Cone_front
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Side = Narrow_cone::Side;
+  using End = Narrow_cone::End;
+
+  static constexpr Index null_index = Intrinsic_triangulation::null_index;
+
+public:
+  Cone_front(const Intrinsic_triangulation& triangulation,
+             const Unfolding& unfolding,
+             const double epsilon,
+             const Labels& labels,
+             Arcs& arcs)
+    : m_triangulation(triangulation),
+      m_unfolding(unfolding),
+      m_labels(labels),
+      m_arcs(arcs),
+      m_factor(1 + epsilon),
+      m_part_saved(1 / (1 + Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS * epsilon)),
+      m_part_lost((1 - m_part_saved * m_part_saved) / 2)
+  {
+  }
+
+  void expand(const Index* const nodes, const std::size_t number)
+  {
+    std::size_t size = 0;
+    for(std::size_t i = 0; i < number; ++i)
+      size += m_triangulation.beyond_halfedge(nodes[i]) - m_triangulation.first_halfedge(nodes[i]);
+    m_arcs.make_room(size);
+    m_end = m_next.reserve(size + 1);
+    for(std::size_t i = 0; i < number; ++i)
+      open_cones(nodes[i]);
+    for(;;)
+    {
+      size = static_cast<std::size_t>(m_end - m_next.cones());
+      if(size == 0)
+        return;
+      std::swap(m_cones, m_next);
+      m_arcs.make_room(size);
+      m_end = m_next.reserve(2 * size + 1);
+      const Narrow_cone* const beyond = m_cones.cones() + size;
+      for(const Narrow_cone* cone = m_cones.cones(); cone != beyond; ++cone)
+        advance(*cone);
+    }
+  }
+
+private:
+  // Appends the edges of a vertex, and what is seen across the faces around it.
+  void open_cones(const Index v)
+  {
+    const double label = m_labels.distance(v);
+    const Index first = m_triangulation.first_halfedge(v);
+    const Index beyond = m_triangulation.beyond_halfedge(v);
+    for(Index h = first; h < beyond; ++h)
+    {
+      const double distance = m_triangulation.length(h);
+      const Index target = m_triangulation.target(h);
+      m_arcs.append(true, v, label, target, distance);
+      const Unfolded_face& face = m_unfolding.face(h);
+      const bool has_angle = face.across > 0 || face.along < 0; // the latter a straight one
+      if(face.apex == null_index || face.right == null_index || !(distance > 0 && has_angle))
+        continue;
+      const double distance_of_apex =
+          m_triangulation.length(m_triangulation.counterclockwise(v, h));
+      const Plane_vector apex{distance * face.along, distance * face.across};
+      const End left{apex, distance_of_apex, m_labels.distance(face.apex) - label};
+      const End right{{distance, 0}, distance, m_labels.distance(target) - label};
+      *m_end = {left,
+                right,
+                {1 / distance_of_apex * apex, distance_of_apex},
+                {{1, 0}, distance},
+                face.right,
+                v,
+                0,
+                null_index};
+      m_end += is_needed(left, right, face.right) ? 1 : 0;
+    }
+  }
+
+  // Takes a cone across the face ahead of it.
+  void advance(const Narrow_cone& cone)
+  {
+    const Unfolded_face& face = m_unfolding.face(cone.halfedge);
+    const Plane_vector position = face.position_of_apex(cone.left.position, cone.right.position);
+    const bool passes_left =
+        cone.left_side.is_passed(position, cross(cone.left_side.direction, position));
+    const bool passes_right =
+        !passes_left &
+        cone.right_side.is_passed(position, cross(position, cone.right_side.direction));
+    const bool is_seen = !(passes_left | passes_right);
+    const double distance = length(position);
+    const double label = m_labels.distance(cone.tip);
+    const End apex{position, distance, m_labels.distance(face.apex) - label};
+    const bool is_open = is_worth_a_look(cone) & (face.apex != cone.tip);
+    m_arcs.append(is_open & is_seen, cone.tip, label, face.apex, distance);
+
+    // An apex where the tip is sees the same.
+    const bool goes_on = is_open & (!is_seen | (distance > 0));
+    const Side side{1 / (distance > 0 ? distance : 1) * position, distance};
+    append(cone, cone.left, apex, cone.left_side, is_seen ? side : cone.right_side, face.left,
+           goes_on & !passes_left);
+    append(cone, apex, cone.right, is_seen ? side : cone.left_side, cone.right_side, face.right,
+           goes_on & !passes_right);
+  }
+
+  void append(const Narrow_cone& before,
+              const End& left,
+              const End& right,
+              const Side& left_side,
+              const Side& right_side,
+              const Index halfedge,
+              const bool is_open)
+  {
+    const bool is_milestone = (before.depth & (before.depth + 1)) == 0;
+    *m_end = {
+        left,     right,      left_side,        right_side,
+        halfedge, before.tip, before.depth + 1, is_milestone ? before.halfedge : before.checkpoint};
+    // a halfedge that there is, where there is none ahead
+    const Index edge = halfedge == null_index ? before.halfedge : halfedge;
+    m_end += (is_open & (halfedge != null_index) & is_needed(left, right, edge)) ? 1 : 0;
+  }
+
+  // Whether a search needs what lies behind a window. It does not if all of that is reached well
+  // enough over an end of the window's edge, going by the labels: if, for all its points x,
+  //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.
+  // The difference of the lengths is smallest at the other end of the edge.
+  bool is_needed(const End& left, const End& right, const Index halfedge) const
+  {
+    const double edge = m_triangulation.length(halfedge);
+    return !((left.rise < m_factor * (right.distance - edge)) |
+             (right.rise < m_factor * (left.distance - edge)));
+  }
+
+  // Whether anything that lies behind the window is of interest. It is not if the vertex on one of
+  // the sides serves that on the other one, or if both serve what lies behind the window on the
+  // line in their middle. See `Cone_side`, whose vertices serve what is farther away by the way to
+  // them, less the part that may be lost. In a triangle whose sides have an angle with the cosine
+  // `cosine`, this comes to the two comparisons below.
+  bool is_worth_a_look(const Narrow_cone& cone) const
+  {
+    const Side& left = cone.left_side;
+    const Side& right = cone.right_side;
+    const double nearer = (std::min)(left.distance, right.distance);
+    const double farther = (std::max)(left.distance, right.distance);
+    const double cosine = dot(left.direction, right.direction);
+    const bool serves_other = farther * (cosine - m_part_saved) >= m_part_lost * nearer;
+
+    const Plane_vector edge = cone.left.position - cone.right.position;
+    const double area = cross(cone.right.position, cone.left.position);
+    const double slope = cross(left.direction + right.direction, edge); // of the middle
+    const double gain = 1 + cosine - m_part_saved * std::sqrt((std::max)(2 + 2 * cosine, 0.));
+    const bool both_serve = (gain > 0) & (area * gain >= m_part_lost * farther * slope);
+
+    const bool is_plane = (area >= 0) & ((slope > 0) | (cosine < 0)); // up to rounding
+    const bool is_back = cone.halfedge == cone.checkpoint;            // see `Cone_expansion`
+    return is_plane & !(serves_other | both_serve | is_back);
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Unfolding& m_unfolding;
+  const Labels& m_labels;
+  Arcs& m_arcs;
+  double m_factor;     // of what is left of the way, in comparisons
+  double m_part_saved; // of the distance of a vertex, by going over it
+  double m_part_lost;
+  Cone_memory m_cones, m_next;
+  Narrow_cone* m_end = nullptr; // where the next one goes
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_FRONT_H
