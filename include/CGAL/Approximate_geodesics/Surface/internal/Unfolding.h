@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
@@ -115,6 +116,9 @@ public:
   }
 
   const Unfolded_face& face(const Index h) const { return m_faces[h]; }
+
+  // asks for a face, which will be needed soon
+  void prefetch(const Index h) const { internal::prefetch(m_faces.data(), h); }
 
   std::size_t memory() const { return m_faces.capacity() * sizeof(Unfolded_face); }
 

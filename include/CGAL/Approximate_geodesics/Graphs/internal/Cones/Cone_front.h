@@ -217,6 +217,7 @@ private:
         halfedge, before.tip, before.depth + 1, is_milestone ? before.halfedge : before.checkpoint};
     // a halfedge that there is, where there is none ahead
     const Index edge = halfedge == null_index ? before.halfedge : halfedge;
+    m_unfolding.prefetch(edge);
     m_end += (is_open & (halfedge != null_index) & is_needed(left, right, edge)) ? 1 : 0;
   }
 
