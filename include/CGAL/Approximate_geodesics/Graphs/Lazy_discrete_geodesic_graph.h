@@ -272,7 +272,8 @@ private:
   BOOST_NOINLINE void
   expand(const Node* const nodes, const std::size_t number, const Labels& labels, Arcs& arcs) const
   {
-    internal::Cone_front<Labels, Arcs>(m_triangulation, m_unfolding, m_rules.epsilon, labels, arcs)
+    internal::Cone_front<internal::Unfolding, Labels, Arcs>(m_triangulation, m_unfolding,
+                                                            m_rules.epsilon, labels, arcs)
         .expand(nodes, number);
   }
 

@@ -96,7 +96,7 @@ private:
  * `arcs` takes the arcs: `arcs.make_room(number)` says how many may come, and
  * `arcs.append(is_arc, source, label_of_source, target, length)` appends one if it is one.
  */
-template <typename Labels, typename Arcs>
+template <typename Unfolding, typename Labels, typename Arcs>
 class Cone_front
 {
   using Index = Intrinsic_triangulation::Index;
