@@ -13,9 +13,9 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_cache.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_triangulation.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -96,7 +96,8 @@ public:
                                         const NamedParameters& np = parameters::default_values(),
                                         const Arcs arcs = Arcs::FORGOTTEN)
     : m_triangulation(std::move(triangulation)),
-      m_unfolding(m_triangulation),
+      m_cone_triangulation(m_triangulation),
+      m_unfolding(m_cone_triangulation.get(m_triangulation)),
       m_rules(internal::checked_epsilon(np)),
       m_edge_lengths(summarize_arc_lengths(m_triangulation.lengths())),
       m_unit(internal::unit_of_arcs(m_triangulation))
@@ -136,21 +137,19 @@ public:
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    const Expansion expansion(m_triangulation, m_unfolding, m_rules);
+    const auto report = [&](const Node target, const double length) { f(target, length); };
     if(!m_arc_cache.is_enabled())
     {
-      const auto report = [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); };
-      if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
-        expansion.expand(node, report, internal::Leave_out_nothing());
+      if(m_cone_triangulation.has_balanced_fans())
+        find_useful_arcs<internal::Leave_out_detours>(node, labels, report);
       else
-        expansion.expand(
-            node, report,
-            Label_pruning<Labels>{
-                {}, m_triangulation, labels, labels.distance(node), m_rules.longest_detour});
+        find_useful_arcs<internal::Leave_out_nothing>(node, labels, report);
       return;
     }
     const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
-      internal::find_stored_arcs(expansion, node, m_unit, arcs);
+      internal::find_stored_arcs(node, m_unit, arcs, [&](const auto& f_of_arc) {
+        find_arcs(node, f_of_arc, internal::Leave_out_detours());
+      });
     };
     for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
       f(arc.target, static_cast<double>(arc.length) * m_unit);
@@ -165,12 +164,12 @@ public:
   template <typename F>
   double for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
-    if(m_arc_cache.is_enabled())
-      return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_rules, source,
-                                                              target, length, f);
+    if(m_arc_cache.is_enabled() || m_cone_triangulation.has_balanced_fans())
+      return m_cone_triangulation.trace<internal::Leave_out_detours>(m_triangulation, m_rules,
+                                                                     source, target, length, f);
     else
-      return internal::trace_arc<internal::Leave_out_nothing>(m_triangulation, m_rules, source,
-                                                              target, length, f);
+      return m_cone_triangulation.trace<internal::Leave_out_nothing>(m_triangulation, m_rules,
+                                                                     source, target, length, f);
   }
 
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
@@ -190,7 +189,8 @@ public:
   /// kept included.
   std::size_t memory() const
   {
-    return m_triangulation.memory() + m_unfolding.memory() + m_arc_cache.memory();
+    return m_triangulation.memory() + m_cone_triangulation.memory() + m_unfolding.memory() +
+           m_arc_cache.memory();
   }
 
   /// returns whether the triangulation is valid.
@@ -205,11 +205,10 @@ private:
   // window's edge, going by the labels: if, for every point x of the window,
   //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.
   // The difference of the lengths is smallest at the other end of the edge.
-  template <typename Labels>
-  struct Label_pruning : internal::Cone_visitor_base
+  template <typename Visitor, typename Labels>
+  struct Label_pruning : Visitor
   {
     static constexpr bool wants_distances = true;
-    static constexpr bool leaves_out_arcs = false;
 
     bool prune(const internal::Window& w) const
     {
@@ -224,7 +223,30 @@ private:
     double factor;
   };
 
+  // In balanced fans, detours are left out: a hub's neighbors may all see each other.
+  template <typename Visitor, typename Labels, typename F>
+  void find_useful_arcs(const Node node, const Labels& labels, const F& f) const
+  {
+    if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
+      find_arcs(node, f, Visitor());
+    else
+      find_arcs(node, f,
+                Label_pruning<Visitor, Labels>{{},
+                                               m_cone_triangulation.get(m_triangulation),
+                                               labels,
+                                               labels.distance(node),
+                                               m_rules.longest_detour});
+  }
+
+  template <typename F, typename Visitor>
+  void find_arcs(const Node node, const F& f, const Visitor& visitor) const
+  {
+    const Expansion expansion(m_cone_triangulation.get(m_triangulation), m_unfolding, m_rules);
+    m_cone_triangulation.for_each_arc(m_triangulation, expansion, node, f, visitor);
+  }
+
   Intrinsic_triangulation m_triangulation;
+  internal::Cone_triangulation m_cone_triangulation;
   internal::Unfolding m_unfolding;
   internal::Cone_rules m_rules;
   Arc_lengths m_edge_lengths;
