@@ -47,7 +47,10 @@ public:
     std::vector<AG::internal::Stored_arc> arcs;
     for(Node node = 0; node < number_of_nodes(); ++node)
     {
-      AG::internal::find_stored_arcs(expansion, node, m_rows.unit(), arcs);
+      AG::internal::find_stored_arcs(node, m_rows.unit(), arcs, [&](const auto f) {
+        expansion.expand(node,
+                         [&](const AG::internal::Straight_arc& arc) { f(arc.target, arc.length); });
+      });
       m_rows.append_row(arcs);
     }
   }

@@ -15,9 +15,9 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_triangulation.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -158,8 +158,8 @@ public:
   template <typename F>
   double for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
-    return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_rules, source,
-                                                            target, length, f);
+    return m_cone_triangulation.trace<internal::Leave_out_detours>(m_triangulation, m_rules, source,
+                                                                   target, length, f);
   }
 
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
@@ -173,7 +173,10 @@ public:
   void prefetch(const Node node) const { m_rows.prefetch(node); }
 
   /// returns the number of bytes that the graph takes, its triangulation included.
-  std::size_t memory() const { return m_triangulation.memory() + m_rows.memory(); }
+  std::size_t memory() const
+  {
+    return m_triangulation.memory() + m_cone_triangulation.memory() + m_rows.memory();
+  }
 
   /// returns whether the triangulation is valid, and every edge has arcs that are no longer.
   /// Run time is linear.
@@ -205,6 +208,7 @@ public:
   {
     Discrete_geodesic_graph result;
     result.m_triangulation = std::move(triangulation);
+    result.m_cone_triangulation = internal::Cone_triangulation(result.m_triangulation);
     double epsilon = 0;
     internal::Arc_file::load(in, result.m_triangulation, epsilon, result.m_rows);
     result.m_rules = internal::Cone_rules(epsilon);
@@ -222,7 +226,8 @@ private:
   template <typename ConcurrencyTag>
   void build()
   {
-    const internal::Unfolding unfolding(m_triangulation,
+    m_cone_triangulation = internal::Cone_triangulation(m_triangulation);
+    const internal::Unfolding unfolding(m_cone_triangulation.get(m_triangulation),
                                         internal::Loop::with_tag<ConcurrencyTag>());
     const Node number_of_vertices = m_triangulation.number_of_vertices();
     std::vector<internal::Compressed_arcs> blocks((number_of_vertices + SIZE_OF_BLOCK - 1) /
@@ -249,19 +254,22 @@ private:
                                     const Node first,
                                     const Node size) const
   {
-    const internal::Cone_expansion<internal::Unfolding> expansion(m_triangulation, unfolding,
-                                                                  m_rules);
+    const internal::Cone_expansion<internal::Unfolding> expansion(
+        m_cone_triangulation.get(m_triangulation), unfolding, m_rules);
     internal::Compressed_arcs result(unit);
     std::vector<internal::Stored_arc> arcs;
     for(Node node = first; node < first + size; ++node)
     {
-      internal::find_stored_arcs(expansion, node, unit, arcs);
+      internal::find_stored_arcs(node, unit, arcs, [&](const auto f) {
+        m_cone_triangulation.for_each_arc(m_triangulation, expansion, node, f);
+      });
       result.append_row(arcs);
     }
     return result;
   }
 
   Intrinsic_triangulation m_triangulation;
+  internal::Cone_triangulation m_cone_triangulation;
   internal::Cone_rules m_rules{0.1};
   internal::Compressed_arcs m_rows;
 };

@@ -15,9 +15,10 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_front.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_triangulation.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Label_pruning.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -112,7 +113,8 @@ public:
                                         const Arcs arcs = Arcs::FORGOTTEN)
     : m_loop(internal::Loop::with_tag<internal::Concurrency_tag<NamedParameters>>()),
       m_triangulation(std::move(triangulation)),
-      m_unfolding(m_triangulation, m_loop),
+      m_cone_triangulation(m_triangulation),
+      m_unfolding(m_cone_triangulation.get(m_triangulation), m_loop),
       m_rules(internal::checked_epsilon(np)),
       m_edge_lengths(summarize_arc_lengths(m_triangulation.lengths())),
       m_unit(internal::unit_of_arcs(m_triangulation))
@@ -152,19 +154,21 @@ public:
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    const Expansion expansion(m_triangulation, m_unfolding, m_rules);
+    const auto report = [&](const Node target, const double length) { f(target, length); };
     if(m_arc_cache.is_enabled())
     {
       const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
-        internal::find_stored_arcs(expansion, node, m_unit, arcs);
+        internal::find_stored_arcs(node, m_unit, arcs, [&](const auto& f_of_arc) {
+          find_arcs(node, f_of_arc, internal::Leave_out_detours());
+        });
       };
       for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
         f(arc.target, static_cast<double>(arc.length) * m_unit);
     }
+    else if(m_cone_triangulation.has_balanced_fans())
+      find_arcs_in_fans(node, labels, report);
     else if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
-      expansion.expand(
-          node, [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); },
-          internal::Leave_out_nothing());
+      find_arcs(node, report, internal::Leave_out_nothing());
     else
     {
       Arc_function<F> arcs{f};
@@ -186,7 +190,7 @@ public:
   {
     boost::container::small_vector<Node, nodes_at_a_time> together;
     for(std::size_t i = 0; i < number; ++i)
-      if(const Node node = nodes[i]; m_arc_cache.is_enabled() || labels.was_expanded(node))
+      if(const Node node = nodes[i]; !advances_together() || labels.was_expanded(node))
         for_each_arc(node, labels, [&](const Node target, const double length) {
           arcs.make_room(1);
           arcs.append(true, node, labels.distance(node), target, length);
@@ -211,11 +215,11 @@ public:
   template <typename F>
   double for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
-    if(m_arc_cache.is_enabled())
-      return internal::trace_arc<internal::Leave_out_detours>(m_triangulation, m_rules, source,
-                                                              target, length, f);
+    if(!advances_together())
+      return m_cone_triangulation.trace<internal::Leave_out_detours>(m_triangulation, m_rules,
+                                                                     source, target, length, f);
     else
-      return internal::trace_arc<internal::Leave_out_nothing>(
+      return m_cone_triangulation.trace<internal::Leave_out_nothing>(
           m_triangulation, m_rules.farther(internal::Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS),
           source, target, length, f);
   }
@@ -241,7 +245,8 @@ public:
   /// kept included.
   std::size_t memory() const
   {
-    return m_triangulation.memory() + m_unfolding.memory() + m_arc_cache.memory();
+    return m_triangulation.memory() + m_cone_triangulation.memory() + m_unfolding.memory() +
+           m_arc_cache.memory();
   }
 
   /// returns whether the triangulation is valid.
@@ -251,6 +256,12 @@ public:
 
 private:
   using Expansion = internal::Cone_expansion<internal::Unfolding>;
+
+  // whether nodes that are expanded for the first time are expanded together
+  bool advances_together() const
+  {
+    return !m_arc_cache.is_enabled() && !m_cone_triangulation.has_balanced_fans();
+  }
 
   template <typename F>
   struct Arc_function
@@ -277,8 +288,32 @@ private:
         .expand(nodes, number);
   }
 
+  // In balanced fans, detours are left out: a hub's neighbors may all see each other.
+  template <typename Labels, typename F>
+  void find_arcs_in_fans(const Node node, const Labels& labels, const F& f) const
+  {
+    using Visitor = internal::Leave_out_detours;
+    if(labels.was_expanded(node))
+      find_arcs(node, f, Visitor());
+    else
+      find_arcs(node, f,
+                internal::Label_pruning<Visitor, Labels>{{},
+                                                         m_cone_triangulation.get(m_triangulation),
+                                                         labels,
+                                                         labels.distance(node),
+                                                         m_rules.longest_detour});
+  }
+
+  template <typename F, typename Visitor>
+  void find_arcs(const Node node, const F& f, const Visitor& visitor) const
+  {
+    const Expansion expansion(m_cone_triangulation.get(m_triangulation), m_unfolding, m_rules);
+    m_cone_triangulation.for_each_arc(m_triangulation, expansion, node, f, visitor);
+  }
+
   internal::Loop m_loop; // first, as it is used to make the others
   Intrinsic_triangulation m_triangulation;
+  internal::Cone_triangulation m_cone_triangulation;
   internal::Unfolding m_unfolding;
   internal::Cone_rules m_rules;
   Arc_lengths m_edge_lengths;

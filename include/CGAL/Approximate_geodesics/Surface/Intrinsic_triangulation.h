@@ -33,7 +33,8 @@ namespace Approximate_geodesics {
 namespace internal {
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder;
-}
+class Balanced_fans;
+} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsSurface
@@ -207,8 +208,8 @@ public:
     return sizeof(Index) * (m_first_halfedge.capacity() + m_target.capacity() +
                             m_vertex_of_index.capacity() + m_index_of_vertex.capacity()) +
            sizeof(double) * (m_length.capacity() + m_weight.capacity()) +
-           (m_is_border.capacity() + m_is_barrier.capacity()) / 8 + m_opposite_rank.memory() +
-           m_thin_faces.memory();
+           (m_is_border.capacity() + m_is_barrier.capacity() + m_is_flipped.capacity()) / 8 +
+           m_opposite_rank.memory() + m_thin_faces.memory();
   }
 
   /// @}
@@ -365,6 +366,19 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   const internal::Thin_faces& thin_faces() const { return m_thin_faces; }
+
+  // Whether the edge of `h` is none of the mesh, as in `Balanced_fans`. A shortest path may cross
+  // such an edge more than once, and so the faces next to it.
+  bool is_flipped(const Index h) const { return !m_is_flipped.empty() && m_is_flipped[h]; }
+
+  // Whether the face to the left of `h` is none of the mesh. \pre There is one.
+  bool is_in_new_face(const Index h) const
+  {
+    if(m_is_flipped.empty())
+      return false;
+    const Index second = next(h);
+    return is_flipped(h) || is_flipped(second) || is_flipped(next(second));
+  }
 #endif
 
   /// asks for the arrays' entries at `h`, and the next few, which will be needed soon.
@@ -403,6 +417,7 @@ public:
 private:
   template <typename TriangleMesh, typename NamedParameters>
   friend class internal::Triangulation_builder;
+  friend class internal::Balanced_fans;
 
   bool is_valid_halfedge(Index h) const;
 
@@ -414,6 +429,7 @@ private:
   internal::Thin_faces m_thin_faces;
   std::vector<double> m_weight;   // per halfedge, or empty
   std::vector<bool> m_is_barrier; // likewise
+  std::vector<bool> m_is_flipped; // likewise
   std::vector<Index> m_vertex_of_index;
   std::vector<Index> m_index_of_vertex;
   Index m_number_of_faces = 0;

@@ -32,6 +32,7 @@ struct Unfolded_face
   Index apex;  // the third vertex, or null_index if the halfedge is a border halfedge
   Index left;  // the halfedge from the source to the apex, or null_index if there is no face beyond
   Index right; // likewise, the one from the apex to the target
+  bool is_edge_new, is_face_new; // a shortest path may come back to them: see `Balanced_fans`
   double along, across; // the apex is so far along the halfedge and to its left, in its lengths
 
   Plane_vector position_of_apex(const Plane_vector source, const Plane_vector target) const
@@ -50,15 +51,20 @@ inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
 {
   constexpr auto null_index = Intrinsic_triangulation::null_index;
   if(triangulation.is_border(h))
-    return {null_index, null_index, null_index, 0, 0};
+    return {null_index, null_index, null_index, triangulation.is_flipped(h), false, 0, 0};
 
   const auto left = triangulation.counterclockwise(source, h);
   const auto apex = triangulation.target(left);
   const auto right = triangulation.counterclockwise(apex, triangulation.opposite(left));
   position =
       apex_position(triangulation, h, triangulation.length(left), triangulation.length(right));
-  return {apex, triangulation.is_border(left) ? null_index : left,
-          triangulation.is_border(right) ? null_index : right, position.along, position.across};
+  return {apex,
+          triangulation.is_border(left) ? null_index : left,
+          triangulation.is_border(right) ? null_index : right,
+          triangulation.is_flipped(h),
+          triangulation.is_in_new_face(h),
+          position.along,
+          position.across};
 }
 
 inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,

@@ -169,10 +169,10 @@ private:
                F& f,
                const Visitor& visitor) const
   {
-    if(has_ended(cone))
-      return false;
     const Unfolded_face& face = m_unfolding.face(cone.window.halfedge);
-    if(face.apex == source)
+    if(has_ended(cone, face.is_edge_new))
+      return false;
+    if(face.apex == source && !face.is_face_new)
       return false; // a shortest path does not come back to a face that it has left
     const Plane_vector apex =
         face.position_of_apex(cone.window.left_position, cone.window.right_position);
@@ -204,7 +204,7 @@ private:
   }
 
   // Whether nothing that lies behind the window is of interest.
-  static bool has_ended(Cone& cone)
+  static bool has_ended(Cone& cone, const bool is_edge_new)
   {
     if(!cone.has_middle)
       cone.find_middle();
@@ -213,13 +213,14 @@ private:
     const double slope = cross(cone.middle, edge);
     if(!(area >= 0 && slope > 0))
       return true; // no more than rounding errors
-    return area >= cone.end_of_interest * slope || is_back(cone);
+    return area >= cone.end_of_interest * slope || (!is_edge_new && is_back(cone));
   }
 
   // A shortest path meets a face only once. Straight lines may do so often, where they wind round a
   // spike. To notice that they have come round again, they remember one halfedge that they met, a
   // later one each time that the way is twice as long, as Brent does to find a cycle (R. P. Brent,
-  // An improved Monte Carlo factorization algorithm, 1980).
+  // An improved Monte Carlo factorization algorithm, 1980). New edges are not shortest paths, and
+  // do not count.
   static bool is_back(Cone& cone)
   {
     if(cone.window.halfedge == cone.checkpoint)

@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
@@ -94,17 +93,17 @@ inline void sort_few_arcs(std::vector<Stored_arc>& arcs)
 }
 
 // Replaces `arcs` by those of `node`, in the way they are stored: sorted, and the shortest one of
-// several to the same target.
-template <typename Unfolding>
-void find_stored_arcs(const Cone_expansion<Unfolding>& expansion,
-                      const Intrinsic_triangulation::Index node,
+// several to the same target. `for_each_arc(f)` calls `f(target, length)`.
+template <typename ForEachArc>
+void find_stored_arcs(const Intrinsic_triangulation::Index node,
                       const double unit,
-                      std::vector<Stored_arc>& arcs)
+                      std::vector<Stored_arc>& arcs,
+                      ForEachArc for_each_arc)
 {
   arcs.clear();
-  expansion.expand(node, [&](const Straight_arc& arc) {
-    if(arc.target != node)
-      arcs.push_back({arc.target, round_up(arc.length / unit)});
+  for_each_arc([&](const Intrinsic_triangulation::Index target, const double length) {
+    if(target != node)
+      arcs.push_back({target, round_up(length / unit)});
   });
   if(arcs.size() <= FEW_ARCS)
     sort_few_arcs(arcs);

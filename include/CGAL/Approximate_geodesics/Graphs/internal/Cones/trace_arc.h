@@ -193,6 +193,24 @@ inline void search_in_doubt(const Intrinsic_triangulation& triangulation,
                                            search);
 }
 
+// Calls `f(h, t)` for the edges that the line found to `target` crosses. Returns its length.
+template <typename F>
+double report_line(const Intrinsic_triangulation& triangulation,
+                   const Line_search& search,
+                   const Intrinsic_triangulation::Index target,
+                   F f)
+{
+  if(search.found.target != target)
+    reject("the graph has an arc that the mesh has not; was it read from a file that was changed?");
+  const Straight_arc& arc = search.found;
+  const Plane_vector right{triangulation.length(arc.start), 0};
+  const Plane_vector left =
+      Unfolding_on_demand(triangulation).face(arc.start).position_of_apex({0, 0}, right);
+  for_each_crossed_edge(triangulation, search.tree.halfedges(arc.trail), left, right, arc.position,
+                        f);
+  return arc.length;
+}
+
 // Calls `f(h, t)` for every edge that an arc in a discrete geodesic graph crosses, from its source
 // on: at the point that is at the part `t` of the way from the source to the target of the halfedge
 // `h`. The arcs of the graph were found with a visitor of the given type, or are some of those.
@@ -209,15 +227,7 @@ double trace_arc(const Intrinsic_triangulation& triangulation,
   Line_search search{length};
   find_arc<Visitor>(triangulation, rules, source, target, search);
   search_in_doubt(triangulation, rules, source, target, search);
-  if(search.found.target != target)
-    reject("the graph has an arc that the mesh has not; was it read from a file that was changed?");
-  const Straight_arc& arc = search.found;
-  const Plane_vector right{triangulation.length(arc.start), 0};
-  const Plane_vector left =
-      Unfolding_on_demand(triangulation).face(arc.start).position_of_apex({0, 0}, right);
-  for_each_crossed_edge(triangulation, search.tree.halfedges(arc.trail), left, right, arc.position,
-                        f);
-  return arc.length;
+  return report_line(triangulation, search, target, f);
 }
 
 } // namespace internal

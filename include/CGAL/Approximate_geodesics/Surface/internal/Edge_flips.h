@@ -1,0 +1,227 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_EDGE_FLIPS_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_EDGE_FLIPS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * A copy of a triangulation, in which edges can be flipped: the two faces at an edge are laid out
+ * in the plane, and their other diagonal takes its place. So the surface and its vertices stay what
+ * they are. Halfedges keep their numbers, those that were flipped with other ends.
+ */
+class Edge_flips
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  static constexpr Index null_index = Intrinsic_triangulation::null_index;
+
+  struct Halfedge
+  {
+    Index target, opposite;
+    Index counterclockwise, clockwise; // among those that start from the same vertex
+    double length;
+    double corner;       // at its source, the scalar product of the two sides of the face ...
+    double doubled_area; // ... to its left
+    Index hub;           // the vertex that it was taken from by a flip, if any
+  };
+
+  explicit Edge_flips(const Intrinsic_triangulation& triangulation) : m_mesh(triangulation)
+  {
+    m_halfedges.reserve(triangulation.number_of_halfedges());
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+      for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+        m_halfedges.push_back(copy(v, h));
+  }
+
+  const Halfedge& operator[](const Index h) const { return m_halfedges[h]; }
+
+  bool is_flipped(const Index h) const { return m_halfedges[h].hub != null_index; }
+
+  Index next(const Index h) const { return m_halfedges[m_halfedges[h].opposite].clockwise; }
+
+  std::array<Index, 3> halfedges_of_face(const Index h) const
+  {
+    const Index second = next(h);
+    return {h, second, next(second)};
+  }
+
+  // Whether `h`, which starts from `hub`, can be flipped: its target then lies beyond the new edge
+  // or on it, and the angle between the edges to the new one's ends is not blunt. New edges of
+  // another hub are not touched, so that between those of two hubs there are always others.
+  bool can_flip(const Index hub, const Index h) const
+  {
+    const Index g = m_halfedges[h].opposite;
+    if(is_flipped(h) || m_mesh.is_border(h) || m_mesh.is_border(g))
+      return false;
+    const Quad quad = this->quad(h);
+    for(const Index side : {quad.left_side, quad.left_rim, quad.right_rim, quad.right_side})
+      if(is_flipped(side) && m_halfedges[side].hub != hub)
+        return false;
+    const Index v = m_halfedges[h].target, left = m_halfedges[quad.left_rim].target,
+                right = m_halfedges[quad.right_side].target;
+    if(left == right || left == hub || right == hub || left == v || right == v || v == hub)
+      return false;
+    const double sum = m_halfedges[h].doubled_area + m_halfedges[g].doubled_area;
+    return m_halfedges[h].doubled_area > 0 && m_halfedges[g].doubled_area > 0 &&
+           doubled_area_beyond(quad) >= -ROUNDING * sum &&
+           dot(left_of_source(quad), right_of_source(quad)) > 0;
+  }
+
+  // \pre `can_flip(hub, h)`
+  void flip(const Index hub, const Index h)
+  {
+    const Index g = m_halfedges[h].opposite;
+    const Quad quad = this->quad(h);
+    const Plane_vector left = left_of_target(quad), right = right_of_target(quad);
+    const Plane_vector far_left = left_of_source(quad), far_right = right_of_source(quad);
+    const Plane_vector diagonal = left - right;
+    const double beyond = doubled_area_beyond(quad);
+    const double area = m_halfedges[h].doubled_area + m_halfedges[g].doubled_area;
+    const bool is_straight = beyond <= ROUNDING * area; // and may be bent by rounding only
+    const Index ends[2] = {m_halfedges[quad.right_side].target, m_halfedges[quad.left_rim].target};
+    const double new_length = fitting_length(quad, internal::length(diagonal), is_straight);
+
+    remove(h);
+    remove(g);
+    connect(h, quad.right_rim, ends[1], hub, new_length);
+    connect(g, quad.left_side, ends[0], hub, new_length);
+    set_face({quad.left_rim, g, quad.right_rim},
+             {dot(left, right), dot(left, diagonal), -dot(right, diagonal)},
+             is_straight ? 0 : beyond);
+    set_face({quad.right_side, h, quad.left_side},
+             {dot(far_left, far_right), -dot(far_right, diagonal), dot(far_left, diagonal)},
+             cross(far_right, far_left));
+  }
+
+private:
+  // What coordinates of vertices may be wrong by, as a part of the distance from the hub.
+  static constexpr double ROUNDING = 16 * std::numeric_limits<double>::epsilon();
+
+  // The sides of the two faces at an edge, counterclockwise around both of them.
+  struct Quad
+  {
+    Index diagonal;
+    Index left_rim;   // from its target
+    Index left_side;  // to its source
+    Index right_side; // from its source
+    Index right_rim;  // to its target
+  };
+
+  Halfedge copy(const Index v, const Index h) const
+  {
+    Halfedge result{m_mesh.target(h),
+                    m_mesh.opposite(h),
+                    m_mesh.counterclockwise(v, h),
+                    m_mesh.clockwise(v, h),
+                    m_mesh.length(h),
+                    0,
+                    0,
+                    null_index};
+    if(!m_mesh.is_border(h))
+    {
+      const Apex_position apex = apex_position(m_mesh, v, h);
+      result.corner = apex.along * result.length * result.length;
+      result.doubled_area = apex.across * result.length * result.length;
+    }
+    return result;
+  }
+
+  Quad quad(const Index h) const
+  {
+    const auto left = halfedges_of_face(h), right = halfedges_of_face(m_halfedges[h].opposite);
+    return {h, left[1], left[2], right[1], right[2]};
+  }
+
+  // The ends of the new edge, seen from the target and from the source of the old one, which lies
+  // along x.
+  Plane_vector left_of_target(const Quad& q) const { return layout(q, -corner(q.left_rim), 1); }
+  Plane_vector right_of_target(const Quad& q) const
+  {
+    return layout(q, -corner(m_halfedges[q.diagonal].opposite), -1);
+  }
+  Plane_vector left_of_source(const Quad& q) const { return layout(q, corner(q.diagonal), 1); }
+  Plane_vector right_of_source(const Quad& q) const { return layout(q, corner(q.right_side), -1); }
+
+  double corner(const Index h) const { return m_halfedges[h].corner; }
+
+  Plane_vector layout(const Quad& quad, const double product, const double side) const
+  {
+    const Halfedge& h = m_halfedges[quad.diagonal];
+    const double area = side > 0 ? h.doubled_area : m_halfedges[h.opposite].doubled_area;
+    return {product / h.length, side * area / h.length};
+  }
+
+  // twice the area between the target and the new edge, negative if that passes on the other side
+  double doubled_area_beyond(const Quad& quad) const
+  {
+    return cross(left_of_target(quad), right_of_target(quad));
+  }
+
+  // Lengths of the new edge have to fit the two new faces, whatever was rounded.
+  double fitting_length(const Quad& quad, const double diagonal, const bool is_straight) const
+  {
+    const double left = m_halfedges[quad.left_rim].length,
+                 right = m_halfedges[quad.right_rim].length;
+    const double far_left = m_halfedges[quad.left_side].length,
+                 far_right = m_halfedges[quad.right_side].length;
+    if(is_straight)
+      return left + right;
+    return (std::max)(std::abs(far_left - far_right), (std::min)(diagonal, left + right));
+  }
+
+  void remove(const Index h)
+  {
+    const Halfedge& old = m_halfedges[h];
+    m_halfedges[old.clockwise].counterclockwise = old.counterclockwise;
+    m_halfedges[old.counterclockwise].clockwise = old.clockwise;
+  }
+
+  // Puts `h` behind another halfedge of its new source.
+  void connect(const Index h, const Index clockwise, const Index target, const Index hub, double l)
+  {
+    const Index counterclockwise = m_halfedges[clockwise].counterclockwise;
+    m_halfedges[h] = {target, m_halfedges[h].opposite, counterclockwise, clockwise, l, 0, 0, hub};
+    m_halfedges[clockwise].counterclockwise = h;
+    m_halfedges[counterclockwise].clockwise = h;
+  }
+
+  void set_face(const std::array<Index, 3>& halfedges,
+                const std::array<double, 3>& at_corner,
+                const double doubled_area)
+  {
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      m_halfedges[halfedges[i]].corner = at_corner[i];
+      m_halfedges[halfedges[i]].doubled_area = doubled_area;
+    }
+  }
+
+  const Intrinsic_triangulation& m_mesh;
+  std::vector<Halfedge> m_halfedges;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_EDGE_FLIPS_H
