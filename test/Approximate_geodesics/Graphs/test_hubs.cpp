@@ -11,6 +11,8 @@
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Balanced_fans.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -242,6 +244,53 @@ TEST(Hubs, have_the_distances_of_the_plane_where_they_are_flat_and_convex)
     exact[t.vertex(i)] = std::sqrt(CGAL::squared_distance(point(5), point(i)));
   expect_bound_at_hub<Discrete_geodesic_graph>(t, t.vertex(5), exact, 0.1);
   expect_bound_at_hub<Lazy_discrete_geodesic_graph>(t, t.vertex(5), exact, 0.1);
+}
+
+// Two hubs that share an edge, in a disk that is divided between them.
+TEST(Hubs, have_the_bound_where_they_are_neighbors)
+{
+  constexpr std::size_t size = 1000;
+  Soup soup;
+  for(std::size_t i = 0; i < size; ++i)
+    soup.points.push_back(flat_rim(2 * CGAL_PI * static_cast<double>(i) / size, i));
+  soup.points.push_back(Point(0, 0.4, 0));
+  soup.points.push_back(Point(0.1, -0.3, 0));
+  for(std::size_t i = 0; i < size; ++i)
+    soup.triangles.push_back({i, (i + 1) % size, i < size / 2 ? size : size + 1});
+  soup.triangles.push_back({0, size, size + 1});
+  soup.triangles.push_back({size / 2, size + 1, size});
+  const Triangulation t(to_mesh(soup));
+  EXPECT_TRUE(Balanced_fans(t).triangulation().is_valid());
+  for(const std::size_t source : {std::size_t(3), size / 2, size, size + 1})
+  {
+    std::vector<double> exact(size + 2);
+    for(std::size_t i = 0; i < size + 2; ++i)
+      exact[t.vertex(i)] = std::sqrt(CGAL::squared_distance(soup.points[source], soup.points[i]));
+    expect_bound_at_hub<Discrete_geodesic_graph>(t, t.vertex(source), exact, 0.1);
+    expect_bound_at_hub<Lazy_discrete_geodesic_graph>(t, t.vertex(source), exact, 0.1);
+  }
+}
+
+// Rounded shapes of thin faces are those that the mesh has; lengths alone say less of them.
+TEST(Hubs, have_the_bound_where_only_lengths_are_known)
+{
+  constexpr std::size_t size = 300;
+  for(const Hub_mesh& fan : hub_meshes())
+  {
+    SCOPED_TRACE(fan.name);
+    const Mesh mesh = make_mesh(fan, size);
+    const std::vector<double> lengths = edge_lengths(mesh);
+    const auto map =
+        boost::make_function_property_map<Edge>([&](const Edge e) { return lengths[e.idx()]; });
+    const Triangulation t(mesh, CGAL::parameters::edge_length_map(map));
+    const AG::Saddle_vertex_graph exact_graph(t);
+    AG::Propagation<AG::Saddle_vertex_graph> search(exact_graph);
+    search.run_from(t.vertex(2));
+    std::vector<double> exact;
+    for(Node v = 0; v < t.number_of_vertices(); ++v)
+      exact.push_back(search.distance(v) * (1 - 1e-9));
+    expect_bound_at_hub<Discrete_geodesic_graph>(t, t.vertex(2), exact, 0.1);
+  }
 }
 
 // ----- paths

@@ -99,9 +99,9 @@ public:
    * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, if a face breaks
    *         the triangle inequality, or if `triangulation` has weights or barriers.
    *
-   * A vertex takes constant time and memory on meshes whose faces are not too oblong and whose
-   * vertices are not of high degree, and time \cgalBigO{n} at worst if cones of a bounded number
-   * cross all faces, as in a fan of `n` needles.
+   * A vertex takes constant time and memory on meshes whose faces are not too oblong, whatever its
+   * degree, and time \cgalBigO{n} at worst if cones of a bounded number cross all faces, as in a
+   * fan of `n` needles whose outer ends turn inwards.
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Discrete_geodesic_graph(Intrinsic_triangulation triangulation,
