@@ -135,8 +135,9 @@ approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
       !AG::internal::ignores_any<
           NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,
           internal_np::edge_length_t, internal_np::face_weight_t,
-          internal_np::edge_is_constrained_t, internal_np::maximum_distance_t,
-          internal_np::targets_t, internal_np::symmetric_t, internal_np::visitor_t>,
+          internal_np::direction_to_source_t, internal_np::edge_is_constrained_t,
+          internal_np::maximum_distance_t, internal_np::targets_t, internal_np::symmetric_t,
+          internal_np::visitor_t>,
       "approximate_geodesic_distance_matrix() does not read one of these named parameters: its "
       "documentation lists those that it does");
 

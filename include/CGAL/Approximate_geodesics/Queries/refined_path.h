@@ -90,6 +90,9 @@ double refined_path(const TriangleMesh& tmesh,
 {
   static_assert(!internal::is_given<NamedParameters, internal_np::epsilon_t>,
                 "epsilon: selective refinement gives no bound; use approximate_geodesic_path()");
+  static_assert(!internal::has_directional_cost<NamedParameters>,
+                "directional_cost: selective refinement knows no directions; use "
+                "approximate_geodesic_path()");
   static_assert(
       !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
                              internal_np::relative_tolerance_t,

@@ -123,9 +123,10 @@ private:
       points_of_columns.push_back(points[column]);
       m_points.first_arc.push_back(m_points.arcs.size());
       if constexpr(!needs_bounds<Graph>)
-        graph.attach(points[column]).for_each_node([this](const auto node, const double length) {
-          m_points.arcs.push_back({node, length});
-        });
+        attach_target(graph, points[column])
+            .for_each_node([this](const auto node, const double length) {
+              m_points.arcs.push_back({node, length});
+            });
     }
     m_points.first_arc.push_back(m_points.arcs.size());
     m_points.points = Points_by_face(graph.triangulation(), std::move(points_of_columns));
