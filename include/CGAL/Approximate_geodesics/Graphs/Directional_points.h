@@ -111,12 +111,12 @@ public:
     const double rest = (std::max)((1 + m_epsilon) / (1 + sampling_error) - 1, 0.5 * m_epsilon);
     const double of_crossings = SHARE_OF_CROSSINGS * rest;
     m_bound = m_epsilon;
+    compute_spacings(triangulation, of_crossings);
+    compute_starts(triangulation, (rest - of_crossings) / (1 + of_crossings));
     if((1 + rest) * (1 + sampling_error) > (1 + m_epsilon) * (1 + ROUNDING))
       give_up("costs were asked for in too few directions, and may be too high by " +
               internal::text_of(sampling_error) +
               ": epsilon has to be given to the triangulation, too, or a larger one");
-    compute_spacings(triangulation, of_crossings);
-    compute_starts(triangulation, (rest - of_crossings) / (1 + of_crossings));
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(triangulation.is_crossable(h) && triangulation.length(h) > 0 &&
          progressions(triangulation, h).number_of_points() > LARGEST_NUMBER)
@@ -220,6 +220,8 @@ private:
                               internal::Face_shape(triangulation, h).distance_to_opposite_edge());
           add_costs(triangulation, h, smallest, largest);
         }
+      if(radius == 0)
+        give_up("a face at vertex " + std::to_string(triangulation.index(v)) + " has no area");
       const double ratio = largest > 0 ? largest / smallest : 1;
       m_start[v] = radius < infinity ? radius * (epsilon / (2 * (ratio + epsilon))) : 0;
     }

@@ -80,7 +80,10 @@ public:
       return 0;
     const Plane_vector before = functional(previous(s)), behind = functional(next(s));
     const Plane_vector difference = behind - before;
-    Plane_vector d{-difference.y, difference.x}; // where both are the same
+    const double scale = (std::max)(std::abs(difference.x), std::abs(difference.y));
+    if(scale == 0)
+      return 0;
+    Plane_vector d{-difference.y / scale, difference.x / scale}; // where both are the same
     if(dot(d, m_directions[m_corners[s]] + m_directions[m_corners[next(s)]]) < 0)
       d = -1 * d;
     const double largest = dot(functional(s), d), smallest = dot(before, d);

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
