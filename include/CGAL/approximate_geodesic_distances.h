@@ -29,7 +29,9 @@ namespace CGAL {
  * early, get infinity, and so does every vertex if there is no source.
  *
  * Faces can have weights, and edges can be barriers. Distances are then costs; with `epsilon` they
- * are at most \f$1 + \varepsilon\f$ times those of the cheapest paths on the surface.
+ * are at most \f$1 + \varepsilon\f$ times those of the cheapest paths on the surface. Weights can
+ * depend on the direction; distances are then those of the ways from the sources, unless
+ * `direction_to_source` is `true`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexDistanceMap a model of `WritablePropertyMap` with
@@ -96,9 +98,18 @@ namespace CGAL {
  *                           faces.}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a number
- *                    type convertible by `CGAL::to_double()` as value type}
+ *                    type convertible by `CGAL::to_double()` as value type; or what
+ *                    `Approximate_geodesics::directional_cost()` returns, for costs that depend on
+ *                    the direction}
  *     \cgalParamDefault{unused: all faces have weight `1`}
  *     \cgalParamExtra{If it is given, costs take the place of lengths and distances.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{direction_to_source}
+ *     \cgalParamDescription{whether distances are those to the sources, and not from them, where
+ *                           costs depend on the direction}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *     \cgalParamExtra{It can only be given together with costs that depend on the direction.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which

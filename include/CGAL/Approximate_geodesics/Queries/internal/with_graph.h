@@ -66,14 +66,8 @@ auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
   static_assert(!has_epsilon || !has_number,
                 "epsilon and number_of_points_per_edge: only one of them can be given");
 
-  constexpr bool is_directional = has_directional_cost<NamedParameters>;
-  static_assert(
-      is_directional || !is_given<NamedParameters, internal_np::direction_to_source_t>,
-      "direction_to_source: distances there and back are the same, unless costs depend on "
-      "the direction: face_weight_map(directional_cost(f))");
-
   Intrinsic_triangulation triangulation(tmesh, np);
-  if constexpr(is_directional)
+  if constexpr(has_directional_cost<NamedParameters>)
     return f(directional_graph(std::move(triangulation), np));
   else if constexpr(has_number)
     return f(Steiner_graph<Fixed_number_of_points>(std::move(triangulation), np));

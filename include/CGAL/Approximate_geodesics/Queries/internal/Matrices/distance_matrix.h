@@ -141,7 +141,7 @@ Matrix_identity identity_of_matrix(const Graph& graph,
   return result;
 }
 
-template <typename Graph, typename Rows, typename NamedParameters>
+template <typename Rows, typename NamedParameters>
 bool wants_symmetry(const Matrix_points& points, const NamedParameters& np)
 {
   static_assert(!is_given<NamedParameters, internal_np::symmetric_t> || can_be_symmetric<Rows>,
@@ -149,8 +149,6 @@ bool wants_symmetry(const Matrix_points& points, const NamedParameters& np)
                 "Dense_rows, Radius_rows, Npy_file");
   const bool result =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::symmetric), false);
-  if(result && is_directed<Graph>)
-    reject("symmetric: costs depend on the direction, so that distances there and back differ");
   if(result && !are_the_same(points.sources, points.targets))
     reject("symmetric: targets are not the same points as sources, in the same order");
   return result;
@@ -163,7 +161,9 @@ bool compute_distance_matrix(const Graph& graph,
                              const Matrix_points& points,
                              const NamedParameters& np)
 {
-  const bool is_symmetric = wants_symmetry<Graph, Rows>(points, np);
+  const bool is_symmetric = wants_symmetry<Rows>(points, np);
+  if(is_symmetric && is_directed<Graph>)
+    reject("symmetric: costs depend on the direction, so that distances there and back differ");
   Row_limits limits{checked_maximum_distance(np), number_of_nearest(rows), {}};
   const Matrix_columns<Graph> columns(graph, points.targets);
   if(points.are_targets_given && columns.are_vertices() &&
