@@ -122,8 +122,10 @@ public:
     m_first_sector.push_back(m_sectors.size());
     const Sector* const first = first_sector(number_of_faces());
     const Sector* const beyond = sectors() + m_sectors.size();
-    const Sector* const lower = std::find_if(
-        first, beyond, [&](const Sector& s) { return !is_ahead(*first, s.direction); });
+    const Sector* const lower = // the first one is not: rounded, it may be to the right of itself
+        first == beyond ? beyond : std::find_if(first + 1, beyond, [&](const Sector& sector) {
+          return !is_ahead(*first, sector.direction);
+        });
     m_beyond_upper.push_back(static_cast<Index>(lower - first));
   }
 
