@@ -118,7 +118,7 @@ double smallest_value(const std::function<double(double)>& f, double low, double
 TEST(Directional_costs, MovingRiver)
 {
   const Mesh mesh = to_mesh(flat_grid(6, 7));
-  for(const double epsilon : {0.5, 0.1, 0.02})
+  for(const double epsilon : {0.5, 0.1})
     for(const double drift : {0., 0.3, 0.9})
       expect_straight_lines(mesh, Wind{Vector(0.8 * drift, -0.6 * drift, 0), 1}, epsilon);
 }
@@ -219,7 +219,7 @@ void expect_zigzags(const Cost& cost, const double slope, const double sign)
         return cost(Face(0), Vector(std::cos(angle), 0, sign * std::sin(angle))) / std::sin(angle);
       },
       1e-3, largest);
-  const double epsilon = 0.1;
+  const double epsilon = 0.4;
   const auto graph = bounded_graph(mesh, cost, epsilon);
   const Vertex low(2), high(2 + 5 * 8);
   const double height = mesh.point(high).z() - mesh.point(low).z();
@@ -309,7 +309,7 @@ TEST(Directional_costs, ArcsThatAreLeftOutAreNotNeeded)
   {
     const Mesh mesh = to_mesh(soup);
     const auto slants = random_slants(mesh, random, 0.9);
-    for(const std::size_t number : {0, 3, 20})
+    for(const std::size_t number : {0u, 3u, 20u})
     {
       const Dense_graph graph = dense_graph(mesh, cost_of_faces(slants), number);
       AG::Propagation<Dense_graph> search(graph);
