@@ -64,7 +64,7 @@ def surface_actor(reader):
     return actor
 
 
-def walls_actor(reader):
+def walls_actor(reader, height=0.13):
     """What makes a block of the surface: walls down from its border."""
     border = vtk.vtkFeatureEdges()
     border.SetInputConnection(reader.GetOutputPort())
@@ -74,7 +74,7 @@ def walls_actor(reader):
     walls = vtk.vtkLinearExtrusionFilter()
     walls.SetInputConnection(border.GetOutputPort())
     walls.SetExtrusionTypeToVectorExtrusion()
-    walls.SetVector(0, 0, -0.13)
+    walls.SetVector(0, 0, -height)
     actor = actor_of(walls, (0.55, 0.45, 0.36))
     actor.GetProperty().LightingOff()
     return actor

@@ -12,6 +12,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 
+#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -32,6 +33,8 @@
 #include <CGAL/Approximate_geodesics/Search/Propagation_rules.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
@@ -46,6 +49,11 @@
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 
+#include <CGAL/Approximate_geodesics/Mesh/Costs/Drift_time.h>
+#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
+#include <CGAL/Approximate_geodesics/Mesh/Costs/One_way.h>
+#include <CGAL/Approximate_geodesics/Mesh/Costs/Tensor_cost.h>
+#include <CGAL/Approximate_geodesics/Mesh/Costs/Walking_energy.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>

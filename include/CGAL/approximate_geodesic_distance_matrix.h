@@ -57,9 +57,9 @@ namespace CGAL {
  * \param sources the points of the surface that the rows belong to; duplicates are allowed
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below, and `vertex_point_map`, `edge_length_map`, `epsilon`,
- *           `number_of_points_per_edge`, `face_weight_map`, `edge_is_constrained_map`,
- *           `vertex_index_map`, `halfedge_index_map` and `geom_traits`, which are as for
- *           `approximate_geodesic_distances()`
+ *           `number_of_points_per_edge`, `face_weight_map`, `direction_to_source`,
+ *           `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map` and `geom_traits`,
+ *           which are as for `approximate_geodesic_distances()`
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{targets}
@@ -79,8 +79,9 @@ namespace CGAL {
  *                           directions, which is that of a path, too}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`: both directions differ, by rounding or by the error of a bound}
- *     \cgalParamExtra{Targets must be the same points as sources, in the same order. It is for
- *                     `Dense_rows`, `Radius_rows`, and `Npy_file`.}
+ *     \cgalParamExtra{Targets must be the same points as sources, in the same order, and costs must
+ *                     not depend on the direction. It is for `Dense_rows`, `Radius_rows`, and
+ *                     `Npy_file`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{concurrency_tag}
  *     \cgalParamDescription{whether several threads compute rows, each of them others}
@@ -135,8 +136,9 @@ approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
       !AG::internal::ignores_any<
           NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,
           internal_np::edge_length_t, internal_np::face_weight_t,
-          internal_np::edge_is_constrained_t, internal_np::maximum_distance_t,
-          internal_np::targets_t, internal_np::symmetric_t, internal_np::visitor_t>,
+          internal_np::direction_to_source_t, internal_np::edge_is_constrained_t,
+          internal_np::maximum_distance_t, internal_np::targets_t, internal_np::symmetric_t,
+          internal_np::visitor_t>,
       "approximate_geodesic_distance_matrix() does not read one of these named parameters: its "
       "documentation lists those that it does");
 

@@ -29,7 +29,9 @@ namespace CGAL {
  * early, get infinity, and so does every vertex if there is no source.
  *
  * Faces can have weights, and edges can be barriers. Distances are then costs; with `epsilon` they
- * are at most \f$1 + \varepsilon\f$ times those of the cheapest paths on the surface.
+ * are at most \f$1 + \varepsilon\f$ times those of the cheapest paths on the surface. Weights can
+ * depend on the direction; distances are then those of the ways from the sources, unless
+ * `direction_to_source` is `true`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexDistanceMap a model of `WritablePropertyMap` with
@@ -96,9 +98,18 @@ namespace CGAL {
  *                           faces.}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a number
- *                    type convertible by `CGAL::to_double()` as value type}
+ *                    type convertible by `CGAL::to_double()` as value type; or what
+ *                    `Approximate_geodesics::directional_cost()` returns, for costs that depend on
+ *                    the direction}
  *     \cgalParamDefault{unused: all faces have weight `1`}
  *     \cgalParamExtra{If it is given, costs take the place of lengths and distances.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{direction_to_source}
+ *     \cgalParamDescription{whether distances are those to the sources, and not from them, where
+ *                           costs depend on the direction}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *     \cgalParamExtra{It can only be given together with costs that depend on the direction.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which
@@ -222,9 +233,10 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
       !AG::internal::ignores_any<
           NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,
           internal_np::edge_length_t, internal_np::face_weight_t,
-          internal_np::edge_is_constrained_t, internal_np::initial_distances_t,
-          internal_np::maximum_distance_t, internal_np::targets_t, internal_np::nearest_source_t,
-          internal_np::geodesic_predecessor_t, internal_np::visitor_t>,
+          internal_np::direction_to_source_t, internal_np::edge_is_constrained_t,
+          internal_np::initial_distances_t, internal_np::maximum_distance_t, internal_np::targets_t,
+          internal_np::nearest_source_t, internal_np::geodesic_predecessor_t,
+          internal_np::visitor_t>,
       "approximate_geodesic_distances() does not read one of these named parameters: its "
       "documentation lists those that it does; straighten is for paths");
 

@@ -3,7 +3,8 @@
 \cgalConcept
 
 The concept `SteinerPointPlacement` describes where `CGAL::Approximate_geodesics::Steiner_graph`
-puts points on edges. A graph has a copy of its placement.
+and `CGAL::Approximate_geodesics::Directional_graph` put points on edges. A graph has a copy of its
+placement.
 
 A <b>position</b> on an edge is a part of it, measured from the nearer end, so that points very
 close to an end can be told apart: from `0` to `0.5`, it is the part of the edge between the source
@@ -13,6 +14,7 @@ of the halfedge and the point; if it is negative, minus the part between the poi
 \cgalHasModels{CGAL::Approximate_geodesics::Fixed_number_of_points}
 \cgalHasModels{CGAL::Approximate_geodesics::Points_at_interval}
 \cgalHasModels{CGAL::Approximate_geodesics::Geometric_points}
+\cgalHasModels{CGAL::Approximate_geodesics::Directional_points}
 \cgalHasModels{CGAL::Approximate_geodesics::Published_geometric_points}
 \cgalHasModelsEnd
 */

@@ -29,6 +29,7 @@ Lines_in_faces attach(const Intrinsic_point& p) const { return {m_triangulation,
 \cgalHasModels{CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Saddle_vertex_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Steiner_graph}
+\cgalHasModels{CGAL::Approximate_geodesics::Directional_graph}
 \cgalHasModelsEnd
 
 \sa `CGAL::Approximate_geodesics::Surface_search`
@@ -74,6 +75,14 @@ public:
   vertices, and whose unit is that of the triangulation.
   */
   unspecified_type attach(const CGAL::Approximate_geodesics::Intrinsic_point& point) const;
+
+  /// does the same for a point where searches arrive: lengths are those of the ways from nodes to
+  /// the point. Only needed if the ways there and back differ.
+  unspecified_type attach_target(const CGAL::Approximate_geodesics::Intrinsic_point& point) const;
+
+  /// returns whether distances are those to the sources of a search, and not from them. Only needed
+  /// if these differ; matrices are not made symmetric then.
+  bool leads_to_sources() const;
 
   /*!
   calls `f(h, t)` for every edge that the arc from `source` to `target` crosses, in this order: at

@@ -195,12 +195,13 @@ def make_renderer(scene):
     return renderer
 
 
-def save(renderer, size, filename):
+def save(renderer, size, filename, others=()):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
     window.SetSize(*size)
-    window.AddRenderer(renderer)
+    for each in (renderer, *others):
+        window.AddRenderer(each)
     window.Render()
 
     image = vtk.vtkWindowToImageFilter()

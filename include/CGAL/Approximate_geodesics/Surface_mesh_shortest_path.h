@@ -47,6 +47,11 @@ namespace Approximate_geodesics {
  * `Discrete_geodesic_graph`, `epsilon` chooses it, and so in `Steiner_graph`, which is for faces
  * with weights: "length" and "distance" mean costs there.
  *
+ * Where costs depend on the direction, in a `Directional_graph`, distances are those of the ways
+ * from the sources, or to them if the graph was made with `direction_to_source(true)`, and is
+ * `reversed()`. Only in the latter case do the points of a path, which lead to a source, come in
+ * the order of travel.
+ *
  * As in the exact class, sources can be added and removed at any time, and the search is run by the
  * first query after that, or by `build_sequence_tree()`.
  *
@@ -458,6 +463,7 @@ public:
    * is a visitor. It works in memory of its own: 24 bytes per vertex more than that of the sources.
    *
    * They return the length of the path; it is negative, and nothing is written, if there is none.
+   * Where costs depend on the direction, the way goes from `source` to `target` in any case.
    * The named parameters are `straighten`, `maximum_distance` and `visitor`, as above.
    *
    * \tparam Source `vertex_descriptor`, `Face_location` or `Surface_point`

@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_attachment.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/assertions.h>
@@ -91,6 +92,9 @@ public:
                          const NamedParameters& np = parameters::default_values())
     : Steiner_graph(std::move(triangulation), Placement(np))
   {
+    static_assert(!internal::is_given<NamedParameters, internal_np::direction_to_source_t>,
+                  "direction_to_source: distances there and back are the same in this graph; use "
+                  "Directional_graph");
     if constexpr(internal::is_given<NamedParameters, internal_np::face_weight_t>)
       if(!m_triangulation.has_weights() && m_triangulation.number_of_halfedges() > 0)
         internal::reject("face_weight_map was given to Steiner_graph; it is for the constructor of "
@@ -101,6 +105,7 @@ public:
   Steiner_graph(Intrinsic_triangulation triangulation, Placement placement)
     : m_triangulation(std::move(triangulation)), m_placement(std::move(placement))
   {
+    internal::reject_directional_costs(m_triangulation, "Steiner_graph");
     m_placement.prepare(m_triangulation);
     m_nodes = internal::Steiner_nodes(m_triangulation, m_placement);
     if(number_of_points() > 0) // there are arcs across faces

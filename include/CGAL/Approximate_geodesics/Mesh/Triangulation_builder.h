@@ -15,10 +15,12 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/Breadth_first_order.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Vertex_numbers.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/face_gauges.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/thin_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -377,10 +379,23 @@ private:
 
   void copy_weights()
   {
-    if constexpr(is_given<NamedParameters, internal_np::face_weight_t>)
+    if constexpr(has_directional_cost<NamedParameters>)
+      copy_directional_costs();
+    else if constexpr(is_given<NamedParameters, internal_np::face_weight_t>)
       m_result.set_weights(
           weights_of_faces(m_mesh, m_halfedges,
                            parameters::get_parameter(m_np, internal_np::face_weight), m_result));
+  }
+
+  void copy_directional_costs()
+  {
+    static_assert(!is_given<NamedParameters, internal_np::edge_length_t>,
+                  "directional_cost, edge_length_map: costs are asked for in the directions of the "
+                  "mesh's points, so that these have to be where lengths come from");
+    const auto& cost = parameters::get_parameter_reference(m_np, internal_np::face_weight);
+    const auto point_map = vertex_point_map(m_mesh, m_np);
+    m_result.m_gauges =
+        Gauge_reader(m_mesh, m_halfedges, point_map, cost, m_result).read(sampling_tolerance(m_np));
   }
 
   void copy_barriers()

@@ -230,8 +230,9 @@ public:
     if(point.is_vertex())
       consider(point.vertex, 0, result);
     else
-      m_graph->attach(point).for_each_node(
-          [&](const Node node, const double length) { consider(node, length, result); });
+      internal::attach_target(*m_graph, point)
+          .for_each_node(
+              [&](const Node node, const double length) { consider(node, length, result); });
     if constexpr(internal::needs_bounds<Graph>)
       consider_lines(point, result);
     if(result.node != Search::null_node)
@@ -452,9 +453,11 @@ private:
       else
       {
         result.points.emplace_back();
-        m_graph->attach(target).for_each_node([&](const Node node, const double length) {
-          result.points.back().push_back({node, length * m_graph->unit()});
-        });
+        const double unit = m_graph->unit();
+        internal::attach_target(*m_graph, target)
+            .for_each_node([&](const Node node, const double length) {
+              result.points.back().push_back({node, length * unit});
+            });
       }
     }
     return result;
@@ -466,9 +469,10 @@ private:
   {
     Answer result;
     if(!points.is_empty() && !point.is_vertex())
-      m_graph->attach(point).for_each_point(points, [&](const std::size_t i, const double length) {
-        consider(sources, i, length, result);
-      });
+      internal::attach_target(*m_graph, point)
+          .for_each_point(points, [&](const std::size_t i, const double length) {
+            consider(sources, i, length, result);
+          });
     return result;
   }
 

@@ -44,7 +44,7 @@ public:
   template <typename PositionOf>
   Vertex_positions(const Intrinsic_triangulation& triangulation, const PositionOf& position_of)
   {
-    if(triangulation.has_weights())
+    if(triangulation.has_weights() || triangulation.has_directional_costs())
       return;
     m_positions.reserve(triangulation.number_of_vertices());
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)

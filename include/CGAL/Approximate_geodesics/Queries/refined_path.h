@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
+#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -90,6 +91,9 @@ double refined_path(const TriangleMesh& tmesh,
 {
   static_assert(!internal::is_given<NamedParameters, internal_np::epsilon_t>,
                 "epsilon: selective refinement gives no bound; use approximate_geodesic_path()");
+  static_assert(!internal::has_directional_cost<NamedParameters>,
+                "directional_cost: selective refinement knows no directions; use "
+                "approximate_geodesic_path()");
   static_assert(
       !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
                              internal_np::relative_tolerance_t,

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 #include <CGAL/Approximate_geodesics/Surface/Face_weights.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Opposite_ranks.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
 #include <CGAL/Named_function_parameters.h>
@@ -62,7 +63,8 @@ class Balanced_fans;
  *
  * <b>Weights</b> say what a path costs per unit of length, face by face, and <b>barriers</b> are
  * edges that paths do not cross. A triangulation has them if they were given when it was made; of
- * the graphs, `Steiner_graph` supports them, and the others reject such a triangulation.
+ * the graphs, `Steiner_graph` supports them, and `Directional_graph` weights that are functions of
+ * the direction. The others reject such a triangulation.
  *
  * An object of this class never changes after its construction, but for its weights if they are
  * exchanged, and may be used by several threads. It takes about 91 bytes per vertex on a closed
@@ -124,7 +126,8 @@ public:
    *                           infinity forbidden.}
    *     \cgalParamType{a class model of `ReadablePropertyMap` with
    *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a
-   *                    number type convertible by `CGAL::to_double()` as value type}
+   *                    number type convertible by `CGAL::to_double()` as value type; or what
+   *                    `directional_cost()` returns}
    *     \cgalParamDefault{unused: all faces have weight `1`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
@@ -169,10 +172,10 @@ public:
    *
    * \throws std::invalid_argument if a face is not a triangle, if a coordinate or a length is
    *         infinite or not a number, if a length is negative or does not fit a `double`, if a
-   *         weight is negative or not a number, or costs do not fit a `double`, if an index is out
-   *         of range or given twice, or if the halfedges around a vertex do not form one cycle. The
-   *         message names the element.
-   * \throws std::length_error if `tmesh` has more halfedges than 32-bit numbers can tell apart.
+   *         weight or a cost is negative or not a number, or paths cost more than a `double` holds,
+   * if an index is out of range or given twice, or if the halfedges around a vertex do not form one
+   * cycle. The message names the element. \throws std::length_error if `tmesh` has more halfedges
+   * than 32-bit numbers can tell apart.
    *
    * Run time and memory are \cgalBigO{n} for `n` vertices. The header
    * `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h` has to be included.
@@ -209,7 +212,7 @@ public:
                             m_vertex_of_index.capacity() + m_index_of_vertex.capacity()) +
            sizeof(double) * (m_length.capacity() + m_weight.capacity()) +
            (m_is_border.capacity() + m_is_barrier.capacity() + m_is_flipped.capacity()) / 8 +
-           m_opposite_rank.memory() + m_thin_faces.memory();
+           m_opposite_rank.memory() + m_thin_faces.memory() + m_gauges.memory();
   }
 
   /// @}
@@ -341,6 +344,13 @@ public:
     m_weight_unit = weights.unit;
   }
 
+  /// returns whether weights are functions of the direction. `has_weights()` is `false` then.
+  bool has_directional_costs() const { return !m_gauges.is_empty(); }
+
+#ifndef DOXYGEN_RUNNING
+  const internal::Face_gauges& gauges() const { return m_gauges; }
+#endif
+
   /// returns whether any edge is a barrier.
   bool has_barriers() const { return !m_is_barrier.empty(); }
 
@@ -414,6 +424,16 @@ public:
 
   /// @}
 
+#ifndef DOXYGEN_RUNNING
+  // the face to the left of `h`, in words
+  std::string name_of_face(const Index h) const
+  {
+    const Index g = next(h);
+    return "the face with vertices " + std::to_string(index(target(next(g)))) + ", " +
+           std::to_string(index(target(h))) + ", " + std::to_string(index(target(g)));
+  }
+#endif
+
 private:
   template <typename TriangleMesh, typename NamedParameters>
   friend class internal::Triangulation_builder;
@@ -427,6 +447,7 @@ private:
   std::vector<bool> m_is_border;
   internal::Opposite_ranks m_opposite_rank;
   internal::Thin_faces m_thin_faces;
+  internal::Face_gauges m_gauges;
   std::vector<double> m_weight;   // per halfedge, or empty
   std::vector<bool> m_is_barrier; // likewise
   std::vector<bool> m_is_flipped; // likewise
@@ -481,11 +502,10 @@ inline void Intrinsic_triangulation::check_triangle_inequality() const
     const Index g = next(h), k = next(g);
     const double rest = length(g) + length(k);
     const auto reject = [&](const char* what) {
-      internal::reject(
-          what + std::string(" in the face with vertices ") + std::to_string(index(target(k))) +
-          ", " + std::to_string(index(target(h))) + ", " + std::to_string(index(target(g))) +
-          ": its edges have lengths " + internal::text_of(length(h) * unit()) + ", " +
-          internal::text_of(length(g) * unit()) + ", " + internal::text_of(length(k) * unit()));
+      internal::reject(what + (" in " + name_of_face(h)) + ": its edges have lengths " +
+                       internal::text_of(length(h) * unit()) + ", " +
+                       internal::text_of(length(g) * unit()) + ", " +
+                       internal::text_of(length(k) * unit()));
     };
     if(length(h) > rest + tolerance * (length(h) + rest))
       reject("the triangle inequality does not hold");

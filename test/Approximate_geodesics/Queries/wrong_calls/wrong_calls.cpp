@@ -7,6 +7,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
@@ -80,6 +81,14 @@ void call_wrongly(const Mesh& mesh,
   // refined_path() reads relative_tolerance
   AG::refined_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
                    parameters::relative_tolerance(0.1).straighten(true));
+
+  // directional_cost: selective refinement knows no directions
+  AG::refined_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
+                   parameters::face_weight_map(AG::directional_cost(AG::Hiking_time())));
+
+  // direction_to_source: distances there and back are the same in this graph
+  CGAL::approximate_geodesic_distances(mesh, distances, Vertex(0),
+                                       parameters::direction_to_source(true));
 
   // build_sequence_tree() reads maximum_distance, targets and visitor
   AG::Surface_mesh_shortest_path<Mesh> shortest_paths(mesh);

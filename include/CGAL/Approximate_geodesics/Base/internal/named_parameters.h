@@ -22,6 +22,7 @@
 // name of CGAL, takes `parameters::combine()`.
 
 #define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER(APPLY)                                   \
+  APPLY(direction_to_source_t, direction_to_source, direction_to_source)                           \
   APPLY(edge_length_t, edge_length, edge_length_map)                                               \
   APPLY(epsilon_t, epsilon, epsilon)                                                               \
   APPLY(face_weight_t, face_weight, face_weight_map)                                               \

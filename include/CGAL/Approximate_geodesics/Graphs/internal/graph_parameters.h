@@ -43,6 +43,15 @@ double checked_epsilon(const NamedParameters& np)
   return (std::min)(checked_positive(epsilon, "epsilon"), largest);
 }
 
+// For graphs that know no direction.
+inline void reject_directional_costs(const Intrinsic_triangulation& triangulation,
+                                     const char* const name)
+{
+  if(triangulation.has_directional_costs())
+    reject(std::string(name) + " does not support costs that depend on the direction, which the "
+                               "triangulation has; use Directional_graph");
+}
+
 // For graphs other than Steiner graphs, which do not support what these parameters say.
 template <typename NamedParameters>
 void reject_weights(const Intrinsic_triangulation& triangulation,
@@ -57,6 +66,10 @@ void reject_weights(const Intrinsic_triangulation& triangulation,
                               internal_np::nb_points_per_distance_unit_t>,
                 "number_of_points_per_edge, number_of_points_per_distance_unit: this graph has no "
                 "points on edges; use Steiner_graph");
+  static_assert(!is_given<NamedParameters, internal_np::direction_to_source_t>,
+                "direction_to_source: distances there and back are the same in this graph; use "
+                "Directional_graph");
+  reject_directional_costs(triangulation, name);
   if(triangulation.has_weights() || triangulation.has_barriers())
     reject(std::string(name) + " does not support " +
            (triangulation.has_weights() ? "weights" : "barriers") +

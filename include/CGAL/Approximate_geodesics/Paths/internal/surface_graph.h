@@ -43,6 +43,37 @@ template <typename SurfaceGraph>
 constexpr bool has_positions =
     boost::is_detected_convertible_v<Intrinsic_point, Position_of_node, SurfaceGraph>;
 
+template <typename Graph>
+using Attachment_of_target =
+    decltype(std::declval<const Graph&>().attach_target(std::declval<Intrinsic_point>()));
+
+template <typename Graph>
+using Leads_to_sources = decltype(std::declval<const Graph&>().leads_to_sources());
+
+// Attaches a point that a search arrives at, which makes a difference where arcs have a direction.
+template <typename SurfaceGraph>
+auto attach_target(const SurfaceGraph& graph, const Intrinsic_point& point)
+{
+  if constexpr(boost::is_detected_v<Attachment_of_target, SurfaceGraph>)
+    return graph.attach_target(point);
+  else
+    return graph.attach(point);
+}
+
+// Whether the way back is not what the way there is.
+template <typename SurfaceGraph>
+constexpr bool is_directed = boost::is_detected_v<Leads_to_sources, SurfaceGraph>;
+
+// Whether travelers go to where a search starts.
+template <typename SurfaceGraph>
+bool leads_to_sources([[maybe_unused]] const SurfaceGraph& graph)
+{
+  if constexpr(is_directed<SurfaceGraph>)
+    return graph.leads_to_sources();
+  else
+    return false;
+}
+
 template <typename T>
 using Triangulation_of = decltype(std::declval<const T&>().triangulation());
 

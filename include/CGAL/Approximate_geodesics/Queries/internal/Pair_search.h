@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <algorithm>
@@ -40,8 +41,10 @@ public:
     else
     {
       run(other, source, target, np);
-      const auto answer =
-          m_parts->search.search().nearest(other.translation().intrinsic_point(target));
+      const auto& translation = other.translation();
+      const auto answer = m_parts->search.search().nearest(
+          leads_to_sources(other.search().graph()) ? translation.intrinsic_point(source)
+                                                   : translation.intrinsic_point(target));
       return answer.is_reached() ? answer.distance : -1;
     }
   }
@@ -55,8 +58,12 @@ public:
                         F f)
   {
     run(other, source, target, np);
-    const Path path = m_parts->search.find_path(other.translation().intrinsic_point(target), np);
-    std::for_each(path.points.rbegin(), path.points.rend(), f);
+    const bool is_backward = leads_to_sources(other.search().graph());
+    const Path path = is_backward ? find_path(other, source, np) : find_path(other, target, np);
+    if(is_backward)
+      std::for_each(path.points.begin(), path.points.end(), f);
+    else
+      std::for_each(path.points.rbegin(), path.points.rend(), f);
     return path.points.empty() ? -1 : path.length;
   }
 
@@ -64,6 +71,13 @@ public:
   void reset() { m_parts.reset(); }
 
 private:
+  template <typename Point, typename NamedParameters>
+  Path find_path(const MeshSearch& other, const Point& end, const NamedParameters& np) const
+  {
+    return m_parts->search.find_path(other.translation().intrinsic_point(end), np);
+  }
+
+  // Where travelers go to where a search starts, that is the target.
   template <typename Source, typename Target, typename NamedParameters>
   void run(const MeshSearch& other,
            const Source& source,
@@ -77,7 +91,10 @@ private:
       m_parts = std::make_unique<Parts>(
           Parts{MeshSearch(other.search().graph(), other.translation(), other.point_map()),
                 other.positions()});
-    m_parts->search.run_to(source, target, m_parts->positions, np);
+    if(leads_to_sources(other.search().graph()))
+      m_parts->search.run_to(target, source, m_parts->positions, np);
+    else
+      m_parts->search.run_to(source, target, m_parts->positions, np);
   }
 
   struct Parts

@@ -33,7 +33,8 @@ constexpr void refuse_run_parameters()
       !ignores_any<NamedParameters, internal_np::epsilon_t,
                    internal_np::number_of_points_per_edge_t,
                    internal_np::nb_points_per_distance_unit_t, internal_np::edge_length_t,
-                   internal_np::face_weight_t, internal_np::edge_is_constrained_t>,
+                   internal_np::face_weight_t, internal_np::direction_to_source_t,
+                   internal_np::edge_is_constrained_t>,
       "the constructor does not run: maximum_distance, targets and visitor are for "
       "build_sequence_tree(), straighten is for a path, initial distances go with sources");
 }
@@ -87,7 +88,7 @@ void straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triang
   if constexpr(is_given<NamedParameters, internal_np::straighten_t>)
     if(parameters::get_parameter(np, internal_np::straighten))
     {
-      if(triangulation.has_weights())
+      if(triangulation.has_weights() || triangulation.has_directional_costs())
         reject("paths on weighted faces cannot be straightened: cheapest ones are not straight");
       Path straight = Path_straightener(triangulation).shortened(path);
       if(straight.length < path.length)

@@ -9,12 +9,14 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
@@ -30,6 +32,21 @@ template <typename NamedParameters>
 bool is_exact(const NamedParameters& np)
 {
   return CGAL::to_double(parameters::get_parameter(np, internal_np::epsilon)) == 0;
+}
+
+// The graph that named parameters ask for if costs depend on the direction.
+template <typename NamedParameters>
+auto directional_graph(Intrinsic_triangulation triangulation, const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::number_of_points_per_edge_t>)
+    return Directional_graph<Fixed_number_of_points>(std::move(triangulation), np);
+  else if constexpr(is_given<NamedParameters, internal_np::epsilon_t>)
+    return Directional_graph<Directional_points>(std::move(triangulation), np);
+  else
+    return Directional_graph<Fixed_number_of_points>(
+        std::move(triangulation), Fixed_number_of_points(0),
+        parameters::choose_parameter(
+            parameters::get_parameter(np, internal_np::direction_to_source), false));
 }
 
 // Calls `f` with the graph that named parameters ask for: one with weights and barriers if there
@@ -50,7 +67,9 @@ auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
                 "epsilon and number_of_points_per_edge: only one of them can be given");
 
   Intrinsic_triangulation triangulation(tmesh, np);
-  if constexpr(has_number)
+  if constexpr(has_directional_cost<NamedParameters>)
+    return f(directional_graph(std::move(triangulation), np));
+  else if constexpr(has_number)
     return f(Steiner_graph<Fixed_number_of_points>(std::move(triangulation), np));
   else if constexpr(has_weights && has_epsilon)
     return f(Steiner_graph<Geometric_points>(std::move(triangulation), np));

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -123,9 +124,10 @@ private:
       points_of_columns.push_back(points[column]);
       m_points.first_arc.push_back(m_points.arcs.size());
       if constexpr(!needs_bounds<Graph>)
-        graph.attach(points[column]).for_each_node([this](const auto node, const double length) {
-          m_points.arcs.push_back({node, length});
-        });
+        attach_target(graph, points[column])
+            .for_each_node([this](const auto node, const double length) {
+              m_points.arcs.push_back({node, length});
+            });
     }
     m_points.first_arc.push_back(m_points.arcs.size());
     m_points.points = Points_by_face(graph.triangulation(), std::move(points_of_columns));

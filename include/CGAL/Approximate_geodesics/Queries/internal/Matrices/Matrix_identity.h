@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Bulk_checksum.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -73,6 +74,12 @@ inline std::uint64_t checksum(const Intrinsic_triangulation& t)
     if(t.has_barriers())
       result.add_value(static_cast<char>(t.is_barrier(h)));
   }
+  for(const Face_gauges::Sector& s : t.gauges().all_sectors())
+    for(const Plane_vector v : {s.direction, s.functional})
+    {
+      result.add_value(v.x);
+      result.add_value(v.y);
+    }
   for(Intrinsic_triangulation::Index v = 0; v < t.number_of_vertices(); ++v)
     result.add_value(t.index(v));
   return result.value();
@@ -106,6 +113,8 @@ std::uint64_t checksum_of_graph(const Graph& graph)
     result.add_value(length);
   if constexpr(boost::is_detected_v<Epsilon_of, Graph>)
     result.add_value(graph.epsilon());
+  if(leads_to_sources(graph))
+    result.add_value(static_cast<char>(1));
   return result.value();
 }
 

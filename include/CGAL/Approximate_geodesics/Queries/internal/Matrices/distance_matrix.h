@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
@@ -161,6 +162,8 @@ bool compute_distance_matrix(const Graph& graph,
                              const NamedParameters& np)
 {
   const bool is_symmetric = wants_symmetry<Rows>(points, np);
+  if(is_symmetric && is_directed<Graph>)
+    reject("symmetric: costs depend on the direction, so that distances there and back differ");
   Row_limits limits{checked_maximum_distance(np), number_of_nearest(rows), {}};
   const Matrix_columns<Graph> columns(graph, points.targets);
   if(points.are_targets_given && columns.are_vertices() &&

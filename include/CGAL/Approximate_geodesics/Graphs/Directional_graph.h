@@ -1,0 +1,291 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_DIRECTIONAL_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_DIRECTIONAL_GRAPH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Directional_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Directional_attachment.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Edge_costs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Travel_costs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsGraphs
+ *
+ * The graph for costs that depend on the direction, which `directional_cost()` gives to a
+ * triangulation. Its nodes are those of a `Steiner_graph`: vertices and points on edges. An arc
+ * across a face costs what the gauge of the face says of the vector from one end to the other, and
+ * one along an edge the smaller of what both faces say. There are no arcs where that is infinite,
+ * nor across barriers, along which paths may run.
+ *
+ * Going there and coming back are two questions. Distances are from the sources; with the named
+ * parameter `direction_to_source(true)` they are to the sources. `leads_to_sources()` tells. So
+ * that both can be asked without reading a mesh twice, `reversed()` is a copy that answers the
+ * other one.
+ *
+ * A straight line across a face stands for zigzags where these are cheaper: their costs are what it
+ * costs, and zigzags within the face come as close to it as one likes.
+ *
+ * Arcs are not stored: the graph takes 60 bytes per vertex in addition to the triangulation, which
+ * has the gauges, and 8 per point, or 4 if points divide edges into equal parts. They are not all
+ * looked at either, as in a `Steiner_graph`.
+ *
+ * An object of this class never changes after its construction, and may be used by several threads.
+ *
+ * \tparam Placement a model of `SteinerPointPlacement`: `Directional_points` guarantees a bound,
+ *         `Fixed_number_of_points` and `Points_at_interval` are simpler and do not.
+ *
+ * \cgalModels{SurfaceGraph}
+ */
+template <typename Placement = Directional_points>
+class Directional_graph
+{
+public:
+  /// the number of a node; those of the vertices come first.
+  using Node = Intrinsic_triangulation::Index;
+
+  /// \name Creation
+  /// @{
+
+  /*!
+   * builds the graph of `triangulation`.
+   *
+   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * \param triangulation the triangulation
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": that of the
+   *           placement, and the one listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{direction_to_source}
+   *     \cgalParamDescription{whether distances are those to the sources of a search, and not from
+   *                           them}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`false`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if the triangulation has no directional costs, if there are
+   *         points, and a face breaks the triangle inequality, or as the placement does.
+   * \throws std::length_error if there would be more nodes than 32-bit numbers can tell apart.
+   *
+   * Run time and memory are \cgalBigO{n} for `n` nodes.
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Directional_graph(Intrinsic_triangulation triangulation,
+                             const NamedParameters& np = parameters::default_values())
+    : Directional_graph(std::move(triangulation),
+                        Placement(np),
+                        parameters::choose_parameter(
+                            parameters::get_parameter(np, internal_np::direction_to_source), false))
+  {
+  }
+
+  /// builds the graph likewise, with a placement that was made before.
+  Directional_graph(Intrinsic_triangulation triangulation,
+                    Placement placement,
+                    const bool direction_to_source = false)
+    : m_triangulation(checked(std::move(triangulation))),
+      m_placement(std::move(placement)),
+      m_edges(m_triangulation),
+      m_leads_to_sources(direction_to_source)
+  {
+    m_placement.prepare(m_triangulation);
+    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement);
+    if(number_of_points() > 0) // there are arcs across faces
+      m_triangulation.check_triangle_inequality();
+    find_maximum_degree();
+    summarize_arcs();
+  }
+
+  /// returns a copy for the other question.
+  Directional_graph reversed() const
+  {
+    Directional_graph result = *this;
+    result.m_leads_to_sources = !m_leads_to_sources;
+    return result;
+  }
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the triangulation that the graph was built on.
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+
+  /// returns the placement of the points.
+  const Placement& placement() const { return m_placement; }
+
+  /// returns whether distances are those to the sources of a search, and not from them.
+  bool leads_to_sources() const { return m_leads_to_sources; }
+
+  /// returns the bound that the placement guarantees: paths between vertices cost at most `1 +
+  /// epsilon()` times as much as the cheapest ones on the surface. It is infinity if there is none.
+  double epsilon() const { return m_placement.epsilon(m_triangulation); }
+
+  /// returns how much too high costs may be, relatively, as they were asked for in some directions
+  /// only; this is part of the bound. For cost functions that are not convex, costs are exact in
+  /// the sense that they are those of zigzags in directions that were asked for.
+  double sampling_error() const { return m_triangulation.gauges().sampling_error(); }
+
+  /// returns the number of nodes.
+  std::size_t number_of_nodes() const { return m_nodes.size(); }
+
+  /// returns the number of points on edges. On barriers, those of both sides count.
+  std::size_t number_of_points() const { return points().number_of_points(); }
+
+  /// returns the unit of costs, in the unit of the mesh times that of the costs per unit of length.
+  double unit() const { return m_triangulation.unit() * m_triangulation.gauges().unit(); }
+
+  /// returns a summary of the costs of the arcs along edges, as if points divided every edge into
+  /// equal parts.
+  const Arc_lengths& arc_lengths() const { return m_arc_lengths; }
+
+  /// returns an upper bound of the number of arcs that start from a node.
+  std::size_t maximum_degree() const { return m_maximum_degree; }
+
+  /// returns where a node is, which may be one of the vertices.
+  Intrinsic_point position(const Node node) const { return m_nodes.position(node); }
+
+  /// calls `f(target, cost)` for the arcs that start from `node` and may be part of a cheapest path
+  /// that arrives there as `labels` says.
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    internal::Directional_arcs(m_triangulation, m_nodes, costs()).for_each(node, labels, f);
+  }
+
+  /// returns `cost`, as no arc crosses an edge between its ends.
+  template <typename F>
+  double for_each_crossing(Node /* source */, Node /* target */, const double cost, F) const
+  {
+    return cost;
+  }
+
+  /// attaches a point that a search starts from by straight lines to the nodes on the sides of its
+  /// face, or of both faces if it lies on an edge.
+  internal::Directional_attachment attach(const Intrinsic_point& point) const
+  {
+    return {m_triangulation, m_nodes, costs(), point};
+  }
+
+  /// attaches a point that a search arrives at.
+  internal::Directional_attachment attach_target(const Intrinsic_point& point) const
+  {
+    return {m_triangulation, m_nodes, costs().reversed(), point};
+  }
+
+  /// prefetches what it takes to find the arcs of `node`.
+  void prefetch(const Node node) const
+  {
+    if(m_nodes.is_vertex(node))
+      m_triangulation.prefetch(m_triangulation.first_halfedge(node));
+    else if(m_nodes.is_point(node))
+      points().prefetch(m_nodes.point(node));
+  }
+
+  /// returns the number of bytes that the graph takes, its triangulation included.
+  std::size_t memory() const
+  {
+    return m_triangulation.memory() + m_placement.memory() + m_edges.memory() + m_nodes.memory();
+  }
+
+  /// returns whether the triangulation is valid.
+  bool is_valid() const { return m_triangulation.is_valid(); }
+
+  /// @}
+
+private:
+  using Index = Node;
+
+  static Intrinsic_triangulation checked(Intrinsic_triangulation triangulation)
+  {
+    if(!triangulation.has_directional_costs())
+      internal::reject(
+          "the triangulation of a Directional_graph has no costs; they are given to its "
+          "constructor, as face_weight_map(directional_cost(f))");
+    return triangulation;
+  }
+
+  const internal::Points_on_edges& points() const { return m_nodes.points(); }
+
+  internal::Travel_costs costs() const { return {m_triangulation, m_edges, m_leads_to_sources}; }
+
+  void summarize_arcs()
+  {
+    internal::Arc_length_summary summary;
+    points().for_each_first_halfedge([&](const Index h, const Index e) {
+      for(const double weight : {costs().along(h), costs().against(h)})
+        if(weight < std::numeric_limits<double>::infinity())
+        {
+          const double cost = weight * m_triangulation.length(h);
+          const std::size_t number = points().number_of_points(e) + std::size_t(1);
+          summary.add(cost / double(number), cost, cost, number);
+        }
+    });
+    m_arc_lengths = summary.result();
+  }
+
+  void find_maximum_degree()
+  {
+    std::size_t largest = 0;
+    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
+    {
+      std::size_t degree = 1; // to the vertex, from one of its sectors
+      for(Index h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
+        degree += 2 + number_of_opposite_points(h); // a barrier is two edges
+      largest = (std::max)(largest, degree);
+    }
+    points().for_each_first_halfedge([&](const Index h, Index /* edge */) {
+      std::size_t degree = 4; // along the edge, and to the third vertices of both faces
+      for(const Index side : {h, m_triangulation.opposite(h)})
+        if(!m_triangulation.is_border(side))
+          degree += number_of_opposite_points(side) +
+                    number_of_opposite_points(m_triangulation.next(side));
+      largest = (std::max)(largest, degree);
+    });
+    m_maximum_degree = largest;
+  }
+
+  // On the edge opposite to the source of `h`, in the face to the left of `h`.
+  std::size_t number_of_opposite_points(const Index h) const
+  {
+    return m_triangulation.is_border(h)
+               ? 0
+               : points().number_of_points(points().edge(m_triangulation.next(h)));
+  }
+
+  Intrinsic_triangulation m_triangulation;
+  Placement m_placement;
+  internal::Edge_costs m_edges;
+  internal::Steiner_nodes m_nodes;
+  Arc_lengths m_arc_lengths;
+  std::size_t m_maximum_degree = 0;
+  bool m_leads_to_sources = false;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_DIRECTIONAL_GRAPH_H

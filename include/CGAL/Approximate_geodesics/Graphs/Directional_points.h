@@ -1,0 +1,294 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_DIRECTIONAL_POINTS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_DIRECTIONAL_POINTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Gauge_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsPlacements
+ *
+ * Points in geometric progressions from the ends of the edges, for costs that depend on the
+ * direction: so that paths cost at most \f$1 + \varepsilon\f$ times as much as the cheapest ones on
+ * the surface.
+ *
+ * They are placed as `Geometric_points` does it, with two differences. How close they are depends
+ * on how fast costs change with the direction: where the unit balls of costs are smooth, their
+ * distances are in proportion to \f$\sqrt\varepsilon\f$ divided by the root of their curvature, and
+ * where they have corners, to \f$\varepsilon\f$. And progressions start at all vertices as if
+ * weights were different, with the ratio of the largest cost of an edge there to the smallest cost
+ * of any direction. The manual has the exact statement and its proof: see Section
+ * \ref AG_directional_bound.
+ *
+ * There is no bound where some directions in a face are free or forbidden, and others are not. Such
+ * faces are refused, and so are those, with next to no area for example, with an edge that would
+ * need more than `LARGEST_NUMBER` points, unless it is accepted that there is no bound.
+ *
+ * \cgalModels{SteinerPointPlacement}
+ */
+class Directional_points
+{
+public:
+  /// the number of a halfedge.
+  using Index = Intrinsic_triangulation::Index;
+
+  /// whether points divide every edge into equal parts, so that their number says where they are.
+  static constexpr bool makes_equal_parts = false;
+
+  /// an edge has at most so many points.
+  static constexpr std::size_t LARGEST_NUMBER = 20000;
+
+  /// progressions start at least this far from the end, in lengths of the edge.
+  static constexpr double SMALLEST_START = 1e-36;
+
+  /*!
+   * places points for the bound `epsilon`.
+   *
+   * \param epsilon the bound
+   * \param accepts_no_bound whether faces are accepted that the bound cannot be kept in. The member
+   *        function `epsilon()` returns infinity then.
+   *
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
+   */
+  explicit Directional_points(const double epsilon = 0.1, const bool accepts_no_bound = false)
+    : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon))),
+      m_accepts_no_bound(accepts_no_bound)
+  {
+  }
+
+  /*!
+   * reads the bound from named parameters.
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{epsilon}
+   *     \cgalParamDescription{paths in the graph cost at most \f$1 + \varepsilon\f$ times as much
+   *                           as the cheapest ones on the surface}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{`0.1`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
+   */
+  template <typename T, typename Tag, typename Base>
+  explicit Directional_points(const Named_function_parameters<T, Tag, Base>& np)
+    : m_epsilon(internal::checked_epsilon(np))
+  {
+    static_assert(!internal::is_any_given<Named_function_parameters<T, Tag, Base>,
+                                          internal_np::number_of_points_per_edge_t,
+                                          internal_np::nb_points_per_distance_unit_t>,
+                  "Directional_points reads epsilon, which says how many points there are: for a "
+                  "number of your own, use Fixed_number_of_points or Points_at_interval");
+  }
+
+  /// computes where progressions start and how close points are.
+  /// \throws std::invalid_argument naming a face or an edge that the bound cannot be kept at.
+  ///
+  /// Run time is \cgalBigO{n} times the square of the number of directions per face.
+  void prepare(const Intrinsic_triangulation& triangulation)
+  {
+    const double sampling_error = triangulation.gauges().sampling_error();
+    const double rest = (std::max)((1 + m_epsilon) / (1 + sampling_error) - 1, 0.5 * m_epsilon);
+    const double of_crossings = SHARE_OF_CROSSINGS * rest;
+    m_bound = m_epsilon;
+    compute_spacings(triangulation, of_crossings);
+    compute_starts(triangulation, (rest - of_crossings) / (1 + of_crossings));
+    if((1 + rest) * (1 + sampling_error) > (1 + m_epsilon) * (1 + ROUNDING))
+      give_up("costs were asked for in too few directions, and may be too high by " +
+              internal::text_of(sampling_error) +
+              ": epsilon has to be given to the triangulation, too, or a larger one");
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if(triangulation.is_crossable(h) && triangulation.length(h) > 0 &&
+         progressions(triangulation, h).number_of_points() > LARGEST_NUMBER)
+        give_up(triangulation.name_of_face(h) + " would take more than " +
+                std::to_string(LARGEST_NUMBER) + " points on an edge");
+  }
+
+  /// returns the number of points on the edge of `h`.
+  std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    if(!triangulation.is_crossable(h))
+      return 0;
+    return (std::min)(LARGEST_NUMBER, progressions(triangulation, h).number_of_points());
+  }
+
+  /// writes the positions of these points to `positions`.
+  void place(const Intrinsic_triangulation& triangulation,
+             const Index h,
+             float* positions,
+             const std::size_t number_of_points) const
+  {
+    const auto all = progressions(triangulation, h);
+    if(number_of_points == all.number_of_points())
+      return all.place(positions);
+    for(std::size_t i = 0; i < number_of_points; ++i) // a bound was given up
+    {
+      const double part = double(i + 1) / double(number_of_points + 1);
+      positions[i] = static_cast<float>(part <= 0.5 ? part : part - 1);
+    }
+  }
+
+  /// returns the bound; infinity if it was accepted that there is none.
+  double epsilon(const Intrinsic_triangulation& /* triangulation */) const { return m_bound; }
+
+  /// returns the number of bytes that are stored per element of the mesh.
+  std::size_t memory() const { return sizeof(double) * (m_start.capacity() + m_spread.capacity()); }
+
+private:
+  using Gauge_shape = internal::Gauge_shape;
+
+  static constexpr double SHARE_OF_CROSSINGS = 0.65; // of epsilon; the rest is for vicinities
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double ROUNDING = 1e-9;
+  static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7; // what positions are rounded by
+
+  static bool is_open(const Intrinsic_triangulation& triangulation, const Index h)
+  {
+    const auto& gauges = triangulation.gauges();
+    return !triangulation.is_border(h) && !gauges.is_forbidden(gauges.face(h));
+  }
+
+  void give_up(const std::string& reason)
+  {
+    if(!m_accepts_no_bound)
+      internal::reject("the bound epsilon cannot be kept, as " + reason +
+                       "; number_of_points_per_edge promises none");
+    m_bound = infinity;
+  }
+
+  // The expected square of the shift of a point, in proportion to that of its distance from the
+  // other edges, that a face can stand.
+  void compute_spacings(const Intrinsic_triangulation& triangulation, const double epsilon)
+  {
+    const auto& gauges = triangulation.gauges();
+    m_spread.assign(gauges.number_of_faces(), 1);
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+    {
+      if(!is_open(triangulation, h))
+        continue;
+      const Index face = gauges.face(h);
+      const Gauge_shape shape(gauges, face);
+      if(!shape.is_bounded())
+        give_up(triangulation.name_of_face(h) +
+                " has directions that are free or forbidden, and others that are not");
+      if(m_spread[face] == 1 && !shape.is_free()) // its first halfedge
+        m_spread[face] = (std::min)(0.999, spread(shape, epsilon));
+    }
+  }
+
+  // Part of the error is taken as it is, the rest grows with the square of the shift. What is the
+  // best part depends on whether the gauge has corners.
+  static double spread(const Gauge_shape& shape, const double epsilon)
+  {
+    double result = 0;
+    for(const double part : {0.15, 0.5})
+      result = (std::max)(result, (1 - part) * epsilon / shape.curvature(part * epsilon));
+    return result;
+  }
+
+  void compute_starts(const Intrinsic_triangulation& triangulation, const double epsilon)
+  {
+    const Index number_of_vertices = triangulation.number_of_vertices();
+    m_start.assign(number_of_vertices, 0);
+    for(Index v = 0; v < number_of_vertices; ++v)
+    {
+      double radius = infinity, smallest = infinity, largest = 0;
+      for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+        if(is_open(triangulation, h))
+        {
+          radius = (std::min)(radius,
+                              internal::Face_shape(triangulation, h).distance_to_opposite_edge());
+          add_costs(triangulation, h, smallest, largest);
+        }
+      if(radius == 0)
+        give_up("a face at vertex " + std::to_string(triangulation.index(v)) + " has no area");
+      const double ratio = largest > 0 ? largest / smallest : 1;
+      m_start[v] = radius < infinity ? radius * (epsilon / (2 * (ratio + epsilon))) : 0;
+    }
+  }
+
+  // The smallest cost in the face to the left of `h`, if that is not zero, and the largest one
+  // along its two sides at the source of `h`.
+  static void add_costs(const Intrinsic_triangulation& triangulation,
+                        const Index h,
+                        double& smallest,
+                        double& largest)
+  {
+    const auto& gauges = triangulation.gauges();
+    const Index face = gauges.face(h), previous = triangulation.halfedges_of_face(h)[2];
+    const Gauge_shape shape(gauges, face);
+    if(shape.smallest() > 0)
+      smallest = (std::min)(smallest, shape.smallest());
+    for(const Index side : {h, previous})
+      for(const double sign : {1., -1.})
+      {
+        const double cost = gauges.cost(face, sign * gauges.side(side));
+        largest = cost < infinity ? (std::max)(largest, cost) : largest;
+      }
+  }
+
+  // \pre The edge of `h` is not at the border, and longer than zero.
+  internal::Geometric_progressions progressions(const Intrinsic_triangulation& triangulation,
+                                                const Index h) const
+  {
+    const Index opposite = triangulation.opposite(h);
+    double spread = 1, sine_at_source = 1, sine_at_target = 1;
+    for(const Index side : {h, opposite})
+      if(is_open(triangulation, side))
+      {
+        const internal::Face_shape shape(triangulation, side);
+        double& first = side == h ? sine_at_source : sine_at_target;
+        double& second = side == h ? sine_at_target : sine_at_source;
+        first = (std::min)(first, shape.sine_of_corner());
+        second = (std::min)(second, shape.sine_of_next_corner());
+        spread = (std::min)(spread, m_spread[triangulation.gauges().face(side)]);
+      }
+    const double length = triangulation.length(h);
+    return {end(m_start[triangulation.target(opposite)] / length, sine_at_source, spread),
+            end(m_start[triangulation.target(h)] / length, sine_at_target, spread)};
+  }
+
+  static internal::Geometric_progressions::End
+  end(const double start, const double sine, const double spread)
+  {
+    constexpr double largest_start = 0.49, smallest = 1e-12; // neither is zero
+    internal::Geometric_progressions::End result;
+    result.start = (std::clamp)(start, SMALLEST_START, largest_start);
+    result.sine = (std::max)(sine, smallest);
+    const double log_of_ratio = 2 * std::asinh(result.sine * std::sqrt(spread));
+    result.log_of_ratio =
+        (std::max)({log_of_ratio - ROUNDING_OF_LOGARITHM, log_of_ratio / 2, smallest});
+    return result;
+  }
+
+  double m_epsilon;
+  bool m_accepts_no_bound = false;
+  double m_bound = 0;           // what can be kept
+  std::vector<double> m_start;  // of the progressions at a vertex: the distance from it
+  std::vector<double> m_spread; // per face
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_DIRECTIONAL_POINTS_H

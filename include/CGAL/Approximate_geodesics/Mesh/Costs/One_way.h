@@ -1,0 +1,76 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_COSTS_ONE_WAY_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_COSTS_ONE_WAY_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsCosts
+ *
+ * Faces that can be crossed in some directions only: those that are not too far from the face's
+ * own. Others have infinite cost. There is no bound `epsilon` on the cost of paths then.
+ *
+ * \tparam FaceVectorMap a model of `ReadablePropertyMap` with faces as key type and a `%Vector_3`
+ *         as value type
+ *
+ * \cgalModels{DirectionalCostFunction}
+ */
+template <typename FaceVectorMap>
+class One_way
+{
+public:
+  /// takes the directions of the faces, of any length; where that is zero, all are allowed.
+  /// \param ways the directions
+  /// \param cost what a path costs per unit of length where it is allowed
+  /// \param smallest_cosine allowed are directions at an angle with at least this cosine: `0`
+  ///        stands for half of them. Zigzags fill gaps of less than half a circle.
+  /// \throws std::invalid_argument if `cost` is negative, infinite, or not a number, or
+  ///         `smallest_cosine` is not from `-1` to `1`.
+  explicit One_way(FaceVectorMap ways, const double cost = 1, const double smallest_cosine = 0)
+    : m_ways(std::move(ways)), m_cost(cost), m_smallest_cosine(smallest_cosine)
+  {
+    if(!(cost >= 0) || std::isinf(cost))
+      internal::reject("the cost of one-way faces is " + internal::text_of(cost) +
+                       "; it must be a finite number that is not negative");
+    if(!(smallest_cosine >= -1 && smallest_cosine <= 1))
+      internal::reject("the smallest cosine is " + internal::text_of(smallest_cosine) +
+                       "; it must be a number from -1 to 1");
+  }
+
+  /// returns the cost per unit of length in a direction.
+  template <typename Face, typename Vector_3>
+  double operator()(const Face& face, const Vector_3& direction) const
+  {
+    constexpr double rounding = 1e-12;
+    const auto& way = get(m_ways, face);
+    const double length = std::sqrt(CGAL::to_double(way * way));
+    const bool is_allowed =
+        CGAL::to_double(way * direction) >= (m_smallest_cosine - rounding) * length;
+    return is_allowed ? m_cost : std::numeric_limits<double>::infinity();
+  }
+
+private:
+  FaceVectorMap m_ways;
+  double m_cost;
+  double m_smallest_cosine;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_COSTS_ONE_WAY_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_COSTS_TENSOR_COST_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_COSTS_TENSOR_COST_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsCosts
+ *
+ * A metric tensor per face: a Riemannian metric that is constant in each of them. In the direction
+ * \f$d\f$, a path costs \f$\sqrt{d^T A\,d}\f$ per unit of length, with a symmetric matrix
+ * \f$A\f$.
+ *
+ * A matrix that is not positive semidefinite in the plane of its face leads to costs that are not
+ * numbers, and is refused when the mesh is read.
+ *
+ * \tparam FaceTensorMap a model of `ReadablePropertyMap` with faces as key type and as value type
+ *         `std::array<double, 6>`: the entries xx, xy, xz, yy, yz and zz of the matrix
+ *
+ * \cgalModels{DirectionalCostFunction}
+ */
+template <typename FaceTensorMap>
+class Tensor_cost
+{
+public:
+  /// takes the tensors.
+  explicit Tensor_cost(FaceTensorMap tensors) : m_tensors(std::move(tensors)) {}
+
+  /// returns the cost per unit of length in a direction.
+  template <typename Face, typename Vector_3>
+  double operator()(const Face& face, const Vector_3& direction) const
+  {
+    const std::array<double, 6> a = get(m_tensors, face);
+    const double x = CGAL::to_double(direction.x()), y = CGAL::to_double(direction.y()),
+                 z = CGAL::to_double(direction.z());
+    return std::sqrt(a[0] * x * x + a[3] * y * y + a[5] * z * z +
+                     2 * (a[1] * x * y + a[2] * x * z + a[4] * y * z));
+  }
+
+private:
+  FaceTensorMap m_tensors;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_COSTS_TENSOR_COST_H
