@@ -12,9 +12,9 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_layout.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Gauge_samples.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Face_gauges.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Gauge_samples.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/helpers.h>

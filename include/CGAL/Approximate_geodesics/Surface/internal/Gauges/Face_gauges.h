@@ -3,13 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_GAUGES_H
-#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_GAUGES_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_GAUGES_FACE_GAUGES_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_GAUGES_FACE_GAUGES_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Surface/internal/Gauge_hull.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Gauge_samples.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Gauge_hull.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Gauge_samples.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <algorithm>
@@ -197,4 +197,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_GAUGES_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_GAUGES_FACE_GAUGES_H
