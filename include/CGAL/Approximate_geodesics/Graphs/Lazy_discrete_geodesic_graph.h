@@ -152,19 +152,20 @@ public:
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    const Expansion expansion(m_triangulation, m_unfolding, m_rules);
     if(m_arc_cache.is_enabled())
     {
       const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
-        internal::find_stored_arcs(expansion, node, m_unit, arcs);
+        internal::find_stored_arcs(Expansion(m_triangulation, m_unfolding, m_rules), node, m_unit,
+                                   arcs);
       };
       for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
         f(arc.target, static_cast<double>(arc.length) * m_unit);
     }
     else if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
-      expansion.expand(
-          node, [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); },
-          internal::Leave_out_nothing());
+      Expansion(m_triangulation, m_unfolding, rules_of_longest_arcs())
+          .expand(
+              node, [&](const internal::Straight_arc& arc) { f(arc.target, arc.length); },
+              internal::Leave_out_nothing());
     else
     {
       Arc_function<F> arcs{f};
@@ -216,8 +217,7 @@ public:
                                                               target, length, f);
     else
       return internal::trace_arc<internal::Leave_out_nothing>(
-          m_triangulation, m_rules.farther(internal::Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS),
-          source, target, length, f);
+          m_triangulation, rules_of_longest_arcs(), source, target, length, f);
   }
 
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
@@ -251,6 +251,12 @@ public:
 
 private:
   using Expansion = internal::Cone_expansion<internal::Unfolding>;
+
+  // With these, a cone ends nowhere before one that goes on beside labels.
+  internal::Cone_rules rules_of_longest_arcs() const
+  {
+    return m_rules.farther(internal::Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS);
+  }
 
   template <typename F>
   struct Arc_function
