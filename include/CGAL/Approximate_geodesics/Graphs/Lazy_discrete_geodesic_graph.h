@@ -159,7 +159,7 @@ public:
     {
       const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
         internal::find_stored_arcs(node, m_unit, arcs, [&](const auto& f_of_arc) {
-          find_arcs(node, f_of_arc, internal::Leave_out_detours());
+          find_arcs(node, f_of_arc, internal::Leave_out_detours(), m_rules);
         });
       };
       for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
@@ -168,7 +168,7 @@ public:
     else if(m_cone_triangulation.has_balanced_fans())
       find_arcs_in_fans(node, labels, report);
     else if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
-      find_arcs(node, report, internal::Leave_out_nothing());
+      find_arcs(node, report, internal::Leave_out_nothing(), rules_of_longest_arcs());
     else
     {
       Arc_function<F> arcs{f};
@@ -220,8 +220,7 @@ public:
                                                                      source, target, length, f);
     else
       return m_cone_triangulation.trace<internal::Leave_out_nothing>(
-          m_triangulation, m_rules.farther(internal::Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS),
-          source, target, length, f);
+          m_triangulation, rules_of_longest_arcs(), source, target, length, f);
   }
 
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
@@ -263,6 +262,12 @@ private:
     return !m_arc_cache.is_enabled() && !m_cone_triangulation.has_balanced_fans();
   }
 
+  // With these, a cone ends nowhere before one that goes on beside labels.
+  internal::Cone_rules rules_of_longest_arcs() const
+  {
+    return m_rules.farther(internal::Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS);
+  }
+
   template <typename F>
   struct Arc_function
   {
@@ -294,20 +299,24 @@ private:
   {
     using Visitor = internal::Leave_out_detours;
     if(labels.was_expanded(node))
-      find_arcs(node, f, Visitor());
+      find_arcs(node, f, Visitor(), m_rules);
     else
       find_arcs(node, f,
                 internal::Label_pruning<Visitor, Labels>{{},
                                                          m_cone_triangulation.get(m_triangulation),
                                                          labels,
                                                          labels.distance(node),
-                                                         m_rules.longest_detour});
+                                                         m_rules.longest_detour},
+                m_rules);
   }
 
   template <typename F, typename Visitor>
-  void find_arcs(const Node node, const F& f, const Visitor& visitor) const
+  void find_arcs(const Node node,
+                 const F& f,
+                 const Visitor& visitor,
+                 const internal::Cone_rules& rules) const
   {
-    const Expansion expansion(m_cone_triangulation.get(m_triangulation), m_unfolding, m_rules);
+    const Expansion expansion(m_cone_triangulation.get(m_triangulation), m_unfolding, rules);
     m_cone_triangulation.for_each_arc(m_triangulation, expansion, node, f, visitor);
   }
 

@@ -1,0 +1,154 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef BENCHMARK_LAZY_GRAPHS_H
+#define BENCHMARK_LAZY_GRAPHS_H
+
+#include "peers/Label_pruning.h"
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_front.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// A lazy graph that follows each cone to its end before the next one. Cones end by geometry and by
+// labels alike, with the same share of epsilon.
+template <bool COUNTS>
+class Cones_in_turn
+{
+public:
+  using Triangulation = CGAL::Approximate_geodesics::Intrinsic_triangulation;
+  using Node = Triangulation::Index;
+
+  static constexpr bool needs_expansion_history = true;
+
+  Cones_in_turn(Triangulation triangulation, const double epsilon)
+    : m_triangulation(std::move(triangulation)), m_unfolding(m_triangulation), m_rules(epsilon)
+  {
+  }
+
+  const Triangulation& triangulation() const { return m_triangulation; }
+  std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
+  double unit() const { return m_triangulation.unit(); }
+  CGAL::Approximate_geodesics::Arc_lengths arc_lengths() const
+  {
+    return CGAL::Approximate_geodesics::summarize_arc_lengths(m_triangulation.lengths());
+  }
+  void prefetch(const Node node) const
+  {
+    m_triangulation.prefetch(m_triangulation.first_halfedge(node));
+  }
+
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    const Expansion expansion(m_triangulation, m_unfolding, m_rules);
+    const auto report = [&](const auto& arc) { f(arc.target, arc.length); };
+    if(labels.was_expanded(node))
+      expansion.expand(node, report, Counting_windows<COUNTS>(m_count));
+    else
+      expansion.expand(node, report,
+                       Label_pruning<COUNTS, Labels>(m_triangulation, labels, labels.distance(node),
+                                                     m_rules.longest_detour, m_count));
+  }
+
+  // that searches have looked through
+  std::size_t number_of_windows() const { return m_count.number(); }
+
+private:
+  using Unfolding = CGAL::Approximate_geodesics::internal::Unfolding;
+  using Expansion = CGAL::Approximate_geodesics::internal::Cone_expansion<Unfolding>;
+
+  Triangulation m_triangulation;
+  Unfolding m_unfolding;
+  CGAL::Approximate_geodesics::internal::Cone_rules m_rules;
+  Window_count<COUNTS> m_count;
+};
+
+// The lazy graph of the package, counting. It is for one search at a time.
+class Counted_cones_together : public CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph
+{
+public:
+  Counted_cones_together(CGAL::Approximate_geodesics::Intrinsic_triangulation triangulation,
+                         const double epsilon)
+    : Lazy_discrete_geodesic_graph(std::move(triangulation), CGAL::parameters::epsilon(epsilon)),
+      m_unfolding(this->triangulation())
+  {
+  }
+
+  template <typename Labels, typename Arcs>
+  void append_arcs(const Node* const nodes,
+                   const std::size_t number,
+                   const Labels& labels,
+                   Arcs& arcs) const
+  {
+    using CGAL::Approximate_geodesics::internal::Cone_front;
+    std::vector<Node> together;
+    for(std::size_t i = 0; i < number; ++i)
+      if(const Node node = nodes[i]; labels.was_expanded(node))
+        expand_again(node, labels, arcs);
+      else
+      {
+        together.push_back(node);
+        m_number_of_first_faces +=
+            triangulation().beyond_halfedge(node) - triangulation().first_halfedge(node);
+      }
+    Cone_front<Counting_unfolding, Labels, Arcs>(triangulation(), m_unfolding, epsilon(), labels,
+                                                 arcs)
+        .expand(together.data(), together.size());
+  }
+
+  // that searches have looked through
+  std::size_t number_of_windows() const
+  {
+    return m_unfolding.count.number() - m_number_of_first_faces + m_count.number();
+  }
+
+private:
+  using Unfolding = CGAL::Approximate_geodesics::internal::Unfolding;
+
+  // Counts the faces that are asked for: those around a node, and the one behind each window.
+  struct Counting_unfolding : Unfolding
+  {
+    using Unfolding::Unfolding;
+
+    decltype(auto) face(const Index h) const
+    {
+      count.add(1);
+      return Unfolding::face(h);
+    }
+
+    Window_count<true> count;
+  };
+
+  template <typename Labels, typename Arcs>
+  void expand_again(const Node node, const Labels& labels, Arcs& arcs) const
+  {
+    using namespace CGAL::Approximate_geodesics::internal;
+    const Unfolding& unfolding = m_unfolding;
+    const Cone_rules rules = Cone_rules(epsilon()).farther(Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS);
+    Cone_expansion<Unfolding>(triangulation(), unfolding, rules)
+        .expand(
+            node,
+            [&](const Straight_arc& arc) {
+              arcs.make_room(1);
+              arcs.append(true, node, labels.distance(node), arc.target, arc.length);
+            },
+            Counting_windows<true>(m_count));
+  }
+
+  Counting_unfolding m_unfolding;
+  Window_count<true> m_count;
+  mutable std::size_t m_number_of_first_faces = 0;
+};
+
+#endif // BENCHMARK_LAZY_GRAPHS_H
