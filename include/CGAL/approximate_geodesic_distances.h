@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Parts/search_part_once.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Vertex_search.h>
 
 namespace CGAL {
@@ -240,6 +241,8 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
       "approximate_geodesic_distances() does not read one of these named parameters: its "
       "documentation lists those that it does; straighten is for paths");
 
+  if(AG::internal::write_distances_of_part(tmesh, vertex_distance_map, sources, np))
+    return;
   if constexpr(AG::internal::concerns_vertices_only<TriangleMesh, NamedParameters, Sources>())
     if(AG::internal::search_vertices_once(tmesh, np, [&](auto& search) {
          if(!search.run_from(sources, np))

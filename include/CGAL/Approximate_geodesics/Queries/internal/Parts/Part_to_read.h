@@ -1,0 +1,226 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_PARTS_PART_TO_READ_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_PARTS_PART_TO_READ_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Parts/Mesh_part.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Parts/Mesh_place.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Parts/Mesh_positions.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Parts/Part_growth.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Parts/Way_along_edges.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Whether a part of a mesh can be told from points in space: paths are then not shorter than
+// straight lines, and run wherever they like. A visitor would learn how large the part is.
+template <typename TriangleMesh, typename NamedParameters>
+constexpr bool may_read_part()
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  return is_hashable<typename Graph_traits::vertex_descriptor> &&
+         is_hashable<typename Graph_traits::halfedge_descriptor> &&
+         !is_any_given<NamedParameters, internal_np::edge_length_t, internal_np::face_weight_t,
+                       internal_np::edge_is_constrained_t, internal_np::visitor_t>;
+}
+
+/*
+ * Finds the part of a mesh that a run can reach before it ends, without reading the others. It is
+ * not found if it is not much smaller than the mesh, or if anything is unusual.
+ */
+template <typename TriangleMesh, typename NamedParameters>
+class Part_to_read
+{
+  using Place = Mesh_place<TriangleMesh>;
+  using Part = Mesh_part<TriangleMesh>;
+  using Positions = Mesh_positions<TriangleMesh, NamedParameters>;
+
+  static constexpr std::size_t SMALLEST_MESH = 1000; // of vertices; others are read at once
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+public:
+  Part_to_read(const TriangleMesh& tmesh, const NamedParameters& np)
+    : m_mesh(tmesh),
+      m_np(np),
+      m_number_of_vertices(num_vertices(tmesh)),
+      m_maximum_distance(maximum_distance(np))
+  {
+  }
+
+  // for a path from the nearest source to `target`
+  template <typename Sources, typename Target>
+  std::optional<Part> between(const Sources& sources, const Target& target)
+  {
+    if(!is_worth_trying() || !(m_maximum_distance >= 0) || !add_sources(sources))
+      return std::nullopt;
+    const auto end = mesh_place(m_mesh, target);
+    if(!end)
+      return std::nullopt;
+    const auto distance = distance_along_edges(*end);
+    if(!distance)
+      return std::nullopt;
+    const double limit = *distance < infinity ? *distance : 0; // only the ends if there is no path
+    return part(limit, &*end);
+  }
+
+  // for the distances that are wanted
+  template <typename Sources>
+  std::optional<Part> around(const Sources& sources)
+  {
+    if(!is_worth_trying() || !(m_maximum_distance >= 0) || !add_sources(sources) ||
+       !set_initial_distances())
+      return std::nullopt;
+    const auto limit = largest_distance_wanted();
+    if(!limit || *limit == infinity)
+      return std::nullopt;
+    return part(*limit, nullptr);
+  }
+
+private:
+  bool is_worth_trying() const { return m_number_of_vertices >= SMALLEST_MESH; }
+
+  template <typename Sources>
+  bool add_sources(const Sources& sources)
+  {
+    if constexpr(is_surface_point<TriangleMesh, Sources>)
+      return add_source(sources);
+    else
+    {
+      for(const auto& source : sources)
+        if(!add_source(source))
+          return false;
+      return !m_sources.empty();
+    }
+  }
+
+  template <typename Source>
+  bool add_source(const Source& source)
+  {
+    const auto place = mesh_place(m_mesh, source);
+    if(place)
+      m_sources.push_back({*place, 0});
+    return place.has_value();
+  }
+
+  bool set_initial_distances()
+  {
+    if constexpr(is_given<NamedParameters, internal_np::initial_distances_t>)
+    {
+      std::size_t number = 0;
+      for(const auto& distance : parameters::get_parameter(m_np, internal_np::initial_distances))
+      {
+        if(number == m_sources.size())
+          return false;
+        m_sources[number].distance = CGAL::to_double(distance);
+        if(!(m_sources[number].distance >= 0 && std::isfinite(m_sources[number].distance)))
+          return false;
+        ++number;
+      }
+      return number == m_sources.size();
+    }
+    else
+      return true;
+  }
+
+  // Up to where distances are final when the run ends.
+  std::optional<double> largest_distance_wanted() const
+  {
+    double result = m_maximum_distance;
+    if constexpr(is_given<NamedParameters, internal_np::targets_t>)
+    {
+      double farthest = -1;
+      for(const auto& target : parameters::get_parameter(m_np, internal_np::targets))
+      {
+        const auto place = mesh_place(m_mesh, target);
+        const auto distance = place ? distance_along_edges(*place) : std::nullopt;
+        if(!distance)
+          return std::nullopt;
+        farthest = (std::max)(farthest, *distance);
+      }
+      if(farthest >= 0)
+        result = (std::min)(result, farthest);
+    }
+    return result;
+  }
+
+  // An upper bound, or the maximum distance if it is beyond; infinity if there is no path.
+  std::optional<double> distance_along_edges(const Place& target) const
+  {
+    const Positions positions = this->positions();
+    Way_along_edges way(m_mesh, positions, target, largest_part() / 2);
+    for(const Source& source : m_sources)
+      way.start_at(source.place, source.distance);
+    return way.run(m_maximum_distance);
+  }
+
+  std::optional<Part> part(const double limit, const Place* const target) const
+  {
+    const Positions positions = this->positions();
+    Detour detour;
+    constexpr double rounding = 1e-9; // of lengths of paths
+    detour.limit = limit * (1 + rounding);
+    for(const Source& source : m_sources)
+      detour.starts.push_back({positions(source.place), source.distance});
+    if(target != nullptr)
+      detour.target = positions(*target);
+
+    Part result(m_mesh);
+    const std::size_t largest = target == nullptr ? largest_part() : 2 * largest_part();
+    Part_growth growth(result, positions, detour, largest);
+    for(const Source& source : m_sources)
+      growth.start_at(source.place);
+    if(target != nullptr)
+      growth.start_at(*target);
+    return growth.run() ? std::make_optional(std::move(result)) : std::nullopt;
+  }
+
+  // How many vertices are worth it. A large part would save little, and what has been spent on it
+  // is lost if it becomes too large. Searches along edges are faster, and the more sources there
+  // are, the longer it takes to find a part.
+  std::size_t largest_part() const
+  {
+    constexpr bool is_along_edges =
+        !is_any_given<NamedParameters, internal_np::epsilon_t,
+                      internal_np::number_of_points_per_edge_t, internal_np::straighten_t>;
+    return m_number_of_vertices / ((is_along_edges ? 32 : 8) + m_sources.size() / 2);
+  }
+
+  Positions positions() const { return {m_mesh, m_np, m_sources.front().place.corner[0]}; }
+
+  struct Source
+  {
+    Place place;
+    double distance;
+  };
+
+  const TriangleMesh& m_mesh;
+  const NamedParameters& m_np;
+  const std::size_t m_number_of_vertices;
+  const double m_maximum_distance;
+  std::vector<Source> m_sources;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_PARTS_PART_TO_READ_H
