@@ -208,7 +208,9 @@ namespace CGAL {
  * `CGAL::Approximate_geodesics::Saddle_vertex_graph`, where run time is more than linear on smooth
  * surfaces; given weights, barriers or a number
  * of points per edge, on a `CGAL::Approximate_geodesics::Steiner_graph`, where the number of nodes
- * takes the place of that of vertices. The mesh is read again by every
+ * takes the place of that of vertices. If `maximum_distance` or
+ * `targets` are given, and a part of the mesh is enough, only that is read and checked, see section
+ * \ref AG_parts, and only writing takes longer for a larger mesh. The mesh is read again by every
  * call: if it is used more than once, `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is
  * several times as fast.
  *

@@ -164,7 +164,9 @@ namespace CGAL {
  * \throws std::invalid_argument as `approximate_geodesic_distances()` does.
  * \throws std::length_error likewise.
  *
- * Run time and memory are as for `approximate_geodesic_distances()`.
+ * Only a part of the mesh is read and checked if that is enough, see section \ref AG_parts; run
+ * time and memory are then in proportion to the part. Else they are as for
+ * `approximate_geodesic_distances()`.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
