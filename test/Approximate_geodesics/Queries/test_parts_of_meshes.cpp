@@ -314,7 +314,7 @@ TEST(Part_of_mesh, has_no_path_between_components)
 // Two sheets that have nothing but a corner in common, so that the only way is through it.
 TEST(Part_of_mesh, has_paths_through_a_vertex_between_fans)
 {
-  const std::size_t n = 40;
+  const std::size_t n = 60;
   Soup soup = flat_grid(n, n);
   const Soup other = soup.transformed([](const Point& p) { return Point(-p.x(), -p.y(), 0); });
   const std::size_t shift = soup.points.size();

@@ -55,6 +55,11 @@ class Part_to_read
   using Positions = Mesh_positions<TriangleMesh, NamedParameters>;
 
   static constexpr std::size_t SMALLEST_MESH = 1000; // of vertices; others are read at once
+
+  // Of how many vertices one may be reached on the mesh, and one face read: a mesh has about twice
+  // as many faces.
+  static constexpr std::size_t REACHED_BY_WAY = 32, BETWEEN_POINTS = 4, AROUND_SOURCES = 12;
+
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
 public:
@@ -166,7 +171,7 @@ private:
   std::optional<double> distance_along_edges(const Place& target) const
   {
     const Positions positions = this->positions();
-    Way_along_edges way(m_mesh, positions, target, largest_part() / 2);
+    Way_along_edges way(m_mesh, positions, target, share(REACHED_BY_WAY));
     for(const Source& source : m_sources)
       way.start_at(source.place, source.distance);
     return way.run(m_maximum_distance);
@@ -184,8 +189,8 @@ private:
       detour.target = positions(*target);
 
     Part result(m_mesh);
-    const std::size_t largest = target == nullptr ? largest_part() : 2 * largest_part();
-    Part_growth growth(result, positions, detour, largest);
+    Part_growth growth(result, positions, detour,
+                       share(target == nullptr ? AROUND_SOURCES : BETWEEN_POINTS));
     for(const Source& source : m_sources)
       growth.start_at(source.place);
     if(target != nullptr)
@@ -193,15 +198,17 @@ private:
     return growth.run() ? std::make_optional(std::move(result)) : std::nullopt;
   }
 
-  // How many vertices are worth it. A large part would save little, and what has been spent on it
-  // is lost if it becomes too large. Searches along edges are faster, and the more sources there
-  // are, the longer it takes to find a part.
-  std::size_t largest_part() const
+  // One of so many parts of what the mesh has. What has been spent on a part is lost if it becomes
+  // too large; searches along edges are faster, and the more sources there are, the longer it
+  // takes.
+  std::size_t share(const std::size_t number_of_parts) const
   {
     constexpr bool is_along_edges =
         !is_any_given<NamedParameters, internal_np::epsilon_t,
                       internal_np::number_of_points_per_edge_t, internal_np::straighten_t>;
-    return m_number_of_vertices / ((is_along_edges ? 32 : 8) + m_sources.size() / 2);
+    const std::size_t number_for_edges = is_along_edges ? 4 : 1;
+    return m_number_of_vertices /
+           (number_of_parts * number_for_edges * (1 + m_sources.size() / 16));
   }
 
   Positions positions() const { return {m_mesh, m_np, m_sources.front().place.corner[0]}; }
