@@ -58,7 +58,7 @@ class Part_to_read
 
   // Of how many vertices one may be reached on the mesh, and one face read: a mesh has about twice
   // as many faces.
-  static constexpr std::size_t REACHED_BY_WAY = 32, BETWEEN_POINTS = 4, AROUND_SOURCES = 12;
+  static constexpr std::size_t REACHED_BY_WAY = 16, BETWEEN_POINTS = 4, AROUND_SOURCES = 12;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
