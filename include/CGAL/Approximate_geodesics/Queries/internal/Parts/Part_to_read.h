@@ -75,7 +75,7 @@ public:
   template <typename Sources, typename Target>
   std::optional<Part> between(const Sources& sources, const Target& target)
   {
-    if(!is_worth_trying() || !(m_maximum_distance >= 0) || !add_sources(sources))
+    if(!is_worth_trying() || !add_sources(sources))
       return std::nullopt;
     const auto end = mesh_place(m_mesh, target);
     if(!end)
@@ -87,21 +87,21 @@ public:
     return part(limit, &*end);
   }
 
-  // for the distances that are wanted
+  // for distances up to the maximum
   template <typename Sources>
   std::optional<Part> around(const Sources& sources)
   {
-    if(!is_worth_trying() || !(m_maximum_distance >= 0) || !add_sources(sources) ||
+    if(!is_worth_trying() || m_maximum_distance == infinity || !add_sources(sources) ||
        !set_initial_distances())
       return std::nullopt;
-    const auto limit = largest_distance_wanted();
-    if(!limit || *limit == infinity)
-      return std::nullopt;
-    return part(*limit, nullptr);
+    return part(m_maximum_distance, nullptr);
   }
 
 private:
-  bool is_worth_trying() const { return m_number_of_vertices >= SMALLEST_MESH; }
+  bool is_worth_trying() const
+  {
+    return m_number_of_vertices >= SMALLEST_MESH && m_maximum_distance >= 0;
+  }
 
   template <typename Sources>
   bool add_sources(const Sources& sources)
@@ -144,27 +144,6 @@ private:
     }
     else
       return true;
-  }
-
-  // Up to where distances are final when the run ends.
-  std::optional<double> largest_distance_wanted() const
-  {
-    double result = m_maximum_distance;
-    if constexpr(is_given<NamedParameters, internal_np::targets_t>)
-    {
-      double farthest = -1;
-      for(const auto& target : parameters::get_parameter(m_np, internal_np::targets))
-      {
-        const auto place = mesh_place(m_mesh, target);
-        const auto distance = place ? distance_along_edges(*place) : std::nullopt;
-        if(!distance)
-          return std::nullopt;
-        farthest = (std::max)(farthest, *distance);
-      }
-      if(farthest >= 0)
-        result = (std::min)(result, farthest);
-    }
-    return result;
   }
 
   // An upper bound, or the maximum distance if it is beyond; infinity if there is no path.

@@ -107,8 +107,8 @@ bool write_distances_of_part([[maybe_unused]] const TriangleMesh& tmesh,
                              [[maybe_unused]] const NamedParameters& np)
 {
   if constexpr(may_read_part<TriangleMesh, NamedParameters>() &&
-               is_any_given<NamedParameters, internal_np::maximum_distance_t,
-                            internal_np::targets_t>)
+               is_given<NamedParameters, internal_np::maximum_distance_t> &&
+               !is_given<NamedParameters, internal_np::targets_t>)
     if(const auto part = Part_to_read(tmesh, np).around(sources))
       return search_part_once(*part, np, false, [&](auto& search) {
         search.run_from(sources, np);
