@@ -55,13 +55,13 @@ public:
   {
   }
 
-  void start_at(const Place& place, const double distance)
+  void start_at(const Place& place)
   {
     const Space_vector p = m_positions(place);
     if(place.number_of_corners == 3 && place.halfedge == m_target.halfedge)
-      m_straight = (std::min)(m_straight, distance + length(p, m_position_of_target));
+      m_straight = (std::min)(m_straight, length(p, m_position_of_target));
     for(std::size_t i = 0; i < place.number_of_corners; ++i)
-      reach(place.corner[i], distance, p);
+      reach(place.corner[i], 0, p);
   }
 
   // Returns the length of the shortest path of this kind, or `limit` if it is longer, or infinity

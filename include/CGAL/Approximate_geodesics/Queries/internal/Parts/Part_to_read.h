@@ -57,8 +57,9 @@ class Part_to_read
   static constexpr std::size_t SMALLEST_MESH = 1000; // of vertices; others are read at once
 
   // Of how many vertices one may be reached on the mesh, and one face read: a mesh has about twice
-  // as many faces.
-  static constexpr std::size_t REACHED_BY_WAY = 16, BETWEEN_POINTS = 4, AROUND_SOURCES = 12;
+  // as many faces. An attempt that fails costs a few percent of the call. Once a way is known, few
+  // do, and more can be risked.
+  static constexpr std::size_t REACHED_BY_WAY = 32, BETWEEN_POINTS = 8, AROUND_SOURCES = 32;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -152,7 +153,7 @@ private:
     const Positions positions = this->positions();
     Way_along_edges way(m_mesh, positions, target, share(REACHED_BY_WAY));
     for(const Source& source : m_sources)
-      way.start_at(source.place, source.distance);
+      way.start_at(source.place);
     return way.run(m_maximum_distance);
   }
 
@@ -185,7 +186,7 @@ private:
     constexpr bool is_along_edges =
         !is_any_given<NamedParameters, internal_np::epsilon_t,
                       internal_np::number_of_points_per_edge_t, internal_np::straighten_t>;
-    const std::size_t number_for_edges = is_along_edges ? 4 : 1;
+    const std::size_t number_for_edges = is_along_edges ? 3 : 1;
     return m_number_of_vertices /
            (number_of_parts * number_for_edges * (1 + m_sources.size() / 16));
   }
