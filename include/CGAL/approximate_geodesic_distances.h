@@ -206,13 +206,12 @@ namespace CGAL {
  * about half the time of a triangulation; given `epsilon`, it runs on a
  * `CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph`, or, if it is `0`, on a
  * `CGAL::Approximate_geodesics::Saddle_vertex_graph`, where run time is more than linear on smooth
- * surfaces; given weights, barriers or a number
- * of points per edge, on a `CGAL::Approximate_geodesics::Steiner_graph`, where the number of nodes
- * takes the place of that of vertices. If `maximum_distance` or
- * `targets` are given, and a part of the mesh is enough, only that is read and checked, see section
- * \ref AG_parts, and only writing takes longer for a larger mesh. The mesh is read again by every
- * call: if it is used more than once, `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is
- * several times as fast.
+ * surfaces; given weights, barriers or a number of points per edge, on a
+ * `CGAL::Approximate_geodesics::Steiner_graph`, where the number of nodes takes the place of that
+ * of vertices. If `maximum_distance` is given, and `targets` are not, and a small part of the mesh
+ * is enough, only that is read and checked, see section \ref AG_parts, and only writing takes
+ * longer for a larger mesh. The mesh is read again by every call: if it is used more than once,
+ * `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is several times as fast.
  *
  * \sa `approximate_geodesic_path()`
  * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
