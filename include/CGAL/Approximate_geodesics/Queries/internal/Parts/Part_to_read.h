@@ -40,7 +40,8 @@ constexpr bool may_read_part()
   return is_hashable<typename Graph_traits::vertex_descriptor> &&
          is_hashable<typename Graph_traits::halfedge_descriptor> &&
          !is_any_given<NamedParameters, internal_np::edge_length_t, internal_np::face_weight_t,
-                       internal_np::edge_is_constrained_t, internal_np::visitor_t>;
+                       internal_np::direction_to_source_t, internal_np::edge_is_constrained_t,
+                       internal_np::visitor_t>;
 }
 
 /*
