@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Parts/search_part_once.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Vertex_search.h>
 
 namespace CGAL {
@@ -205,11 +206,12 @@ namespace CGAL {
  * about half the time of a triangulation; given `epsilon`, it runs on a
  * `CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph`, or, if it is `0`, on a
  * `CGAL::Approximate_geodesics::Saddle_vertex_graph`, where run time is more than linear on smooth
- * surfaces; given weights, barriers or a number
- * of points per edge, on a `CGAL::Approximate_geodesics::Steiner_graph`, where the number of nodes
- * takes the place of that of vertices. The mesh is read again by every
- * call: if it is used more than once, `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is
- * several times as fast.
+ * surfaces; given weights, barriers or a number of points per edge, on a
+ * `CGAL::Approximate_geodesics::Steiner_graph`, where the number of nodes takes the place of that
+ * of vertices. If `maximum_distance` is given, and `targets` are not, and a small part of the mesh
+ * is enough, only that is read and checked, see section \ref AG_parts, and only writing takes
+ * longer for a larger mesh. The mesh is read again by every call: if it is used more than once,
+ * `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is several times as fast.
  *
  * \sa `approximate_geodesic_path()`
  * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
@@ -240,6 +242,8 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
       "approximate_geodesic_distances() does not read one of these named parameters: its "
       "documentation lists those that it does; straighten is for paths");
 
+  if(AG::internal::write_distances_of_part(tmesh, vertex_distance_map, sources, np))
+    return;
   if constexpr(AG::internal::concerns_vertices_only<TriangleMesh, NamedParameters, Sources>())
     if(AG::internal::search_vertices_once(tmesh, np, [&](auto& search) {
          if(!search.run_from(sources, np))

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Parts/search_part_once.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Vertex_search.h>
 
 #include <limits>
@@ -163,7 +164,9 @@ namespace CGAL {
  * \throws std::invalid_argument as `approximate_geodesic_distances()` does.
  * \throws std::length_error likewise.
  *
- * Run time and memory are as for `approximate_geodesic_distances()`.
+ * Only a part of the mesh is read and checked if that is enough, see section \ref AG_parts; run
+ * time and memory are then in proportion to the part. Else they are as for
+ * `approximate_geodesic_distances()`.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `CGAL::Approximate_geodesics::Surface_mesh_shortest_path`
@@ -194,17 +197,22 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
       "approximate_geodesic_path() does not read one of these named parameters: its documentation "
       "lists those that it does; targets is for approximate_geodesic_distances()");
 
-  if constexpr(AG::internal::concerns_vertices_only<TriangleMesh, NamedParameters, Source,
-                                                    Target>())
-    if(const auto length = AG::internal::write_path_once(tmesh, points, source, target, np))
-      return *length;
-  return AG::internal::search_once(tmesh, np, true, [&](auto& search) {
+  double length = std::numeric_limits<double>::infinity();
+  const auto write_path = [&](auto& search) {
     search.run_to(source, target, AG::internal::positions_for_one_run(search, np), np);
     const AG::Path path = search.find_path(search.translation().intrinsic_point(target), np);
     for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
       *points++ = search.point(*p, np);
-    return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;
-  });
+    length = path.points.empty() ? length : path.length;
+  };
+  if(AG::internal::search_part_between(tmesh, source, target, np, write_path))
+    return length;
+  if constexpr(AG::internal::concerns_vertices_only<TriangleMesh, NamedParameters, Source,
+                                                    Target>())
+    if(const auto result = AG::internal::write_path_once(tmesh, points, source, target, np))
+      return *result;
+  AG::internal::search_once(tmesh, np, true, write_path);
+  return length;
 }
 
 } // namespace CGAL

@@ -34,6 +34,17 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 
+namespace internal {
+
+// The mesh whose numbers descriptors are: a part of a mesh has those of the mesh.
+template <typename TriangleMesh>
+const TriangleMesh& whole(const TriangleMesh& tmesh)
+{
+  return tmesh;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgApproximateGeodesicsMesh
  *
@@ -146,7 +157,7 @@ public:
   /// returns the point at the part `t` of the way along `h`, from its source.
   Intrinsic_point intrinsic_point(const halfedge_descriptor h, const double t) const
   {
-    if(h == Graph_traits::null_halfedge() || !is_in_range(h, num_halfedges(*m_mesh)))
+    if(h == Graph_traits::null_halfedge() || !is_in_range(h, num_halfedges(mesh_of_numbers())))
       reject_foreign("halfedge", h, Graph_traits::null_halfedge());
     if(!(t >= 0 && t <= 1))
       internal::reject("the part of the way along a halfedge is " + internal::text_of(t) +
@@ -313,9 +324,16 @@ public:
 private:
   static constexpr double rounding = 1e-15; // of barycentric coordinates
 
+  const auto& mesh_of_numbers() const
+  {
+    using internal::whole;
+    return whole(*m_mesh);
+  }
+
   void check(const face_descriptor f) const
   {
-    const bool may_be_face = f != Graph_traits::null_face() && is_in_range(f, num_faces(*m_mesh));
+    const bool may_be_face =
+        f != Graph_traits::null_face() && is_in_range(f, num_faces(mesh_of_numbers()));
     const halfedge_descriptor h =
         may_be_face ? halfedge(f, *m_mesh) : Graph_traits::null_halfedge();
     if(h == Graph_traits::null_halfedge() || face(h, *m_mesh) != f) // or was removed

@@ -14,6 +14,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -23,7 +24,7 @@ namespace internal {
 /*
  * Writes what a search has found out about the vertices of a mesh to property maps. All memory for
  * that is allocated before anything is written. `Vertices` translates from vertices to nodes, and,
- * for predecessors, back.
+ * for predecessors, back; a vertex that has no node is not reached.
  */
 template <typename Search, typename Vertices>
 class Vertex_results
@@ -53,6 +54,17 @@ public:
   }
 
 private:
+  double distance(const Node node) const
+  {
+    return node == Search::null_node ? std::numeric_limits<double>::infinity()
+                                     : m_search.distance(node);
+  }
+
+  auto source(const Node node) const
+  {
+    return node == Search::null_node ? Search::null_source : m_search.source(node);
+  }
+
   template <typename VertexDistanceMap, typename NamedParameters>
   void write_distances_and_sources(VertexDistanceMap distances,
                                    [[maybe_unused]] const NamedParameters& np) const
@@ -61,13 +73,13 @@ private:
     if constexpr(with_sources)
       allocate_sources();
     for(const vertex_descriptor v : vertices(m_vertices.mesh()))
-      put(distances, v, m_search.distance(m_vertices.node(v)));
+      put(distances, v, distance(m_vertices.node(v)));
     if constexpr(with_sources)
     {
       const auto sources = parameters::get_parameter(np, internal_np::nearest_source);
       using Value = typename boost::property_traits<std::decay_t<decltype(sources)>>::value_type;
       for(const vertex_descriptor v : vertices(m_vertices.mesh()))
-        put(sources, v, static_cast<Value>(m_search.source(m_vertices.node(v))));
+        put(sources, v, static_cast<Value>(source(m_vertices.node(v))));
     }
   }
 
@@ -91,7 +103,7 @@ private:
   vertex_descriptor predecessor(const vertex_descriptor v, Predecessors& predecessors) const
   {
     const Node node = m_vertices.node(v);
-    if(!m_search.is_reached(node))
+    if(node == Search::null_node || !m_search.is_reached(node))
       return boost::graph_traits<Triangle_mesh>::null_vertex();
     const Node before = predecessors(node);
     return before == Search::null_node ? v : m_vertices.vertex(before);

@@ -1,0 +1,647 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Queries/internal/Parts/search_part_once.h>
+
+#include "checks/expect_message.h"
+#include "checks/test_recorder.h"
+#include "meshes/hostile_meshes.h"
+#include "meshes/surface_points.h"
+#include "oracles/test_oracles.h"
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/approximate_geodesic_path.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/iterator.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+// The functions read only a part of a mesh where that is enough. A visitor makes them read it all.
+
+namespace {
+
+using namespace geodesics_test;
+namespace AG = CGAL::Approximate_geodesics;
+namespace parameters = CGAL::parameters;
+using Part = AG::internal::Mesh_part<Mesh>;
+
+constexpr double rounding = 1e-12;
+
+// ----- meshes large enough for parts
+
+// A terrain with holes, and with vertices between fans of faces that only they connect.
+Soup perforated_terrain(const std::size_t columns, const std::size_t rows, Random& random)
+{
+  Soup result = terrain(columns, rows, random);
+  std::vector<std::size_t> holes;
+  for(std::size_t f = 0; f < result.triangles.size(); ++f)
+    if(random.below(5) == 0)
+      holes.push_back(f);
+  return without_faces(result, holes);
+}
+
+// As `to_mesh()`, which accepts no vertex between several fans: all their borders are linked.
+Mesh to_mesh_with_fans(const Soup& soup)
+{
+  Mesh result;
+  for(const Point& p : soup.points)
+    result.add_vertex(p);
+  for(const auto& t : soup.triangles)
+  {
+    const auto v = [&](const std::size_t i) { return Vertex(static_cast<Mesh::size_type>(t[i])); };
+    EXPECT_NE(result.add_face(v(0), v(1), v(2)), Mesh::null_face());
+  }
+  return result;
+}
+
+std::vector<Named_mesh> large_meshes()
+{
+  Random random(test_seed());
+  std::vector<Named_mesh> result;
+  result.push_back({"terrain", to_mesh(terrain(60, 50, random))});
+  result.push_back({"perforated", to_mesh_with_fans(perforated_terrain(70, 60, random))});
+  result.push_back({"sphere", to_mesh(sphere(60, 50))});
+  result.push_back({"flat grid", to_mesh(flat_grid(50, 50))});
+  return result;
+}
+
+// A point close to another one, or any one.
+Surface_point random_target(const Mesh& mesh, const Surface_point& source, Random& random)
+{
+  const double radius = random.between(0, 0.15) * size(mesh);
+  for(int i = 0; i < 300; ++i)
+  {
+    const Surface_point result = random_surface_point(mesh, random);
+    if(CGAL::squared_distance(position(mesh, source), position(mesh, result)) < radius * radius)
+      return result;
+  }
+  return random_surface_point(mesh, random);
+}
+
+// ----- functions that read all, or a part
+
+auto without_part(const double epsilon)
+{
+  return parameters::epsilon(epsilon).visitor(AG::Geodesic_visitor_base());
+}
+
+// without a look at the points, where squares of coordinates do not fit a `double`
+template <typename NamedParameters>
+double bare_length(const Mesh& mesh, const Vertex s, const Vertex t, const NamedParameters& np)
+{
+  return CGAL::approximate_geodesic_path(mesh, CGAL::Emptyset_iterator(), s, t, np);
+}
+
+template <typename Source, typename Target, typename NamedParameters>
+double length_of_path(const Mesh& mesh,
+                      const Source& source,
+                      const Target& target,
+                      const NamedParameters& np)
+{
+  std::vector<Point> points;
+  const double result =
+      CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), source, target, np);
+  EXPECT_EQ(points.empty(), std::isinf(result));
+  if(!points.empty())
+  {
+    EXPECT_NEAR(length_of(points), result, rounding * (result + size(mesh)));
+  }
+  return result;
+}
+
+template <typename Source, typename Target, typename NamedParameters>
+std::optional<Part> part_between(const Mesh& mesh,
+                                 const Source& source,
+                                 const Target& target,
+                                 const NamedParameters& np)
+{
+  return AG::internal::Part_to_read(mesh, np).between(source, target);
+}
+
+void expect_near(const double a, const double b, const Mesh& mesh)
+{
+  EXPECT_EQ(std::isinf(a), std::isinf(b));
+  if(std::isfinite(b))
+  {
+    EXPECT_NEAR(a, b, rounding * (b + size(mesh)));
+  }
+}
+
+// ----- the part
+
+// Links that fit each other, and borders where neither the mesh nor the part has a face.
+void expect_mesh_in_mesh(const Part& part)
+{
+  using namespace AG::internal::parts;
+  const Mesh& mesh = part.mesh();
+  for(const Halfedge h : halfedges(part))
+  {
+    ASSERT_EQ(prev(next(h, part), part), h);
+    ASSERT_EQ(next(prev(h, part), part), h);
+    ASSERT_EQ(source(next(h, part), part), target(h, part));
+    ASSERT_TRUE(part.contains(opposite(h, part)));
+    const bool is_at_border = face(h, part) == Mesh::null_face();
+    ASSERT_TRUE(is_at_border || face(h, part) == mesh.face(h));
+  }
+  const Triangulation t(part);
+  EXPECT_TRUE(t.is_valid());
+  EXPECT_EQ(t.number_of_vertices(), num_vertices(part));
+  EXPECT_EQ(t.number_of_faces(), num_faces(part));
+}
+
+TEST(Part_of_mesh, is_a_mesh)
+{
+  Random random(test_seed());
+  for(const auto& [name, mesh] : large_meshes())
+  {
+    SCOPED_TRACE(name);
+    std::size_t number_of_parts = 0;
+    for(int i = 0; i < 100; ++i)
+    {
+      const Surface_point source = random_surface_point(mesh, random);
+      const Surface_point target = random_target(mesh, source, random);
+      if(const auto part = part_between(mesh, source, target, parameters::epsilon(0)))
+      {
+        ++number_of_parts;
+        EXPECT_LT(num_faces(*part), mesh.number_of_faces() / 4 + 1);
+        expect_mesh_in_mesh(*part);
+      }
+    }
+    EXPECT_GT(number_of_parts, 20u);
+  }
+}
+
+// ----- paths
+
+TEST(Part_of_mesh, has_the_shortest_paths)
+{
+  Random random(test_seed());
+  for(const auto& [name, mesh] : large_meshes())
+  {
+    SCOPED_TRACE(name);
+    for(int i = 0; i < 10; ++i)
+    {
+      const Surface_point source = random_surface_point(mesh, random);
+      const Surface_point target = random_target(mesh, source, random);
+      const double exact = length_of_path(mesh, source, target, without_part(0));
+      const double along_edges = length_of_path(mesh, source, target, parameters::default_values());
+      expect_near(length_of_path(mesh, source, target, parameters::epsilon(0)), exact, mesh);
+      expect_near(length_of_path(mesh, source, target, parameters::epsilon(0).straighten(true)),
+                  exact, mesh);
+      for(const double epsilon : {0.02, 0.5})
+      {
+        const double length = length_of_path(mesh, source, target, parameters::epsilon(epsilon));
+        const double straight =
+            length_of_path(mesh, source, target, parameters::epsilon(epsilon).straighten(true));
+        const double tolerance = rounding * (exact + size(mesh));
+        EXPECT_GE(length, exact - tolerance);
+        EXPECT_LE(length, (1 + epsilon) * exact + tolerance);
+        EXPECT_LE(length, along_edges + tolerance); // so that it ends nowhere but the mesh does
+        EXPECT_GE(straight, exact - tolerance);
+        EXPECT_LE(straight, length + tolerance);
+      }
+    }
+  }
+}
+
+TEST(Part_of_mesh, has_the_shortest_paths_along_edges_and_through_points_on_them)
+{
+  Random random(test_seed());
+  const AG::Geodesic_visitor_base visitor;
+  for(const auto& [name, mesh] : large_meshes())
+  {
+    SCOPED_TRACE(name);
+    for(int i = 0; i < 10; ++i)
+    {
+      const Surface_point source = random_surface_point(mesh, random);
+      const Surface_point target = random_target(mesh, source, random);
+      expect_near(length_of_path(mesh, source, target, parameters::default_values()),
+                  length_of_path(mesh, source, target, parameters::visitor(visitor)), mesh);
+      const auto with_points = parameters::number_of_points_per_edge(2);
+      expect_near(length_of_path(mesh, source, target, with_points),
+                  length_of_path(mesh, source, target, with_points.visitor(visitor)), mesh);
+    }
+  }
+}
+
+TEST(Part_of_mesh, has_the_path_from_the_nearest_of_several_sources)
+{
+  Random random(test_seed());
+  for(const auto& [name, mesh] : large_meshes())
+  {
+    SCOPED_TRACE(name);
+    for(int i = 0; i < 8; ++i)
+    {
+      std::vector<Surface_point> sources = random_surface_points(mesh, 4, random);
+      const Surface_point target = random_target(mesh, sources[2], random);
+      expect_near(length_of_path(mesh, sources, target, parameters::epsilon(0)),
+                  length_of_path(mesh, sources, target, without_part(0)), mesh);
+    }
+  }
+}
+
+TEST(Part_of_mesh, ends_at_the_maximum_distance)
+{
+  Random random(test_seed());
+  for(const auto& [name, mesh] : large_meshes())
+  {
+    SCOPED_TRACE(name);
+    for(int i = 0; i < 10; ++i)
+    {
+      const Surface_point source = random_surface_point(mesh, random);
+      const Surface_point target = random_target(mesh, source, random);
+      const double exact = length_of_path(mesh, source, target, without_part(0));
+      for(const double part : {0.5, 0.999, 1.001})
+      {
+        const auto np = parameters::epsilon(0).maximum_distance(part * exact);
+        const bool is_reached = std::isfinite(exact) && (exact == 0 || part > 1);
+        expect_near(length_of_path(mesh, source, target, np), is_reached ? exact : infinity, mesh);
+      }
+    }
+  }
+}
+
+TEST(Part_of_mesh, has_points_that_are_the_same)
+{
+  Random random(test_seed());
+  for(const auto& [name, mesh] : large_meshes())
+    for(int i = 0; i < 20; ++i)
+    {
+      SCOPED_TRACE(name);
+      const Surface_point p = random_surface_point(mesh, random);
+      for(const double epsilon : {0., 0.1})
+        EXPECT_EQ(length_of_path(mesh, p, p, parameters::epsilon(epsilon)), 0);
+      EXPECT_EQ(length_of_path(mesh, p, p, parameters::default_values()), 0);
+      EXPECT_EQ(length_of_path(mesh, p, p, parameters::maximum_distance(0)), 0);
+    }
+}
+
+TEST(Part_of_mesh, has_points_in_one_face)
+{
+  Random random(test_seed());
+  for(const auto& [name, mesh] : large_meshes())
+    for(int i = 0; i < 20; ++i)
+    {
+      SCOPED_TRACE(name);
+      const Face_location a = random_face_location(mesh, random);
+      const Face_location b(a.first, random_face_location(mesh, random).second);
+      const double expected =
+          std::sqrt(CGAL::squared_distance(position(mesh, a), position(mesh, b)));
+      for(const double epsilon : {0., 0.1})
+        expect_near(length_of_path(mesh, a, b, parameters::epsilon(epsilon)), expected, mesh);
+      expect_near(length_of_path(mesh, a, b, parameters::default_values()), expected, mesh);
+    }
+}
+
+TEST(Part_of_mesh, has_no_path_between_components)
+{
+  Random random(test_seed());
+  Soup soup = terrain(40, 30, random);
+  const std::size_t small = soup.points.size();
+  soup.append(fan(7, 1));
+  const std::size_t isolated = soup.points.size();
+  soup.points.push_back(Point(3, 3, 3));
+  const Mesh mesh = to_mesh(soup);
+  const auto v = [](const std::size_t i) { return Vertex(static_cast<Mesh::size_type>(i)); };
+  ASSERT_TRUE(part_between(mesh, v(small), v(5), parameters::epsilon(0)));
+  ASSERT_TRUE(part_between(mesh, v(isolated), v(5), parameters::epsilon(0)));
+  for(const std::size_t a : {std::size_t(5), small, isolated})
+    for(const std::size_t b : {std::size_t(5), small, isolated})
+    {
+      const double expected = a == b ? 0 : infinity;
+      EXPECT_EQ(length_of_path(mesh, v(a), v(b), parameters::default_values()), expected);
+      EXPECT_EQ(length_of_path(mesh, v(a), v(b), parameters::epsilon(0.1)), expected);
+      EXPECT_EQ(length_of_path(mesh, v(a), v(b), parameters::epsilon(0)), expected);
+    }
+}
+
+// Two sheets that have nothing but a corner in common, so that the only way is through it.
+TEST(Part_of_mesh, has_paths_through_a_vertex_between_fans)
+{
+  const std::size_t n = 60;
+  Soup soup = flat_grid(n, n);
+  const Soup other = soup.transformed([](const Point& p) { return Point(-p.x(), -p.y(), 0); });
+  const std::size_t shift = soup.points.size();
+  soup.append(other);
+  for(auto& t : soup.triangles)
+    for(std::size_t& i : t)
+      i = i == shift ? 0 : i;
+  const Mesh mesh = to_mesh_with_fans(soup);
+  const Vertex a(5 + 4 * n), b(static_cast<Mesh::size_type>(shift + 3 + 6 * n));
+  ASSERT_TRUE(part_between(mesh, a, b, parameters::epsilon(0)));
+  expect_near(length_of_path(mesh, a, b, parameters::epsilon(0)),
+              std::hypot(5, 4) + std::hypot(3, 6), mesh);
+  EXPECT_LE(length_of_path(mesh, b, a, parameters::epsilon(0.1)),
+            1.1 * (std::hypot(5, 4) + std::hypot(3, 6)));
+}
+
+// ----- distances
+
+template <typename Sources, typename NamedParameters>
+std::vector<double>
+distances_from(const Mesh& mesh, const Sources& sources, const NamedParameters& np)
+{
+  std::vector<double> result(mesh.num_vertices(), -1);
+  CGAL::approximate_geodesic_distances(
+      mesh, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh)),
+      sources, np);
+  return result;
+}
+
+// `bound` is where distances may be within or not, by rounding.
+void expect_same_distances(const Mesh& mesh,
+                           const std::vector<double>& distances,
+                           const std::vector<double>& expected,
+                           const double bound)
+{
+  for(std::size_t i = 0; i < expected.size(); ++i)
+    if(std::isinf(distances[i]) != std::isinf(expected[i]))
+    {
+      EXPECT_NEAR((std::min)(distances[i], expected[i]), bound, rounding * (bound + size(mesh)));
+    }
+    else
+      expect_near(distances[i], expected[i], mesh);
+}
+
+TEST(Part_of_mesh, has_the_distances_within_a_radius)
+{
+  Random random(test_seed());
+  const AG::Geodesic_visitor_base visitor;
+  for(const auto& [name, mesh] : large_meshes())
+  {
+    SCOPED_TRACE(name);
+    std::size_t number_of_parts = 0;
+    for(int i = 0; i < 20; ++i)
+    {
+      const auto sources = random_surface_points(mesh, 1 + random.below(3), random);
+      std::vector<double> initial;
+      for(std::size_t k = 0; k < sources.size(); ++k)
+        initial.push_back(random.between(0, 0.03) * size(mesh));
+      const double radius = random.between(0, 0.07) * size(mesh);
+      const auto exact = parameters::epsilon(0).initial_distances(initial).maximum_distance(radius);
+      number_of_parts += AG::internal::Part_to_read(mesh, exact).around(sources) ? 1 : 0;
+      expect_same_distances(mesh, distances_from(mesh, sources, exact),
+                            distances_from(mesh, sources, exact.visitor(visitor)), radius);
+      const auto edges = parameters::initial_distances(initial).maximum_distance(radius);
+      expect_same_distances(mesh, distances_from(mesh, sources, edges),
+                            distances_from(mesh, sources, edges.visitor(visitor)), radius);
+    }
+    EXPECT_GT(number_of_parts, 5u);
+  }
+}
+
+TEST(Part_of_mesh, has_all_other_results)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(100, 200, random));
+  const std::vector<Vertex> sources = {Vertex(10050), Vertex(10053), Vertex(10152)};
+  std::vector<int> source(mesh.num_vertices(), -7);
+  std::vector<Vertex> before(mesh.num_vertices());
+  const auto index_map = get(boost::vertex_index, mesh);
+  const auto np =
+      parameters::epsilon(0)
+          .maximum_distance(5)
+          .nearest_source_map(boost::make_iterator_property_map(source.begin(), index_map))
+          .predecessor_map(boost::make_iterator_property_map(before.begin(), index_map));
+  ASSERT_TRUE(AG::internal::Part_to_read(mesh, np).around(sources));
+  const std::vector<double> distances = distances_from(mesh, sources, np);
+  std::size_t number_of_reached = 0;
+  for(const Vertex v : mesh.vertices())
+    if(std::isinf(distances[v.idx()]))
+    {
+      EXPECT_EQ(source[v.idx()], -1);
+      EXPECT_EQ(before[v.idx()], Mesh::null_vertex());
+    }
+    else
+    {
+      ++number_of_reached;
+      ASSERT_TRUE(source[v.idx()] >= 0 && source[v.idx()] < 3);
+      const Vertex from = sources[std::size_t(source[v.idx()])];
+      expect_near(length_of_path(mesh, from, v, without_part(0)), distances[v.idx()], mesh);
+      EXPECT_LE(distances[before[v.idx()].idx()], distances[v.idx()]);
+    }
+  EXPECT_GT(number_of_reached, 50u);
+}
+
+// Distances near the last target depend on what was read.
+TEST(Part_of_mesh, is_not_enough_for_targets)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(60, 50, random));
+  const Vertex source(1530);
+  const std::vector<Vertex> targets = {Vertex(1532), Vertex(1652)};
+  const auto np = parameters::epsilon(0.1).maximum_distance(5).targets(targets);
+  EXPECT_EQ(distances_from(mesh, source, np),
+            distances_from(mesh, source, np.visitor(AG::Geodesic_visitor_base())));
+}
+
+// ----- threads
+
+TEST(Part_of_mesh, is_searched_by_several_threads)
+{
+  const CGAL::Parallel_if_available_tag several;
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(130, 120, random));
+  const Vertex s(7865), t(8395);
+  for(const double epsilon : {0., 0.1})
+  {
+    const auto np = parameters::epsilon(epsilon);
+    ASSERT_TRUE(part_between(mesh, s, t, np.concurrency_tag(several)));
+    EXPECT_EQ(length_of_path(mesh, s, t, np.concurrency_tag(several)),
+              length_of_path(mesh, s, t, np));
+    const auto near = np.maximum_distance(5);
+    ASSERT_TRUE(AG::internal::Part_to_read(mesh, near.concurrency_tag(several)).around(s));
+    EXPECT_EQ(distances_from(mesh, s, near.concurrency_tag(several)),
+              distances_from(mesh, s, near));
+  }
+}
+
+// ----- other meshes and numbers
+
+TEST(Part_of_mesh, is_one_of_a_polyhedron)
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(60, 50, random));
+  Polyhedron polyhedron;
+  std::vector<std::pair<Vertex, Polyhedron::Vertex_handle>> pairs;
+  CGAL::copy_face_graph(
+      mesh, polyhedron,
+      CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(pairs)));
+  const auto np = parameters::epsilon(0.1);
+  for(std::size_t i = 0; i + 7 < pairs.size(); i += 100)
+  {
+    const auto& [s, source] = pairs[i];
+    const auto& [t, target] = pairs[i + 7];
+    std::vector<Point> points;
+    const double length =
+        CGAL::approximate_geodesic_path(polyhedron, std::back_inserter(points), source, target, np);
+    ASSERT_FALSE(points.empty());
+    EXPECT_EQ(points.front(), mesh.point(s));
+    EXPECT_EQ(points.back(), mesh.point(t));
+    const double exact = length_of_path(mesh, s, t, without_part(0));
+    EXPECT_GE(length, exact * (1 - rounding));
+    EXPECT_LE(length, 1.1 * exact);
+    const bool has_part =
+        AG::internal::Part_to_read(polyhedron, np).between(source, target).has_value();
+    EXPECT_EQ(has_part, part_between(mesh, s, t, np).has_value());
+  }
+}
+
+TEST(Part_of_mesh, is_right_for_coordinates_of_any_size)
+{
+  Random random(test_seed());
+  const Soup soup = terrain(50, 50, random);
+  const Vertex a(1200), b(1305);
+  const double expected = bare_length(to_mesh(soup), a, b, without_part(0));
+  for(const double factor : {1e-310, 1e-300, 1e-160, 1e100, 1e160, 1e300})
+  {
+    SCOPED_TRACE(factor);
+    const Mesh mesh = to_mesh(scaled(soup, factor));
+    const double whole = bare_length(mesh, a, b, without_part(0));
+    EXPECT_NEAR(bare_length(mesh, a, b, parameters::epsilon(0)) / whole, 1, rounding);
+    EXPECT_NEAR(whole / factor / expected, 1, factor < 1e-305 ? 1e-9 : rounding);
+  }
+  const Mesh far_away = to_mesh(moved(soup, 1e8));
+  EXPECT_NEAR(bare_length(far_away, a, b, parameters::epsilon(0)),
+              bare_length(far_away, a, b, without_part(0)), rounding * expected);
+}
+
+// ----- bad input
+
+class Bad_part : public testing::Test
+{
+protected:
+  template <typename... Texts>
+  void expect_rejection(const Mesh& mesh, const Texts&... texts) const
+  {
+    for(const double epsilon : {0., 0.1})
+      expect_message<std::invalid_argument>(
+          [&] { length_of_path(mesh, near, near_too, parameters::epsilon(epsilon)); }, texts...);
+    expect_message<std::invalid_argument>(
+        [&] { distances_from(mesh, near, parameters::maximum_distance(2.5)); }, texts...);
+  }
+
+  static constexpr Mesh::size_type n = 50;
+  static Vertex at(const Mesh::size_type i, const Mesh::size_type j) { return Vertex(i + n * j); }
+
+  const Vertex near = at(10, 10), near_too = at(12, 10);
+  Mesh m_mesh = to_mesh(flat_grid(n, n));
+};
+
+TEST_F(Bad_part, is_refused_where_it_is_read)
+{
+  const auto with_point_at = [&](const Vertex v, const double x) {
+    return with_point(m_mesh, v.idx(), Point(x, 0, 0));
+  };
+  expect_rejection(with_point_at(at(11, 10), not_a_number),
+                   "vertex " + std::to_string(11 + n * 10));
+  expect_rejection(with_point_at(at(11, 10), infinity), "vertex " + std::to_string(11 + n * 10));
+  for(const double bad : {not_a_number, infinity})
+    EXPECT_EQ(bare_length(with_point_at(at(40, 40), bad), near, near_too, parameters::epsilon(0)),
+              2);
+}
+
+TEST_F(Bad_part, is_refused_if_links_are_broken_where_it_is_read)
+{
+  const Halfedge h = m_mesh.halfedge(at(11, 10), at(12, 10));
+  Mesh one_way = m_mesh;
+  one_way.set_next(m_mesh.opposite(h), m_mesh.next(h));
+  expect_rejection(one_way);
+  Mesh no_halfedge = m_mesh;
+  no_halfedge.set_halfedge(m_mesh.face(h), Mesh::null_halfedge());
+  expect_rejection(no_halfedge, "has no halfedge");
+  Mesh no_target = m_mesh;
+  no_target.set_target(h, Mesh::null_vertex());
+  expect_rejection(no_target);
+  Mesh other_face = m_mesh;
+  other_face.set_face(h, Face(0));
+  expect_rejection(other_face);
+}
+
+// Every link around the path to every other value nearby: refused, or as if all were read.
+TEST_F(Bad_part, never_makes_it_hang)
+{
+  const auto halfedges = CGAL::halfedges_around_source(near, m_mesh);
+  for(const Halfedge h : halfedges)
+    for(const Halfedge g : halfedges)
+      for(const bool is_opposite : {false, true})
+      {
+        Mesh mesh = m_mesh;
+        mesh.set_next(h, is_opposite ? mesh.opposite(g) : g);
+        std::string whole = "accepted", part = "accepted";
+        try
+        {
+          length_of_path(mesh, near, near_too, without_part(0));
+        }
+        catch(const std::invalid_argument& e)
+        {
+          whole = e.what();
+        }
+        try
+        {
+          length_of_path(mesh, near, near_too, parameters::epsilon(0));
+        }
+        catch(const std::invalid_argument& e)
+        {
+          part = e.what();
+        }
+        EXPECT_EQ(part, whole);
+      }
+}
+
+TEST_F(Bad_part, has_places_or_numbers_that_are_none)
+{
+  const auto expect_rejected = [&](const auto& source, const auto& np) {
+    EXPECT_THROW(length_of_path(m_mesh, source, near, np), std::invalid_argument);
+    EXPECT_THROW(length_of_path(m_mesh, near, source, np), std::invalid_argument);
+    EXPECT_THROW(distances_from(m_mesh, source, np), std::invalid_argument);
+  };
+  const auto np = parameters::epsilon(0.1).maximum_distance(2);
+  expect_rejected(Mesh::null_vertex(), np);
+  expect_rejected(Vertex(n * n), np);
+  expect_rejected(Face_location(Mesh::null_face(), {0.2, 0.3, 0.5}), np);
+  expect_rejected(Face_location(Face(100000), {0.2, 0.3, 0.5}), np);
+  expect_rejected(Face_location(Face(7), {0.2, 0.3, 0.6}), np);
+  expect_rejected(Face_location(Face(7), {not_a_number, 0.5, 0.5}), np);
+  expect_rejected(Edge_location(Halfedge(7), 1.5), np);
+  expect_rejected(Edge_location(Mesh::null_halfedge(), 0.5), np);
+  expect_rejected(near_too, parameters::epsilon(0.1).maximum_distance(-1));
+  expect_rejected(near_too, parameters::epsilon(0.1).maximum_distance(not_a_number));
+  expect_rejected(near_too, parameters::epsilon(-0.1).maximum_distance(2));
+  expect_rejected(near_too, parameters::epsilon(not_a_number).maximum_distance(2));
+  const std::vector<double> bad = {-1.};
+  EXPECT_THROW(distances_from(m_mesh, near, np.initial_distances(bad)), std::invalid_argument);
+}
+
+TEST_F(Bad_part, was_removed)
+{
+  const Vertex a = m_mesh.add_vertex(Point(9, 9, 0)), b = m_mesh.add_vertex(Point(10, 9, 0)),
+               c = m_mesh.add_vertex(Point(10, 10, 0));
+  const Face f = m_mesh.add_face(a, b, c);
+  const Halfedge h = m_mesh.halfedge(f);
+  CGAL::Euler::remove_face(h, m_mesh);
+  ASSERT_TRUE(m_mesh.is_removed(a) && m_mesh.is_removed(f));
+  const auto np = parameters::epsilon(0.1);
+  EXPECT_THROW(length_of_path(m_mesh, a, b, np), std::invalid_argument);
+  EXPECT_THROW(length_of_path(m_mesh, Face_location(f, {0.2, 0.3, 0.5}), near, np),
+               std::invalid_argument);
+  EXPECT_EQ(length_of_path(m_mesh, near, near_too, np), 2);
+}
+
+} // namespace
