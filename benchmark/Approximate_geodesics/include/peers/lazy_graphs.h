@@ -135,7 +135,8 @@ private:
   {
     using namespace CGAL::Approximate_geodesics::internal;
     const Unfolding& unfolding = m_unfolding;
-    const Cone_rules rules = Cone_rules(epsilon()).farther(Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS);
+    const Cone_rules rules =
+        Cone_rules(epsilon()).farther(Cone_rules::share_of_ends_beside_labels(epsilon()));
     Cone_expansion<Unfolding>(triangulation(), unfolding, rules)
         .expand(
             node,

@@ -265,7 +265,7 @@ private:
   // With these, a cone ends nowhere before one that goes on beside labels.
   internal::Cone_rules rules_of_longest_arcs() const
   {
-    return m_rules.farther(internal::Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS);
+    return m_rules.farther(internal::Cone_rules::share_of_ends_beside_labels(m_rules.epsilon));
   }
 
   template <typename F>

@@ -116,7 +116,7 @@ public:
       m_labels(labels),
       m_arcs(arcs),
       m_factor(1 + epsilon),
-      m_part_saved(1 / (1 + Cone_rules::SHARE_OF_ENDS_BESIDE_LABELS * epsilon)),
+      m_part_saved(1 / (1 + Cone_rules::share_of_ends_beside_labels(epsilon) * epsilon)),
       m_part_lost((1 - m_part_saved * m_part_saved) / 2)
   {
   }

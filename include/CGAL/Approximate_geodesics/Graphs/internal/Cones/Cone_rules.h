@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
@@ -33,9 +35,13 @@ struct Cone_rules
   static constexpr double SHARE_OF_BENDS = 1. / 512;
 
   // The share of epsilon that ends cones where the labels of a search do not, which they do with
-  // the whole of it. As they end most cones, a small share costs little time, and makes errors
-  // small.
-  static constexpr double SHARE_OF_ENDS_BESIDE_LABELS = 0.3;
+  // the whole of it. For a large epsilon, they end most cones, so that a small share costs little
+  // time, and makes errors small.
+  static double share_of_ends_beside_labels(const double epsilon)
+  {
+    constexpr double smallest = 0.3;
+    return (std::max)(smallest, SHARE_OF_ENDS - 6 * epsilon);
+  }
 
   explicit Cone_rules(const double bound, const double share_of_detours = SHARE_OF_DETOURS)
     : epsilon(bound),
