@@ -33,9 +33,10 @@ template <typename TriangleMesh>
 struct Mesh_place
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using Vertex = typename Graph_traits::vertex_descriptor;
 
   // of which it is made, with weights that add up to 1: one at a vertex, two on an edge, or three
-  std::array<typename Graph_traits::vertex_descriptor, 3> corner{};
+  std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};
   std::array<double, 3> weight{};
   std::size_t number_of_corners = 0;
 
