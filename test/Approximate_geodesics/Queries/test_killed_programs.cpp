@@ -63,7 +63,15 @@ Phase phase(const Temporary_folder& folder, const std::size_t number_of_blocks)
     return has_journal ? REMOVING : AFTER;
   if(!has_journal || !folder.has("distances.part"))
     return BEFORE;
-  const auto records = AG::internal::Matrix_journal::read(folder.file("distances.journal")).records;
+  std::vector<AG::internal::Block_record> records;
+  try
+  {
+    records = AG::internal::Matrix_journal::read(folder.file("distances.journal")).records;
+  }
+  catch(const std::runtime_error&)
+  {
+    return AFTER; // it was there a moment ago
+  }
   if(folder.has("distances.new") || records.size() > number_of_blocks)
     return FINISHING;
   return records.size() == number_of_blocks ? BETWEEN : COMPUTING;

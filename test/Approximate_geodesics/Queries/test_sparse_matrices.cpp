@@ -50,6 +50,32 @@ std::vector<double> radii(const Matrix& matrix)
           infinity};
 }
 
+// Where arcs depend on labels, how far a search goes decides which paths it finds, by as much as
+// the bound.
+testing::AssertionResult are_about_the_same(const Entries& entries,
+                                            const Matrix& dense,
+                                            const double radius,
+                                            const double epsilon)
+{
+  const double factor = (1 + epsilon) * (1 + 1e-12);
+  for(std::size_t row = 0; row < dense.size(); ++row)
+  {
+    std::vector<bool> has_entry(dense[row].size());
+    for(const auto& [distance, column] : entries[row])
+    {
+      const double other = dense[row][column];
+      has_entry[column] = true;
+      if(!(distance <= radius && distance <= factor * other && other <= factor * distance))
+        return testing::AssertionFailure()
+               << "row " << row << ", column " << column << ": " << distance << " and " << other;
+    }
+    for(std::size_t column = 0; column < has_entry.size(); ++column)
+      if(factor * dense[row][column] < radius && !has_entry[column])
+        return testing::AssertionFailure() << "row " << row << " lacks column " << column;
+  }
+  return testing::AssertionSuccess();
+}
+
 // ----- graphs
 
 class Sparse_matrix_of_graph
@@ -77,6 +103,18 @@ public:
       EXPECT_TRUE(are_the_same(nearest_entries(number, graph, sources, np),
                                nearest_of(number, within(infinity, dense))));
     }
+  }
+
+  template <typename GeodesicGraph>
+  static void expect_entries_within_bound(const GeodesicGraph& graph,
+                                          const std::vector<Intrinsic_point>& points,
+                                          const double epsilon)
+  {
+    const auto np = parameters::targets(points);
+    const Matrix dense = dense_matrix(graph, points, np);
+    for(const double radius : radii(dense))
+      EXPECT_TRUE(are_about_the_same(radius_entries(graph, points, np.maximum_distance(radius)),
+                                     dense, radius, epsilon));
   }
 
   // to all vertices, to some of them twice, to points, and to both
@@ -110,7 +148,13 @@ void expect_in_every_graph(const Mesh& mesh, Random& random, const bool has_clos
       points.push_back(p);
   for_each_small_graph(0.5, [&](const auto& kind) {
     using GeodesicGraph = typename std::decay_t<decltype(kind)>::Graph;
-    if(!has_close_distances || !std::is_same_v<GeodesicGraph, Saddle_vertex_graph>)
+    if(kind.deviation == kind.epsilon) // as much as there may be
+    {
+      const GeodesicGraph graph = kind.make(Triangulation(mesh));
+      Sparse_matrix_of_graph::expect_entries_within_bound(
+          graph, intrinsic_points(mesh, graph.triangulation(), points), kind.epsilon);
+    }
+    else if(!has_close_distances || !std::is_same_v<GeodesicGraph, Saddle_vertex_graph>)
       Sparse_matrix_of_graph::expect_all(kind.make(Triangulation(mesh)), mesh, points, random);
   });
 }
