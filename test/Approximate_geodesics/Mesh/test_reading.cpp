@@ -100,7 +100,7 @@ TEST(Reading, comes_to_the_same_on_large_meshes)
 
 TEST(Reading, knows_opposites_around_vertices_of_high_degree)
 {
-  for(const int degree : {254, 255, 256, 257, 1000})
+  for(const std::size_t degree : {254u, 255u, 256u, 257u, 1000u})
     expect_same_triangulations(to_mesh(fan(degree)));
 }
 

@@ -240,9 +240,9 @@ private:
       if(!m_graph.is_parallel() || !m_expansion.prepare(m_graph, nodes, m_size, labels()))
         return false;
       m_expansion.run(m_graph, m_counter,
-                      [this](auto&&... arguments) { append_arcs(arguments...); });
+                      [this](auto&&... arguments) { this->append_arcs(arguments...); });
       set_expanded();
-      m_expansion.for_each_part([this](auto&&... arguments) { lower_labels(arguments...); });
+      m_expansion.for_each_part([this](auto&&... arguments) { this->lower_labels(arguments...); });
       return true;
     }
     return false;
