@@ -242,7 +242,7 @@ int main(int argc, char* argv[])
       compare(mesh, short_name(name), rounds, calls);
       measure_steps(mesh, short_name(name), rounds, steps, before);
       measure_steps_of_triangulation(mesh, short_name(name), rounds, building);
-      for(const std::size_t threads : {1, 2})
+      for(const std::size_t threads : {std::size_t(1), std::size_t(2)})
         if(threads == 1 || HAS_THREADS)
           measure_steps_across_faces(mesh, short_name(name), rounds, threads, across);
     }
