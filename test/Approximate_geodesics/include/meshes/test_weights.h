@@ -29,7 +29,7 @@ inline auto lenient_parameters(const double epsilon)
 {
   return CGAL::parameters::epsilon(epsilon)
       .accept_weaker_bound(true)
-      .maximum_number_of_points_per_edge(1000);
+      .maximum_number_of_points_per_edge(100);
 }
 
 inline Geometric_points lenient_points(const double epsilon)
