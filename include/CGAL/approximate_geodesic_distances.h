@@ -29,10 +29,12 @@ namespace CGAL {
  * the coordinates. Vertices that no source reaches, or that are not final when the run ends
  * early, get infinity, and so does every vertex if there is no source.
  *
- * Faces can have weights, and edges can be barriers. Distances are then costs; with `epsilon` they
- * are at most \f$1 + \varepsilon\f$ times those of the cheapest paths on the surface. Weights can
- * depend on the direction; distances are then those of the ways from the sources, unless
- * `direction_to_source` is `true`.
+ * Faces can have weights, and edges can be barriers. Distances are then costs; with `epsilon`,
+ * those between vertices are at most \f$1 + \varepsilon\f$ times those of the cheapest paths on the
+ * surface. Other sources add to this, by at most \f$2 + \varepsilon\f$ times what it costs from
+ * there to the nearest corner of the face. A mesh with faces too thin for that is refused, unless
+ * `accept_weaker_bound` is given. Weights can depend on the direction; distances are then those of
+ * the ways from the sources, unless `direction_to_source` is `true`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexDistanceMap a model of `WritablePropertyMap` with
@@ -120,6 +122,20 @@ namespace CGAL {
  *                    `bool` as value type}
  *     \cgalParamDefault{unused: no edge is a barrier}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_number_of_points_per_edge}
+ *     \cgalParamDescription{so many points may be needed on an edge because of a thin face, for the
+ *                           bound `epsilon` with weights or barriers}
+ *     \cgalParamType{an integer type}
+ *     \cgalParamDefault{`1000000`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{accept_weaker_bound}
+ *     \cgalParamDescription{whether faces that need more points get few, and the bound becomes the
+ *                           weaker one that
+ *                           `CGAL::Approximate_geodesics::Steiner_graph::epsilon()` tells; else
+ *                           they are refused}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{initial_distances}
  *     \cgalParamDescription{what is added to the distances from each of the sources}
  *     \cgalParamType{a model of `ConstRange` with a number type convertible by `CGAL::to_double()`
@@ -197,7 +213,8 @@ namespace CGAL {
  *         where. If an exception leaves this function, nothing has been written to any property
  *         map.
  * \throws std::length_error if `tmesh` has more halfedges, or the graph more nodes, than 32-bit
- *         numbers can tell apart.
+ *         numbers can tell apart; or if, with weights or barriers and `epsilon`, a face takes more
+ *         than `maximum_number_of_points_per_edge` points; the message names it, and the number.
  *
  * Run time is \cgalBigO{n} in practice for `n` vertices, and \cgalBigO{n \log n} in the worst case
  * if their degrees are bounded; memory is \cgalBigO{n}. The method is Dijkstra's algorithm
@@ -233,7 +250,8 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
       "or a range");
   static_assert(
       !AG::internal::ignores_any<
-          NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,
+          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_per_edge_t,
+          internal_np::accept_weaker_bound_t, internal_np::number_of_points_per_edge_t,
           internal_np::edge_length_t, internal_np::face_weight_t,
           internal_np::direction_to_source_t, internal_np::edge_is_constrained_t,
           internal_np::initial_distances_t, internal_np::maximum_distance_t, internal_np::targets_t,

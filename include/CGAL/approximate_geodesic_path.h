@@ -122,6 +122,20 @@ namespace CGAL {
  *     \cgalParamDefault{`false`}
  *     \cgalParamExtra{It cannot be asked for if faces have weights.}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_number_of_points_per_edge}
+ *     \cgalParamDescription{so many points may be needed on an edge because of a thin face, for the
+ *                           bound `epsilon` with weights or barriers}
+ *     \cgalParamType{an integer type}
+ *     \cgalParamDefault{`1000000`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{accept_weaker_bound}
+ *     \cgalParamDescription{whether faces that need more points get few, and the bound becomes the
+ *                           weaker one that
+ *                           `CGAL::Approximate_geodesics::Steiner_graph::epsilon()` tells; else
+ *                           they are refused}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}
  *     \cgalParamType{a number type convertible to `double`}
@@ -190,7 +204,8 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
       "vertex descriptor, a Face_location or a Surface_point each; source can be a range");
   static_assert(
       !AG::internal::ignores_any<
-          NamedParameters, internal_np::epsilon_t, internal_np::number_of_points_per_edge_t,
+          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_per_edge_t,
+          internal_np::accept_weaker_bound_t, internal_np::number_of_points_per_edge_t,
           internal_np::edge_length_t, internal_np::face_weight_t,
           internal_np::edge_is_constrained_t, internal_np::maximum_distance_t,
           internal_np::straighten_t, internal_np::visitor_t>,

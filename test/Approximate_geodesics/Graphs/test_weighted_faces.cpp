@@ -6,6 +6,7 @@
 #include "checks/expect_costs.h"
 #include "meshes/Convex_obstacle.h"
 #include "meshes/test_weights.h"
+#include "oracles/cost_across.h"
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -30,39 +31,6 @@ constexpr double all_epsilons[] = {0.5, 0.2, 0.1, 0.02};
 constexpr std::size_t nested_numbers[] = {1, 3, 7, 15};
 
 // ----- closed forms in the plane
-
-struct Layer
-{
-  double thickness, weight;
-};
-
-/*
- * The cost of the cheapest path across layers, and by `shift` along them. It is refracted at their
- * borders: weight times sine is the same in all of them, and not more than the smallest weight. The
- * cost as a function of this constant is concave, and largest for the one of the path. A layer
- * without thickness is a road that the path may use.
- */
-double cost_across(const std::vector<Layer>& layers, const double shift)
-{
-  double low = 0, high = infinity;
-  for(const Layer& layer : layers)
-    high = (std::min)(high, layer.weight);
-  const auto cost = [&](const double p) {
-    double result = p * shift;
-    for(const Layer& layer : layers)
-      result += layer.thickness * std::sqrt((layer.weight - p) * (layer.weight + p));
-    return result;
-  };
-  double best = (std::max)(cost(low), cost(high));
-  constexpr double golden = 0.6180339887498949;
-  for(std::size_t i = 0; i < 100; ++i)
-  {
-    const double a = high - golden * (high - low), b = low + golden * (high - low);
-    best = (std::max)({best, cost(a), cost(b)});
-    (cost(a) < cost(b) ? low : high) = cost(a) < cost(b) ? a : b;
-  }
-  return best;
-}
 
 constexpr std::size_t columns = 13, rows = 11;
 constexpr double line = 5; // a line of the grid

@@ -282,9 +282,20 @@ TEST_F(Directional_queries, BoundsThatCannotBeKept)
   expect_message<std::invalid_argument>(
       [&] { Directional_graph<>(coarse, CGAL::parameters::epsilon(0.005)); }, "too few directions");
 
-  const Directional_graph<> accepted(Triangulation(mesh, with_cost(one_way)),
-                                     AG::Directional_points(0.1, true));
+  const auto parameters = CGAL::parameters::epsilon(0.1).accept_weaker_bound(true);
+  const Directional_graph<> accepted(Triangulation(mesh, with_cost(one_way)), parameters);
   EXPECT_EQ(infinity, accepted.epsilon());
+  const Triangulation triangulation(mesh, with_cost(cost_everywhere(slant)));
+  expect_message<std::invalid_argument>(
+      [&] {
+        Directional_graph<>(triangulation,
+                            CGAL::parameters::epsilon(0.1).maximum_number_of_points_per_edge(1));
+      },
+      "takes more points on an edge than 1,");
+  const Directional_graph<> few(triangulation, parameters.maximum_number_of_points_per_edge(1));
+  EXPECT_EQ(infinity, few.epsilon());
+  EXPECT_GT(few.number_of_points(), 0);
+  EXPECT_LE(few.number_of_points(), mesh.number_of_edges());
 }
 
 TEST_F(Directional_queries, GraphsThatKnowNoDirections)

@@ -81,7 +81,7 @@ const std::vector<Method>& methods()
       method(edge_graph()),
       method_with_points(1),
       method_with_points(4),
-      method(graph_with_points("geometric points", Geometric_points(0.5), 0.5)),
+      method(graph_with_points("geometric points", lenient_points(0.5), 0.5)),
       method(discrete_geodesic_graph(0.5)),
       method(discrete_geodesic_graph(0.05)),
       method(lazy_graph(0.2, Arcs::FORGOTTEN)),

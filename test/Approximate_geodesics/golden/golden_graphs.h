@@ -83,8 +83,8 @@ void for_each_graph_with_points_on_edges(const Mesh& mesh, F f)
   with_points(mesh, "spaced 2 weights", weighted, Spaced_points(2), 1200, f);
   with_points(mesh, "spaced 2 barriers", divided, Spaced_points(2), 1000, f);
   with_points(mesh, "dense", plain, dense, 700, f);
-  with_points(mesh, "geometric 0.5", plain, Geometric_points(0.5), 360, f);
-  with_points(mesh, "geometric 1 weights", weighted, Geometric_points(1), 360, f);
+  with_points(mesh, "geometric 0.5", plain, lenient_points(0.5), 360, f);
+  with_points(mesh, "geometric 1 weights", weighted, lenient_points(1), 360, f);
   with_points(mesh, "published 1", plain, Published_points(1), 360, f);
 }
 

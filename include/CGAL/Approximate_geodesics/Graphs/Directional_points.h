@@ -41,8 +41,9 @@ namespace Approximate_geodesics {
  * \ref AG_directional_bound.
  *
  * There is no bound where some directions in a face are free or forbidden, and others are not. Such
- * faces are refused, and so are those, with next to no area for example, with an edge that would
- * need more than `LARGEST_NUMBER` points, unless it is accepted that there is no bound.
+ * faces are refused, and so are those with an edge that takes more than
+ * `maximum_number_of_points_per_edge` points, as their area is next to zero, for example. With
+ * `accept_weaker_bound`, such edges get 20 / \f$\sqrt\varepsilon\f$ points, and there is no bound.
  *
  * \cgalModels{SteinerPointPlacement}
  */
@@ -55,8 +56,8 @@ public:
   /// whether points divide every edge into equal parts, so that their number says where they are.
   static constexpr bool makes_equal_parts = false;
 
-  /// an edge has at most so many points.
-  static constexpr std::size_t LARGEST_NUMBER = 20000;
+  /// the limit by default.
+  static constexpr std::size_t MAXIMUM_NUMBER_OF_POINTS_PER_EDGE = 20000;
 
   /// progressions start at least this far from the end, in lengths of the edge.
   static constexpr double SMALLEST_START = 1e-36;
@@ -65,14 +66,11 @@ public:
    * places points for the bound `epsilon`.
    *
    * \param epsilon the bound
-   * \param accepts_no_bound whether faces are accepted that the bound cannot be kept in. The member
-   *        function `epsilon()` returns infinity then.
    *
    * \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
    */
-  explicit Directional_points(const double epsilon = 0.1, const bool accepts_no_bound = false)
-    : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon))),
-      m_accepts_no_bound(accepts_no_bound)
+  explicit Directional_points(const double epsilon = 0.1)
+    : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon)))
   {
   }
 
@@ -86,13 +84,26 @@ public:
    *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
    *     \cgalParamDefault{`0.1`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{maximum_number_of_points_per_edge}
+   *     \cgalParamDescription{so many points may be needed on an edge}
+   *     \cgalParamType{an integer type}
+   *     \cgalParamDefault{`20000`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{accept_weaker_bound}
+   *     \cgalParamDescription{whether faces are accepted that the bound cannot be kept in. The
+   *                           member function `epsilon()` returns infinity if there are any}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`false`}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, or the limit is
+   *         not an integer above `0`.
    */
   template <typename T, typename Tag, typename Base>
   explicit Directional_points(const Named_function_parameters<T, Tag, Base>& np)
-    : m_epsilon(internal::checked_epsilon(np))
+    : m_epsilon(internal::checked_epsilon(np)),
+      m_limit(internal::limit_of_points(np, MAXIMUM_NUMBER_OF_POINTS_PER_EDGE))
   {
     static_assert(!internal::is_any_given<Named_function_parameters<T, Tag, Base>,
                                           internal_np::number_of_points_per_edge_t,
@@ -119,9 +130,9 @@ public:
               ": epsilon has to be given to the triangulation, too, or a larger one");
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(triangulation.is_crossable(h) && triangulation.length(h) > 0 &&
-         progressions(triangulation, h).number_of_points() > LARGEST_NUMBER)
-        give_up(triangulation.name_of_face(h) + " would take more than " +
-                std::to_string(LARGEST_NUMBER) + " points on an edge");
+         progressions(triangulation, h).number_of_points() > m_limit.number)
+        give_up(triangulation.name_of_face(h) + " takes more points on an edge than " +
+                std::to_string(m_limit.number) + ", the maximum_number_of_points_per_edge");
   }
 
   /// returns the number of points on the edge of `h`.
@@ -129,7 +140,8 @@ public:
   {
     if(!triangulation.is_crossable(h))
       return 0;
-    return (std::min)(LARGEST_NUMBER, progressions(triangulation, h).number_of_points());
+    const std::size_t result = progressions(triangulation, h).number_of_points();
+    return result <= m_limit.number ? result : number_if_given_up();
   }
 
   /// writes the positions of these points to `positions`.
@@ -148,7 +160,7 @@ public:
     }
   }
 
-  /// returns the bound; infinity if it was accepted that there is none.
+  /// returns the bound; infinity if there is none, which was accepted.
   double epsilon(const Intrinsic_triangulation& /* triangulation */) const { return m_bound; }
 
   /// returns the number of bytes that are stored per element of the mesh.
@@ -170,10 +182,16 @@ private:
 
   void give_up(const std::string& reason)
   {
-    if(!m_accepts_no_bound)
+    if(!m_limit.is_soft)
       internal::reject("the bound epsilon cannot be kept, as " + reason +
-                       "; number_of_points_per_edge promises none");
+                       "; with accept_weaker_bound(true), there is none");
     m_bound = infinity;
+  }
+
+  std::size_t number_if_given_up() const
+  {
+    constexpr double largest = 20;
+    return (std::min)(m_limit.number, static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
   }
 
   // The expected square of the shift of a point, in proportion to that of its distance from the
@@ -282,7 +300,7 @@ private:
   }
 
   double m_epsilon;
-  bool m_accepts_no_bound = false;
+  internal::Limit_of_points m_limit{MAXIMUM_NUMBER_OF_POINTS_PER_EDGE, false};
   double m_bound = 0;           // what can be kept
   std::vector<double> m_start;  // of the progressions at a vertex: the distance from it
   std::vector<double> m_spread; // per face

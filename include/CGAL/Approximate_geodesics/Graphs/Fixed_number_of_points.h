@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/number_utils.h>
 
@@ -92,6 +93,9 @@ private:
                                           internal_np::nb_points_per_distance_unit_t>,
                   "Fixed_number_of_points reads number_of_points_per_edge, and gives no bound: for "
                   "epsilon, use Geometric_points");
+    static_assert(!internal::limits_points<NamedParameters>,
+                  "maximum_number_of_points_per_edge, accept_weaker_bound: they are for "
+                  "Geometric_points");
     constexpr double too_many = 4294967296; // for 32-bit numbers, on a single edge
     const double number = CGAL::to_double(parameters::choose_parameter(
         parameters::get_parameter(np, internal_np::number_of_points_per_edge), 3));

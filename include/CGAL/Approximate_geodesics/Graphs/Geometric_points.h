@@ -8,9 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Measured_progressions.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Weight_spread.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -19,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,30 +28,30 @@ namespace Approximate_geodesics {
  * \ingroup PkgApproximateGeodesicsPlacements
  *
  * Points in geometric progressions from the ends of the edges, so that paths cost at most
- * \f$1 + \varepsilon\f$ times as much as the cheapest ones on the surface.
+ * \f$1 + \varepsilon\f$ times as much as the cheapest ones on the surface, whatever the weights.
  *
  * From either end of an edge, points follow each other at distances that grow by a constant factor,
  * \f$\lambda = \exp(2 \sinh^{-1}(\sqrt{\varepsilon} \sin \alpha))\f$, where \f$\alpha\f$ is the
  * smaller angle that the edge makes there with others of its two faces (if it is acute, else the
  * sine is to be read as 1). The progression starts at a distance from the vertex that is in
  * proportion to the radius of its star: the radius times about \f$\sqrt{\varepsilon / 2}\f$ if all
- * faces around it have the same weight, and else times about \f$\varepsilon / 6\f$ times the
- * smallest weight, divided by the largest. There are no points on edges at the border, nor on
- * barriers, since no cheapest path needs them. The manual has the exact statement and its proof:
- * see Section \ref AG_geometric_points.
+ * faces around it have the same weight, and else times about \f$\varepsilon / 6\f$. There are no
+ * points on edges at the border, nor on barriers, since no cheapest path needs them. The manual has
+ * the exact statement and its proof: see Section \ref AG_geometric_points.
  *
  * So there are \cgalBigO{\log(1 / \varepsilon) / \sqrt\varepsilon} points on an edge, times a
- * factor that depends on the angles, and grows with the logarithm of the ratio of the weights. The
- * idea of progressions is that of Aleksandrov, Lanthier, Maheshwari and Sack
- * \cgalCite{alms-eawsp-98}, whose own progressions, `Published_geometric_points`, have
- * \cgalBigO{\log(1 / \varepsilon) / \varepsilon} points.
+ * factor that depends on the angles. The idea of progressions is that of Aleksandrov, Lanthier,
+ * Maheshwari and Sack \cgalCite{alms-eawsp-98}, whose own progressions,
+ * `Published_geometric_points`, have \cgalBigO{\log(1 / \varepsilon) / \varepsilon} points, and a
+ * factor that grows with the ratio of the weights.
  *
- * Faces with angles of almost `0` or 180 degrees would need points without end. Where a sine is
- * below `SMALLEST_SINE`, there are at most `LARGEST_NUMBER_IF_THIN` /
- * \f$\sqrt\varepsilon\f$ points in a progression, and
- * stars are taken to have a radius of at least a thousand-millionth part of their longest edge.
- * There is no bound then, and `epsilon()` is infinity; paths that cross such a face can be too long
- * by about the distance of points there.
+ * <b>Thin faces.</b> The number of points is in inverse proportion to the sine of the smallest
+ * angle. For \f$\varepsilon = 0.1\f$ and an angle of 0.001, a needle takes some 2500 on either of
+ * its long sides. A face that takes more than `maximum_number_of_points_per_edge` points is
+ * refused, and so are faces of area zero, unless they are forbidden. With `accept_weaker_bound`, it
+ * is given up instead: it gets at most 20 / \f$\sqrt\varepsilon\f$ points in a progression, and
+ * what bound is left for the whole mesh, `epsilon()` tells. That one is infinity if there are faces
+ * of area zero.
  *
  * \cgalModels{SteinerPointPlacement}
  */
@@ -64,33 +64,22 @@ public:
   /// whether points divide every edge into equal parts, so that their number says where they are.
   static constexpr bool makes_equal_parts = false;
 
-  /// there is no bound for angles with smaller sines.
-  static constexpr double SMALLEST_SINE = 0.02;
-
-  /// with such an angle, a progression has at most so many points, divided by the root of epsilon.
-  static constexpr int LARGEST_NUMBER_IF_THIN = 20;
-
-  /// progressions start at least this far from the end, in lengths of the edge; less matters only
-  /// if weights differ by more than a `double` can tell.
-  static constexpr double SMALLEST_START = 1e-36;
+  /// the limit by default: 8 megabytes on one edge.
+  static constexpr std::size_t MAXIMUM_NUMBER_OF_POINTS_PER_EDGE = 1000000;
 
   /*!
    * places points for the bound `epsilon`.
    *
    * \param epsilon the bound
-   * \param ratio_of_weights the ratio of weights around a vertex that the bound shall hold for,
-   *        even if weights get that different later; `0` for the weights that there are
+   * \param weights_may_differ whether the bound shall also hold around vertices where all weights
+   *        are the same now, and may be exchanged for different ones
    *
-   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, or the ratio is
-   *         negative, infinite or not a number.
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
    */
-  explicit Geometric_points(const double epsilon = 0.1, const double ratio_of_weights = 0)
+  explicit Geometric_points(const double epsilon = 0.1, const bool weights_may_differ = false)
     : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon))),
-      m_expected_ratio(ratio_of_weights)
+      m_weights_may_differ(weights_may_differ)
   {
-    if(!(ratio_of_weights >= 0) || std::isinf(ratio_of_weights))
-      internal::reject("the expected ratio of weights is " + internal::text_of(ratio_of_weights) +
-                       "; it must be a finite number that is not negative");
   }
 
   /*!
@@ -103,13 +92,26 @@ public:
    *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
    *     \cgalParamDefault{`0.1`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{maximum_number_of_points_per_edge}
+   *     \cgalParamDescription{so many points may be needed on an edge because of a thin face}
+   *     \cgalParamType{an integer type}
+   *     \cgalParamDefault{`1000000`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{accept_weaker_bound}
+   *     \cgalParamDescription{whether faces that need more points get few, and the bound becomes a
+   *                           weaker one, which `epsilon()` tells; else they are refused}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`false`}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
+   * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, or the limit is
+   *         not an integer above `0`.
    */
   template <typename T, typename Tag, typename Base>
   explicit Geometric_points(const Named_function_parameters<T, Tag, Base>& np)
-    : m_epsilon(internal::checked_epsilon(np))
+    : m_epsilon(internal::checked_epsilon(np)),
+      m_limit(internal::limit_of_points(np, MAXIMUM_NUMBER_OF_POINTS_PER_EDGE))
   {
     static_assert(!internal::is_any_given<Named_function_parameters<T, Tag, Base>,
                                           internal_np::number_of_points_per_edge_t,
@@ -119,27 +121,44 @@ public:
                   "own, use Fixed_number_of_points or Points_at_interval");
   }
 
-  /// computes where the progressions of every vertex start. Run time is \cgalBigO{n}.
+  /// computes where the progressions of every vertex start, and looks for faces that take too many
+  /// points.
+  ///
+  /// \throws std::length_error if there is one, and no weaker bound is accepted: the message names
+  ///         the face and the number.
+  ///
+  /// Run time is \cgalBigO{n}.
   void prepare(const Intrinsic_triangulation& triangulation)
   {
     const Index number_of_vertices = triangulation.number_of_vertices();
-    std::vector<internal::Weight_spread> weights;
-    weights.reserve(number_of_vertices);
+    std::vector<bool> is_uniform(number_of_vertices);
     for(Index v = 0; v < number_of_vertices; ++v)
-      weights.emplace_back(triangulation, v);
-    const bool are_uniform = std::all_of(weights.begin(), weights.end(),
-                                         [this](const auto& w) { return will_be_uniform(w); });
+      is_uniform[v] =
+          !m_weights_may_differ && internal::Weight_spread(triangulation, v).are_uniform();
+    const bool are_uniform =
+        std::all_of(is_uniform.begin(), is_uniform.end(), [](const bool is) { return is; });
     m_epsilon_of_crossings = are_uniform ? m_epsilon : SHARE_OF_CROSSINGS * m_epsilon;
 
-    m_start.resize(number_of_vertices);
+    std::vector<double> start(number_of_vertices);
     for(Index v = 0; v < number_of_vertices; ++v)
-      m_start[v] = relative_start(weights[v]) * internal::Star(triangulation, v).radius();
+    {
+      const internal::Star star(triangulation, v);
+      if(star.is_degenerate() && !m_limit.is_soft)
+        internal::Measured_progressions::refuse(triangulation, star.narrowest_face(),
+                                                (std::numeric_limits<std::size_t>::max)(),
+                                                m_limit.number);
+      start[v] = relative_start(is_uniform[v]) * star.radius();
+    }
+    m_progressions = internal::Measured_progressions(triangulation, std::move(start),
+                                                     m_epsilon_of_crossings, m_limit);
   }
 
   /// returns the number of points on the edge of `h`.
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
-    return triangulation.is_crossable(h) ? progressions(triangulation, h).number_of_points() : 0;
+    return triangulation.is_crossable(h)
+               ? m_progressions.on_edge(triangulation, h).number_of_points()
+               : 0;
   }
 
   /// writes the positions of these points to `positions`.
@@ -149,106 +168,62 @@ public:
              std::size_t /* number_of_points */) const
   {
     if(triangulation.is_crossable(h))
-      progressions(triangulation, h).place(positions);
+      m_progressions.on_edge(triangulation, h).place(positions);
   }
 
   /// returns the bound that holds with the present weights of `triangulation`, which can have been
   /// exchanged; not less than what was asked for. Run time is \cgalBigO{n}.
   double epsilon(const Intrinsic_triangulation& triangulation) const
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     double of_crossings = m_epsilon_of_crossings, of_vicinities = 0;
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     {
       const internal::Star star(triangulation, v);
-      if(star.is_degenerate() || has_thin_corner(triangulation, v))
-        return std::numeric_limits<double>::infinity();
+      if(star.is_degenerate())
+        return infinity;
       if(std::isinf(star.radius()) || star.radius() == 0) // no face, or all in one place
         continue;
-      const double start = m_start[v] / star.radius();
-      const internal::Weight_spread weights(triangulation, v);
-      if(weights.are_uniform())
-        of_crossings = (std::max)(of_crossings, std::expm1(-std::log1p(-4 * start * start) / 2));
+      const double start = 2 * m_progressions.start(v) / star.radius();
+      if(start >= 1)
+        return infinity;
+      if(internal::Weight_spread(triangulation, v).are_uniform())
+        of_crossings = (std::max)(of_crossings, std::expm1(-std::log1p(-start * start) / 2));
       else
-        of_vicinities = (std::max)(of_vicinities, 2 * start * weights.ratio() / (1 - 2 * start));
+        of_vicinities = (std::max)(of_vicinities, start / (1 - start));
     }
+    const double of_given_up = m_progressions.epsilon_of_given_up(triangulation);
+    if(of_given_up > of_crossings)
+      return (1 + of_given_up) * (1 + of_crossings) * (1 + of_vicinities) - 1;
     const double result = of_crossings + (1 + of_crossings / 2) * of_vicinities;
     constexpr double tolerance = 1e-9;
     return result <= m_epsilon * (1 + tolerance) ? m_epsilon : result;
   }
 
   /// returns the number of bytes that are stored per element of the mesh.
-  std::size_t memory() const { return m_start.capacity() * sizeof(double); }
+  std::size_t memory() const { return m_progressions.memory(); }
 
 private:
   // If weights differ, what is left of epsilon is for passing vertices at some distance; this share
   // makes for about as few points as possible.
   static constexpr double SHARE_OF_CROSSINGS = 0.65;
 
-  // what positions are rounded by can bring two neighbors apart
-  static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7;
-
   // Where progressions start, in proportion to the radius of the star.
-  double relative_start(const internal::Weight_spread& weights) const
+  double relative_start(const bool is_uniform) const
   {
     constexpr double largest = 1. / 3;
     const double e = m_epsilon_of_crossings;
-    if(will_be_uniform(weights))
+    if(is_uniform)
       return (std::min)(std::sqrt(e * (2 + e)) / (2 * (1 + e)), largest);
     const double of_vicinities = (m_epsilon - e) / (1 + e / 2);
-    const double ratio = (std::max)(weights.ratio(), m_expected_ratio);
-    return of_vicinities / (2 * (ratio + of_vicinities));
-  }
-
-  bool will_be_uniform(const internal::Weight_spread& weights) const
-  {
-    return weights.are_uniform() && m_expected_ratio == 0;
-  }
-
-  // \pre The edge of `h` is not at the border, and longer than zero.
-  internal::Geometric_progressions progressions(const Intrinsic_triangulation& triangulation,
-                                                const Index h) const
-  {
-    const Index opposite = triangulation.opposite(h);
-    const internal::Face_shape left(triangulation, h), right(triangulation, opposite);
-    const double length = triangulation.length(h);
-    return {end(m_start[triangulation.target(opposite)] / length,
-                (std::min)(left.sine_of_corner(), right.sine_of_next_corner())),
-            end(m_start[triangulation.target(h)] / length,
-                (std::min)(right.sine_of_corner(), left.sine_of_next_corner()))};
-  }
-
-  internal::Geometric_progressions::End end(const double start, const double sine) const
-  {
-    constexpr double largest_start = 0.49;
-    internal::Geometric_progressions::End result;
-    result.start = (std::clamp)(start, SMALLEST_START, largest_start);
-    result.sine = (std::max)(sine, SMALLEST_SINE);
-    const double log_of_ratio = 2 * std::asinh(result.sine * std::sqrt(m_epsilon_of_crossings));
-    result.log_of_ratio =
-        (std::max)(log_of_ratio - ROUNDING_OF_LOGARITHM, log_of_ratio / 2); // of tiny ones
-    if(sine < SMALLEST_SINE)
-    {
-      const double largest_number = LARGEST_NUMBER_IF_THIN / std::sqrt(m_epsilon_of_crossings);
-      result.log_of_ratio =
-          (std::max)(result.log_of_ratio, -std::log(result.start) / largest_number);
-    }
-    return result;
-  }
-
-  // whether points around `v` are not as they should be
-  static bool has_thin_corner(const Intrinsic_triangulation& triangulation, const Index v)
-  {
-    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-      if(!triangulation.is_border(h) && !std::isinf(triangulation.weight(h)) &&
-         internal::Face_shape(triangulation, h).sine_of_corner() < SMALLEST_SINE)
-        return true;
-    return false;
+    return (std::min)(of_vicinities / (2 * (1 + of_vicinities)), largest);
   }
 
   double m_epsilon;
-  double m_expected_ratio = 0;       // of weights, or 0
+  internal::Limit_of_points m_limit{MAXIMUM_NUMBER_OF_POINTS_PER_EDGE, false};
+  bool m_weights_may_differ = false;
   double m_epsilon_of_crossings = 0; // as far as paths are straight
-  std::vector<double> m_start;       // of the progressions at a vertex: the distance from it
+  internal::Measured_progressions m_progressions;
 };
 
 } // namespace Approximate_geodesics

@@ -104,6 +104,9 @@ private:
         "Points_at_interval reads number_of_points_per_distance_unit, and gives no bound: "
         "for epsilon, use Geometric_points; for number_of_points_per_edge, "
         "Fixed_number_of_points");
+    static_assert(!internal::limits_points<NamedParameters>,
+                  "maximum_number_of_points_per_edge, accept_weaker_bound: they are for "
+                  "Geometric_points");
     return internal::checked_positive(
         CGAL::to_double(parameters::get_parameter(np, internal_np::nb_points_per_distance_unit)),
         "the number of points per distance unit");

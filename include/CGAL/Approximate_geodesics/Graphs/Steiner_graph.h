@@ -83,7 +83,8 @@ public:
    *
    * \throws std::invalid_argument if there are points, and a face breaks the triangle inequality,
    *         or as the placement does.
-   * \throws std::length_error if there would be more nodes than 32-bit numbers can tell apart.
+   * \throws std::length_error if there would be more nodes than 32-bit numbers can tell apart, or
+   *         as the placement does.
    *
    * Run time and memory are \cgalBigO{n} for `n` nodes.
    */
@@ -127,8 +128,25 @@ public:
 
   /// returns the bound that the placement guarantees with the present weights: paths between
   /// vertices cost at most `1 + epsilon()` times as much as the cheapest ones on the surface. It is
-  /// infinity if there is none. Run time is \cgalBigO{n}.
+  /// infinity if there is none. For paths between other points, see `cost_to_corner()`. Run time is
+  /// \cgalBigO{n}.
   double epsilon() const { return m_placement.epsilon(m_triangulation); }
+
+  /// returns what the straight line from `point` to the nearest corner of its face costs, or of
+  /// both faces if it lies on an edge; `0` for vertices. Paths between points \f$p\f$ and \f$q\f$
+  /// cost at most \f$(1 + \varepsilon)\,d(p,q) + (2 + \varepsilon)(c_p + c_q)\f$, where \f$d\f$
+  /// is the cost of the cheapest path on the surface, \f$\varepsilon\f$ is `epsilon()`, and
+  /// \f$c\f$ is this cost. It is in units of the graph, see `unit()`, and infinity for points that
+  /// no path leaves.
+  double cost_to_corner(const Intrinsic_point& point) const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    attach(point).for_each_node([&](const Node node, const double cost) {
+      if(!m_nodes.is_point(node))
+        result = (std::min)(result, cost);
+    });
+    return result;
+  }
 
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_nodes.size(); }
@@ -197,9 +215,9 @@ public:
 
   /*!
    * exchanges the weights for what `read_face_weights()` returns; the points stay where they are.
-   * If the weights of the faces around a vertex become more different than they were when the graph
-   * was built, or than `Geometric_points` was told to expect, the bound gets worse: `epsilon()`
-   * tells.
+   * If weights around a vertex become different that were all the same when the graph was built, or
+   * thin faces are not forbidden any more, the bound gets worse, unless `Geometric_points` was told
+   * to expect different weights: `epsilon()` tells.
    *
    * \warning No other thread may use the graph meanwhile, and workspaces that were made for it
    * before have to be made anew.

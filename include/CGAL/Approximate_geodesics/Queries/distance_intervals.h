@@ -9,6 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
@@ -16,7 +18,9 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -25,10 +29,35 @@ namespace internal {
 // What sums of lengths may be wrong by, as a part of them.
 constexpr double rounding_of_distances = 1e-12;
 
-// The smallest distance that a search with this bound may have found as `distance`.
-inline double smallest_distance(const double distance, const double epsilon)
+// The smallest distance that a search may have found as `distance`, with this bound between
+// vertices, and from sources that are so far from the nearest of them.
+inline double
+smallest_distance(const double distance, const double epsilon, const double cost_to_corner)
 {
-  return distance / (1 + epsilon) * (1 - rounding_of_distances);
+  if(std::isinf(epsilon))
+    return std::isinf(distance) ? distance : 0;
+  const double detour = cost_to_corner > 0 ? (2 + epsilon) * cost_to_corner : 0;
+  return (std::max)(distance - detour, 0.) / (1 + epsilon) * (1 - rounding_of_distances);
+}
+
+// Of the sources, the one that is farthest from all vertices, if that matters to the bound.
+template <typename Graph>
+double largest_cost_to_corner(const Graph& /* graph */, const std::vector<Source_point>&)
+{
+  return 0;
+}
+template <typename Placement>
+double largest_cost_to_corner(const Steiner_graph<Placement>& graph,
+                              const std::vector<Source_point>& sources)
+{
+  double result = 0;
+  for(const Source_point& source : sources)
+  {
+    const double cost = graph.unit() * graph.cost_to_corner(source.point);
+    if(!std::isinf(cost))
+      result = (std::max)(result, cost);
+  }
+  return result;
 }
 
 } // namespace internal
@@ -41,7 +70,11 @@ inline double smallest_distance(const double distance, const double epsilon)
  * A search with the bound \f$\varepsilon\f$ finds the length \f$d\f$ of a path that is at most
  * \f$1 + \varepsilon\f$ times as long as the shortest one; so that one has a length between
  * \f$d/(1 + \varepsilon)\f$ and \f$d\f$. With the bound `0`, the interval is the exact distance,
- * give or take \f$10^{-12}\f$ of it, by which all intervals are extended for rounding.
+ * give or take \f$10^{-12}\f$ of it, by which all intervals are extended for rounding. With weights
+ * or barriers, and sources that are not vertices, the lower end is smaller by
+ * \f$(2 + \varepsilon)/(1 + \varepsilon)\f$ times the largest cost from a source to the nearest
+ * corner of its face: see `Steiner_graph::cost_to_corner()`. With `accept_weaker_bound`,
+ * \f$\varepsilon\f$ is the bound that does hold.
  *
  * A vertex that no path connects with a source has the distance infinity; so both ends are
  * infinity. One that was not reached within `maximum_distance` has an interval without upper end.
@@ -59,7 +92,8 @@ inline double smallest_distance(const double distance, const double epsilon)
  * \param sources a vertex, another point of the surface, or a range of them
  * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which has to be
  *           given, and those among `vertex_point_map`, `edge_length_map`, `face_weight_map`,
- *           `edge_is_constrained_map`, `initial_distances`, `maximum_distance`, `visitor`,
+ *           `edge_is_constrained_map`, `accept_weaker_bound`, `maximum_number_of_points_per_edge`,
+ *           `initial_distances`, `maximum_distance`, `visitor`,
  *           `concurrency_tag`, `vertex_index_map`, `halfedge_index_map`, and `geom_traits` that
  *           `approximate_geodesic_distances()` reads
  *
@@ -84,7 +118,9 @@ void distance_intervals(const TriangleMesh& tmesh,
   static_assert(internal::is_given<NamedParameters, internal_np::epsilon_t>,
                 "distance_intervals() needs epsilon, the error bound: 0 for exact distances");
   static_assert(
-      !internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::edge_length_t,
+      !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
+                             internal_np::maximum_number_of_points_per_edge_t,
+                             internal_np::accept_weaker_bound_t, internal_np::edge_length_t,
                              internal_np::face_weight_t, internal_np::edge_is_constrained_t,
                              internal_np::initial_distances_t, internal_np::maximum_distance_t,
                              internal_np::visitor_t>,
@@ -99,10 +135,13 @@ void distance_intervals(const TriangleMesh& tmesh,
     search.run_from(sources, np);
     const auto& distances = search.search().search();
     const double epsilon = distances.graph().epsilon();
+    const double cost_to_corner =
+        internal::largest_cost_to_corner(distances.graph(), search.source_points(sources));
     for(const auto v : vertices(tmesh))
     {
       const double upper = distances.distance(search.translation().node(v));
-      const double lower = internal::smallest_distance((std::min)(upper, limit), epsilon);
+      const double lower =
+          internal::smallest_distance((std::min)(upper, limit), epsilon, cost_to_corner);
       put(intervals, v, Interval(lower, upper * (1 + internal::rounding_of_distances)));
     }
   });

@@ -104,6 +104,18 @@ std::vector<typename Search::Seed> seeds(const Sources& sources, const MeshTrans
   return result;
 }
 
+template <typename NamedParameters>
+constexpr void refuse_other_parameters_than_of_sampling()
+{
+  static_assert(
+      !ignores_any<NamedParameters, internal_np::edge_length_t, internal_np::epsilon_t,
+                   internal_np::maximum_number_of_points_per_edge_t,
+                   internal_np::accept_weaker_bound_t, internal_np::face_weight_t,
+                   internal_np::number_of_points_per_edge_t, internal_np::edge_is_constrained_t>,
+      "farthest_point_sampling() reads epsilon, number_of_points_per_edge, and what "
+      "describes the mesh only; it always searches all of it");
+}
+
 } // namespace internal
 
 /*!
@@ -134,7 +146,8 @@ std::vector<typename Search::Seed> seeds(const Sources& sources, const MeshTrans
  * \param sources a vertex, or a range of vertices, that the points are to keep away from; they do
  *        not count as points. If there are none, the first point is the first vertex.
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among
- *           `vertex_point_map`, `edge_length_map`, `epsilon`, `number_of_points_per_edge`,
+ *           `vertex_point_map`, `edge_length_map`, `epsilon`, `maximum_number_of_points_per_edge`,
+ *           `accept_weaker_bound`, `number_of_points_per_edge`,
  *           `face_weight_map`, `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map`
  *           and `geom_traits`, which are as for `approximate_geodesic_distances()`, and
  *           `concurrency_tag`, which is as for `Discrete_geodesic_graph`, the graph that is built
@@ -171,12 +184,7 @@ farthest_point_sampling(const TriangleMesh& tmesh,
                         const Sources& sources,
                         const NamedParameters& np = parameters::default_values())
 {
-  static_assert(
-      !internal::ignores_any<NamedParameters, internal_np::edge_length_t, internal_np::epsilon_t,
-                             internal_np::face_weight_t, internal_np::number_of_points_per_edge_t,
-                             internal_np::edge_is_constrained_t>,
-      "farthest_point_sampling() reads epsilon, number_of_points_per_edge, and what "
-      "describes the mesh only; it always searches all of it");
+  internal::refuse_other_parameters_than_of_sampling<NamedParameters>();
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   internal::check_number_of_points(number_of_points);

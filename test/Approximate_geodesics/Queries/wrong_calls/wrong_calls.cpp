@@ -62,6 +62,10 @@ void call_wrongly(const Mesh& mesh,
   CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
                                   parameters::targets(vertices));
 
+  // maximum_number_of_points_per_edge, accept_weaker_bound: they are for epsilon with
+  CGAL::approximate_geodesic_distances(mesh, distances, Vertex(0),
+                                       parameters::epsilon(0.1).accept_weaker_bound(true));
+
   // isolines() reads vertex_point_map and geom_traits only
   AG::isolines(mesh, distances, isovalues, std::back_inserter(lines), parameters::epsilon(0.1));
 

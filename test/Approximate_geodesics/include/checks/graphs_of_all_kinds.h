@@ -6,6 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_GRAPHS_OF_ALL_KINDS_H
 #define APPROXIMATE_GEODESICS_TEST_GRAPHS_OF_ALL_KINDS_H
 
+#include "meshes/test_weights.h"
 #include "oracles/test_oracles.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
@@ -140,7 +141,7 @@ void for_each_graph_with_points(const double epsilon, F f)
   };
   call(graph_with_spaced_points(2));
   call(graph_with_points("equally dense points", Points_at_interval(0.4), infinity));
-  call(graph_with_points("geometric points", Geometric_points(epsilon), epsilon));
+  call(graph_with_points("geometric points", lenient_points(epsilon), epsilon));
   call(graph_with_points("published points", Published_geometric_points(epsilon), infinity));
 }
 

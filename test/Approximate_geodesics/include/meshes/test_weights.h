@@ -24,6 +24,19 @@ using CGAL::Approximate_geodesics::Fixed_number_of_points;
 using CGAL::Approximate_geodesics::Geometric_points;
 using CGAL::Approximate_geodesics::Steiner_graph;
 
+// What takes all meshes: thin faces that would need very many points get few.
+inline auto lenient_parameters(const double epsilon)
+{
+  return CGAL::parameters::epsilon(epsilon)
+      .accept_weaker_bound(true)
+      .maximum_number_of_points_per_edge(100);
+}
+
+inline Geometric_points lenient_points(const double epsilon)
+{
+  return Geometric_points(lenient_parameters(epsilon));
+}
+
 using Weights = std::vector<double>; // by the index of the face
 using Barriers = std::vector<bool>;  // by the index of the edge
 

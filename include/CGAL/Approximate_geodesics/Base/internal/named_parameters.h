@@ -22,10 +22,13 @@
 // name of CGAL, takes `parameters::combine()`.
 
 #define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER(APPLY)                                   \
+  APPLY(accept_weaker_bound_t, accept_weaker_bound, accept_weaker_bound)                           \
   APPLY(direction_to_source_t, direction_to_source, direction_to_source)                           \
   APPLY(edge_length_t, edge_length, edge_length_map)                                               \
   APPLY(epsilon_t, epsilon, epsilon)                                                               \
   APPLY(face_weight_t, face_weight, face_weight_map)                                               \
+  APPLY(maximum_number_of_points_per_edge_t, maximum_number_of_points_per_edge,                    \
+        maximum_number_of_points_per_edge)                                                         \
   APPLY(relative_tolerance_t, relative_tolerance, relative_tolerance)                              \
   APPLY(initial_distances_t, initial_distances, initial_distances)                                 \
   APPLY(straighten_t, straighten, straighten)                                                      \

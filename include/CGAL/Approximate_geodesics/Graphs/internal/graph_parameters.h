@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 namespace CGAL {
@@ -52,6 +53,35 @@ inline void reject_directional_costs(const Intrinsic_triangulation& triangulatio
                                "triangulation has; use Directional_graph");
 }
 
+// How many points an edge may have, and whether faces that need more are given up.
+struct Limit_of_points
+{
+  std::size_t number;
+  bool is_soft;
+};
+
+// Reads what is to happen to thin faces.
+template <typename NamedParameters>
+Limit_of_points limit_of_points(const NamedParameters& np, const std::size_t by_default)
+{
+  constexpr double largest = 4294967296; // for 32-bit numbers, on a single edge
+  const double number = CGAL::to_double(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::maximum_number_of_points_per_edge),
+      double(by_default)));
+  if(!(number >= 1) || number != std::floor(number) || number > largest)
+    reject("maximum_number_of_points_per_edge is " + text_of(number) +
+           "; it must be an integer from 1 to 2^32");
+  return {static_cast<std::size_t>((std::min)(number, largest - 1)),
+          parameters::choose_parameter(
+              parameters::get_parameter(np, internal_np::accept_weaker_bound), false)};
+}
+
+// Whether parameters are given that matter to graphs with a bound for weights only.
+template <typename NamedParameters>
+constexpr bool limits_points = is_any_given<NamedParameters,
+                                            internal_np::maximum_number_of_points_per_edge_t,
+                                            internal_np::accept_weaker_bound_t>;
+
 // For graphs other than Steiner graphs, which do not support what these parameters say.
 template <typename NamedParameters>
 void reject_weights(const Intrinsic_triangulation& triangulation,
@@ -70,6 +100,9 @@ void reject_weights(const Intrinsic_triangulation& triangulation,
                 "direction_to_source: distances there and back are the same in this graph; use "
                 "Directional_graph");
   reject_directional_costs(triangulation, name);
+  static_assert(!limits_points<NamedParameters>,
+                "maximum_number_of_points_per_edge, accept_weaker_bound: the bound of this graph "
+                "holds on every mesh; they are for Steiner_graph");
   if(triangulation.has_weights() || triangulation.has_barriers())
     reject(std::string(name) + " does not support " +
            (triangulation.has_weights() ? "weights" : "barriers") +

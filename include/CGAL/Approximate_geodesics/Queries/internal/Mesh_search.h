@@ -63,6 +63,19 @@ public:
   const Surface_search& search() const { return m_search; }
   Surface_search& search() { return m_search; }
 
+  // One point of the surface, or a range of them.
+  template <typename Sources>
+  std::vector<Source_point> source_points(const Sources& sources) const
+  {
+    std::vector<Source_point> result;
+    if constexpr(is_surface_point<Triangle_mesh, Sources>)
+      result.push_back({m_translation.intrinsic_point(sources)});
+    else
+      for(const auto& source : sources)
+        result.push_back({m_translation.intrinsic_point(source)});
+    return result;
+  }
+
   // Runs
 
   // From one point of the surface, or from a range of them.
@@ -136,18 +149,6 @@ public:
 
 private:
   using Stop_rule = typename Surface_search::Stop_rule;
-
-  template <typename Sources>
-  std::vector<Source_point> source_points(const Sources& sources) const
-  {
-    std::vector<Source_point> result;
-    if constexpr(is_surface_point<Triangle_mesh, Sources>)
-      result.push_back({m_translation.intrinsic_point(sources)});
-    else
-      for(const auto& source : sources)
-        result.push_back({m_translation.intrinsic_point(source)});
-    return result;
-  }
 
   template <typename NamedParameters>
   Stop_rule stop_rule(const NamedParameters& np) const

@@ -31,7 +31,8 @@ constexpr void refuse_run_parameters()
 {
   static_assert(
       !ignores_any<NamedParameters, internal_np::epsilon_t,
-                   internal_np::number_of_points_per_edge_t,
+                   internal_np::maximum_number_of_points_per_edge_t,
+                   internal_np::accept_weaker_bound_t, internal_np::number_of_points_per_edge_t,
                    internal_np::nb_points_per_distance_unit_t, internal_np::edge_length_t,
                    internal_np::face_weight_t, internal_np::direction_to_source_t,
                    internal_np::edge_is_constrained_t>,

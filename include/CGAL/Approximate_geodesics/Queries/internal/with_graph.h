@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -65,6 +66,9 @@ auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
                                is_given<NamedParameters, internal_np::edge_is_constrained_t>;
   static_assert(!has_epsilon || !has_number,
                 "epsilon and number_of_points_per_edge: only one of them can be given");
+  static_assert((has_weights && has_epsilon) || !limits_points<NamedParameters>,
+                "maximum_number_of_points_per_edge, accept_weaker_bound: they are for epsilon with "
+                "weights or barriers; any other bound holds on every mesh");
 
   Intrinsic_triangulation triangulation(tmesh, np);
   if constexpr(has_directional_cost<NamedParameters>)

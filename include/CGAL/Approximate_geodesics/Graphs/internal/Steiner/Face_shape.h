@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 // What geometric progressions of points are made to measure for.
@@ -92,19 +93,34 @@ public:
     {
       m_longest_edge = (std::max)(m_longest_edge, triangulation.length(h));
       if(!triangulation.is_border(h))
-        m_radius = (std::min)(m_radius, Face_shape(triangulation, h).distance_to_opposite_edge());
+        add_face(h, Face_shape(triangulation, h).distance_to_opposite_edge(),
+                 std::isinf(triangulation.weight(h)));
     }
   }
 
   // the distance from the vertex to the border of the star; infinity if there is no face
   double radius() const { return (std::max)(m_radius, SMALLEST_RADIUS * m_longest_edge); }
 
-  // whether the radius is smaller than it is taken for
-  bool is_degenerate() const { return m_radius < SMALLEST_RADIUS * m_longest_edge; }
+  // whether the radius is smaller than it is taken for, because of a face that paths may enter
+  bool is_degenerate() const { return m_radius_of_open < SMALLEST_RADIUS * m_longest_edge; }
+
+  // the halfedge that starts from the vertex and has the face to its left which is then to blame
+  Index narrowest_face() const { return m_narrowest; }
 
 private:
+  void add_face(const Index h, const double distance, const bool is_forbidden)
+  {
+    m_radius = (std::min)(m_radius, distance);
+    if(is_forbidden || distance >= m_radius_of_open)
+      return;
+    m_radius_of_open = distance;
+    m_narrowest = h;
+  }
+
   double m_radius = std::numeric_limits<double>::infinity();
+  double m_radius_of_open = std::numeric_limits<double>::infinity(); // of faces not forbidden
   double m_longest_edge = 0;
+  Index m_narrowest = Intrinsic_triangulation::null_index;
 };
 
 } // namespace internal

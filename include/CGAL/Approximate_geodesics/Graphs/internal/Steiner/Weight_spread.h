@@ -18,7 +18,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * How different the weights of the faces around a vertex are. Forbidden faces do not count.
+ * Whether the weights of the faces around a vertex differ. Forbidden faces do not count.
  */
 class Weight_spread
 {
@@ -34,9 +34,6 @@ public:
 
   // whether paths near the vertex are straight
   bool are_uniform() const { return m_largest == 0 || (!m_has_free && m_smallest == m_largest); }
-
-  // the largest one divided by the smallest that is not zero
-  double ratio() const { return m_largest > 0 ? m_largest / m_smallest : 1; }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
