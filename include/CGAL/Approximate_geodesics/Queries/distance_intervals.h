@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/smallest_distance.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
@@ -20,18 +21,6 @@
 
 namespace CGAL {
 namespace Approximate_geodesics {
-namespace internal {
-
-// What sums of lengths may be wrong by, as a part of them.
-constexpr double rounding_of_distances = 1e-12;
-
-// The smallest distance that a search with this bound may have found as `distance`.
-inline double smallest_distance(const double distance, const double epsilon)
-{
-  return distance / (1 + epsilon) * (1 - rounding_of_distances);
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsQueries
