@@ -197,11 +197,10 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
-  static_assert(
-      AG::internal::is_source<TriangleMesh, Source> &&
-          AG::internal::is_surface_point<TriangleMesh, Target>,
-      "approximate_geodesic_path(tmesh, points, source, target): source and target are a "
-      "vertex descriptor, a Face_location or a Surface_point each; source can be a range");
+  static_assert(AG::internal::is_source<TriangleMesh, Source> &&
+                    AG::internal::is_surface_point<TriangleMesh, Target>,
+                "source, target: a vertex descriptor, Face_location, or Surface_point; or a range "
+                "of sources");
   static_assert(
       !AG::internal::ignores_any<
           NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_per_edge_t,
@@ -209,8 +208,7 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
           internal_np::edge_length_t, internal_np::face_weight_t,
           internal_np::edge_is_constrained_t, internal_np::maximum_distance_t,
           internal_np::straighten_t, internal_np::visitor_t>,
-      "approximate_geodesic_path() does not read one of these named parameters: its documentation "
-      "lists those that it does; targets is for approximate_geodesic_distances()");
+      "approximate_geodesic_path() does not read one of these named parameters: see its manual");
 
   double length = std::numeric_limits<double>::infinity();
   const auto write_path = [&](auto& search) {

@@ -11,6 +11,8 @@
 #include "oracles/exact_distances.h"
 #include "oracles/straight_lines.h"
 
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
@@ -219,6 +221,61 @@ TEST(Refined_path, is_refracted)
       parameters::face_weight_map(boost::make_assoc_property_map(weight)).relative_tolerance(1e-7));
   EXPECT_GE(found, cost(low) * (1 - 1e-12));
   EXPECT_LE(found, cost(low) * (1 + 1e-6));
+}
+
+TEST(Refined_path, tells_an_interval_that_contains_the_exact_distance)
+{
+  SKIP_WITHOUT_SAMPLE_MESHES();
+  Random random(test_seed());
+  const Mesh mesh = sample_mesh("elephant.off");
+  const Vertex source = random_vertex(mesh, random);
+  const std::vector<double> exact = exact_distances(mesh, source);
+  for(const double epsilon : {0.5, 0.05})
+  {
+    const AG::Intrinsic_triangulation triangulation(mesh);
+    const AG::Steiner_graph<> graph(triangulation, AG::Geometric_points(epsilon));
+    for(int i = 0; i < 5; ++i)
+    {
+      const Vertex target = random_vertex(mesh, random);
+      std::vector<Point> points;
+      const auto [lower, length] = AG::refined_path_interval(
+          mesh, std::back_inserter(points), source, target, parameters::epsilon(epsilon));
+      EXPECT_LE(lower, exact[target.idx()]);
+      EXPECT_GE(length, exact[target.idx()] * (1 - 1e-12));
+      EXPECT_NEAR(length, length_of(points), 1e-12 * length);
+      EXPECT_LE(length, lower * (1 + graph.epsilon()) * (1 + 2e-12)); // infinity if faces are thin
+    }
+  }
+}
+
+// Along the edges of a plane, where the cost is known, and the first path is a cheapest one.
+TEST(Refined_path, tells_a_lower_bound_that_follows_from_epsilon)
+{
+  const Mesh mesh = to_mesh(flat_grid(5, 5));
+  std::map<Face, double> weight;
+  for(const Face f : mesh.faces())
+    weight[f] = 3;
+  const auto map = boost::make_assoc_property_map(weight);
+  for(const double epsilon : {1., 0.1, 0.01})
+  {
+    std::vector<Point> points;
+    const auto [lower, cost] =
+        AG::refined_path_interval(mesh, std::back_inserter(points), Vertex(0), Vertex(4),
+                                  parameters::epsilon(epsilon).face_weight_map(map));
+    EXPECT_NEAR(cost, 12, 1e-11);
+    EXPECT_NEAR(lower, 12 / (1 + epsilon), 1e-10);
+  }
+}
+
+TEST(Refined_path, tells_an_interval_where_there_is_no_path)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(scattered_parts(random));
+  std::vector<Point> points;
+  const auto [lower, length] = AG::refined_path_interval(
+      mesh, std::back_inserter(points), Vertex(10), Vertex(0), parameters::epsilon(0.1));
+  EXPECT_EQ(lower, infinity);
+  EXPECT_EQ(length, infinity);
 }
 
 TEST(Refined_path, is_a_point_or_nothing_in_the_extreme)

@@ -38,7 +38,8 @@ inline void normalize(Face_weights& weights, const double unit_of_lengths)
   if(largest == 0)
     return;
   constexpr int smallest_of_costs = -1000;
-  constexpr double smallest = std::numeric_limits<double>::denorm_min(); // is not free yet
+  // not free yet, and not one of those numbers that processors take a hundred times as long for
+  constexpr double smallest = (std::numeric_limits<double>::min)();
   const int exponent =
       (std::max)(std::ilogb(largest), smallest_of_costs - std::ilogb(unit_of_lengths));
   weights.unit = std::ldexp(1., exponent);

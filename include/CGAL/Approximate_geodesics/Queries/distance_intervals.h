@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/smallest_distance.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
@@ -25,20 +26,6 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-// What sums of lengths may be wrong by, as a part of them.
-constexpr double rounding_of_distances = 1e-12;
-
-// The smallest distance that a search may have found as `distance`, with this bound between
-// vertices, and from sources that are so far from the nearest of them.
-inline double
-smallest_distance(const double distance, const double epsilon, const double cost_to_corner)
-{
-  if(std::isinf(epsilon))
-    return std::isinf(distance) ? distance : 0;
-  const double detour = cost_to_corner > 0 ? (2 + epsilon) * cost_to_corner : 0;
-  return (std::max)(distance - detour, 0.) / (1 + epsilon) * (1 - rounding_of_distances);
-}
 
 // Of the sources, the one that is farthest from all vertices, if that matters to the bound.
 template <typename Graph>

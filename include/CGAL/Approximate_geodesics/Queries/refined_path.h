@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
@@ -19,11 +20,53 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
-#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Approximate_geodesics {
+
+namespace internal {
+
+template <typename NamedParameters>
+double relative_tolerance(const NamedParameters& np)
+{
+  const double result = CGAL::to_double(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::relative_tolerance), 1e-5));
+  if(!(result >= 0))
+    reject("the relative tolerance is " + text_of(result) +
+           "; it must be a number that is not negative");
+  return result;
+}
+
+// Returns a lower bound of the distance, and the length of the path.
+template <typename TriangleMesh,
+          typename OutputIterator,
+          typename Vertex,
+          typename Placement,
+          typename NamedParameters>
+std::pair<double, double> refine_path(const TriangleMesh& tmesh,
+                                      OutputIterator points,
+                                      const Vertex source,
+                                      const Vertex target,
+                                      const Placement& first_placement,
+                                      const NamedParameters& np)
+{
+  const double tolerance = relative_tolerance(np);
+  const Intrinsic_triangulation triangulation(tmesh, np);
+  Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), triangulation);
+  translation.list_vertices();
+  Selective_refinement refinement(triangulation, translation.node(source),
+                                  translation.node(target));
+  const Path path = refinement.run(first_placement, tolerance);
+  const auto point_map = vertex_point_map(tmesh, np);
+  for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
+    *points++ = point(translation, *p, point_map, np);
+  return {refinement.lower_bound(),
+          path.points.empty() ? std::numeric_limits<double>::infinity() : path.length};
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsQueries
@@ -35,8 +78,9 @@ namespace Approximate_geodesics {
  * graphs with twice as many points, but only on edges near the path found last, until it gets
  * shorter by less than a given part of its length. This is much faster than a graph that is fine
  * everywhere, and finds about the same path, unless the first one took another way round an
- * obstacle: the result is a path that is short among its neighbors, without a bound. Where weights
- * differ by orders of magnitude, it can cost many times as much as the cheapest one.
+ * obstacle: the result is a path that is short among its neighbors, without a bound;
+ * `refined_path_interval()` tells one. Where weights differ by orders of magnitude, it can cost
+ * many times as much as the cheapest one.
  *
  * The method is that of Kanai and Suzuki \cgalCite{ks-asppa-01}.
  *
@@ -79,6 +123,7 @@ namespace Approximate_geodesics {
  * \cgalBigO{n} more for every refinement of a mesh of `n` vertices.
  *
  * \sa `approximate_geodesic_path()`
+ * \sa `refined_path_interval()`
  */
 template <typename TriangleMesh,
           typename OutputIterator,
@@ -90,7 +135,7 @@ double refined_path(const TriangleMesh& tmesh,
                     const NamedParameters& np = parameters::default_values())
 {
   static_assert(!internal::is_given<NamedParameters, internal_np::epsilon_t>,
-                "epsilon: selective refinement gives no bound; use approximate_geodesic_path()");
+                "epsilon: selective refinement gives no bound; use refined_path_interval()");
   static_assert(!internal::has_directional_cost<NamedParameters>,
                 "directional_cost: selective refinement knows no directions; use "
                 "approximate_geodesic_path()");
@@ -102,22 +147,68 @@ double refined_path(const TriangleMesh& tmesh,
       "refined_path() reads relative_tolerance, number_of_points_per_edge, and what "
       "describes the mesh only; use approximate_geodesic_path()");
 
-  const double tolerance = CGAL::to_double(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::relative_tolerance), 1e-5));
-  if(!(tolerance >= 0))
-    internal::reject("the relative tolerance is " + internal::text_of(tolerance) +
-                     "; it must be a number that is not negative");
+  return internal::refine_path(tmesh, points, source, target, Fixed_number_of_points(np), np)
+      .second;
+}
 
-  const Intrinsic_triangulation triangulation(tmesh, np);
-  Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np), triangulation);
-  translation.list_vertices();
-  internal::Selective_refinement refinement(triangulation, translation.node(source),
-                                            translation.node(target));
-  const Path path = refinement.run(Fixed_number_of_points(np), tolerance);
-  const auto point_map = internal::vertex_point_map(tmesh, np);
-  for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
-    *points++ = internal::point(translation, *p, point_map, np);
-  return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;
+/*!
+ * \ingroup PkgApproximateGeodesicsQueries
+ *
+ * does what `refined_path()` does, and returns an interval that contains the distance from `source`
+ * to `target`: its upper end is the length of the path, give or take rounding.
+ *
+ * The first path is found in a graph with `Geometric_points`, and costs at most
+ * \f$1 + \varepsilon\f$ times as much as the cheapest one. So the lower end of the interval is the
+ * cost of the first path, divided by \f$1 + \varepsilon\f$; and refinement makes the upper end
+ * smaller. A mesh with faces too thin for the bound is refused, unless `accept_weaker_bound` is
+ * given, and then the lower end is that of the bound which does hold: see
+ * `Steiner_graph::epsilon()`.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param points receives the points of the path
+ * \param source the vertex that the path starts from
+ * \param target the vertex that the path ends at
+ * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which has to be
+ *           given, `accept_weaker_bound`, `maximum_number_of_points_per_edge`,
+ *           `relative_tolerance`, and what describes the mesh, as for `refined_path()`
+ *
+ * \return a lower bound of the distance, or cost, and the length of the path, which is at most
+ *         \f$1 + \varepsilon\f$ times as large; both are infinity if `target` cannot be reached.
+ *         The lower bound allows for a relative \f$10^{-12}\f$ of rounding.
+ *
+ * \throws std::invalid_argument, std::length_error as `refined_path()` and `Geometric_points` do.
+ *
+ * Run time and memory are those of a search in a graph with that bound, in practice, and
+ * \cgalBigO{n} more for every refinement of a mesh of `n` vertices.
+ *
+ * \sa `distance_intervals()`
+ */
+template <typename TriangleMesh, typename OutputIterator, typename NamedParameters>
+std::pair<double, double>
+refined_path_interval(const TriangleMesh& tmesh,
+                      OutputIterator points,
+                      const typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+                      const typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
+                      const NamedParameters& np)
+{
+  static_assert(internal::is_given<NamedParameters, internal_np::epsilon_t>,
+                "refined_path_interval() needs epsilon, the bound of the first path");
+  static_assert(!internal::has_directional_cost<NamedParameters>,
+                "directional_cost: selective refinement knows no directions; use "
+                "approximate_geodesic_path()");
+  static_assert(
+      !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
+                             internal_np::maximum_number_of_points_per_edge_t,
+                             internal_np::accept_weaker_bound_t, internal_np::relative_tolerance_t,
+                             internal_np::edge_length_t, internal_np::face_weight_t,
+                             internal_np::edge_is_constrained_t>,
+      "refined_path_interval() reads epsilon, the limit of points and what to do beyond it, "
+      "relative_tolerance, and what describes the mesh only");
+  return internal::refine_path(tmesh, points, source, target, Geometric_points(np), np);
 }
 
 } // namespace Approximate_geodesics

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Queues/Balanced_bucket_width.h>
 #include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
 #include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
+#include <CGAL/Approximate_geodesics/Queues/internal/Indexed_heap.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
@@ -41,6 +42,7 @@ namespace Approximate_geodesics {
  * models a node is expanded 1.00 to 1.04 times on average. Two fallbacks bound the cost where arc
  * lengths differ by many orders of magnitude:
  * - Keys beyond the circle, whose length is limited, wait in a heap until the circle reaches them.
+ *   There, keys are lowered in place.
  * - A bucket that keeps growing while it is drained moves to the heap, and comes out smallest key
  *   first. So does every bucket once the number of entries extracted, or of those that wait, is
  *   several times the number of nodes. A run therefore expands \cgalBigO{n} nodes, for `n` of
@@ -48,7 +50,7 @@ namespace Approximate_geodesics {
  *
  * `push()` and `extract_min()` take constant time per entry, and \cgalBigO{\log m} for the `m`
  * entries on the heap. Each bucket of the circle keeps the memory of the largest number of entries
- * that it held, also from run to run.
+ * that it held, also from run to run. The heap takes 4 bytes per node from when it is first needed.
  *
  * Adapting the buckets to the mesh from run to run is an idea of Schwartz, de Rezende and Pedrini
  * \cgalCite{srp-fasgp-15}; the circle, draining in any order and the fallbacks are additions of
@@ -77,7 +79,10 @@ public:
   /// makes an empty queue for a graph with `number_of_nodes` nodes and the given arcs.
   explicit Basic_adaptive_bucket_queue(const std::size_t number_of_nodes = 0,
                                        const Arc_lengths& arcs = Arc_lengths())
-    : m_number_of_nodes(number_of_nodes), m_longest_arc(arcs.longest), m_policy(arcs)
+    : m_heap(number_of_nodes),
+      m_number_of_nodes(number_of_nodes),
+      m_longest_arc(arcs.longest),
+      m_policy(arcs)
   {
     set_up_circle();
   }
@@ -94,10 +99,12 @@ public:
     CGAL_precondition(!is_final(key));
     const Index index = bucket_index(key);
     if(index - m_first_in_circle < m_number_in_circle)
+    {
       bucket(index).push_back({key, node});
+      ++m_size;
+    }
     else
       push_onto_heap({key, node});
-    ++m_size;
   }
 
   /*!
@@ -122,7 +129,7 @@ public:
   template <typename F>
   void for_each_node(F f) const
   {
-    for(const Bucket* entries : {&m_round, &m_heap})
+    for(const Bucket* entries : {&m_round, &m_heap.entries()})
       for(const Entry& e : *entries)
         f(e.node);
     for(const Bucket& b : m_buckets)
@@ -135,8 +142,8 @@ public:
   {
     for(Bucket& b : m_buckets)
       b.clear();
-    m_heap.clear();
     m_policy.update(statistics());
+    m_heap.clear();
     set_up_circle();
   }
 
@@ -144,6 +151,7 @@ public:
   Bucket_statistics statistics() const
   {
     Bucket_statistics result = m_statistics;
+    result.comparisons = m_heap.comparisons();
     if(number_drained() > 0)
       add_current_bucket(result);
     return result;
@@ -152,10 +160,10 @@ public:
   /// returns the number of bytes that the queue takes.
   std::size_t memory() const
   {
-    std::size_t entries = m_round.capacity() + m_heap.capacity();
+    std::size_t entries = m_round.capacity();
     for(const Bucket& b : m_buckets)
       entries += b.capacity();
-    return m_buckets.capacity() * sizeof(Bucket) + entries * sizeof(Entry);
+    return m_buckets.capacity() * sizeof(Bucket) + entries * sizeof(Entry) + m_heap.memory();
   }
 
 private:
@@ -164,16 +172,6 @@ private:
 
   static constexpr Index LARGEST_CIRCLE = 1024; // arcs longer than 1023 widths are rare
   static constexpr Index LARGEST_INDEX = Index(1) << 62;
-
-  struct Later // puts the smallest key on top of a heap
-  {
-    bool operator()(const Entry& a, const Entry& b) const
-    {
-      ++comparisons;
-      return a.key > b.key;
-    }
-    std::size_t& comparisons;
-  };
 
   Batch extract(const std::size_t largest_batch)
   {
@@ -280,7 +278,7 @@ private:
   // Whether the bucket refills faster than it drains, and is to be emptied in order.
   bool shall_be_put_in_order() const
   {
-    const std::size_t limit = (std::min)(4 * m_first_round + 256, m_unordered_budget);
+    const std::size_t limit = (std::min)(3 * m_first_round / 2 + 64, m_unordered_budget);
     return m_drained >= limit || m_size > unordered_limit();
   }
 
@@ -292,6 +290,7 @@ private:
       m_first_round = current_bucket().size();
     ++m_first_in_circle;
     --m_number_in_circle;
+    m_size -= current_bucket().size();
     for(const Entry& e : current_bucket())
       push_onto_heap(e);
     current_bucket().clear();
@@ -299,36 +298,29 @@ private:
 
   void take_out_in_order()
   {
-    m_round.push_back(m_heap.front());
-    pop_from_heap();
+    m_round.push_back(m_heap.top());
+    m_heap.pop();
   }
 
   void move_nearest_into_circle()
   {
-    bucket(nearest_index()).push_back(m_heap.front());
-    pop_from_heap();
+    bucket(nearest_index()).push_back(m_heap.top());
+    m_heap.pop();
   }
 
   // the index of the smallest key on the heap
   Index nearest_index() const
   {
-    return m_heap.empty() ? (std::numeric_limits<Index>::max)() : bucket_index(m_heap.front().key);
+    return m_heap.is_empty() ? (std::numeric_limits<Index>::max)() : bucket_index(m_heap.top().key);
   }
 
   BOOST_NOINLINE void push_onto_heap(const Entry& e)
   {
-    m_heap.push_back(e);
-    std::push_heap(m_heap.begin(), m_heap.end(), Later{m_statistics.comparisons});
-  }
-
-  void pop_from_heap()
-  {
-    std::pop_heap(m_heap.begin(), m_heap.end(), Later{m_statistics.comparisons});
-    m_heap.pop_back();
+    m_size += static_cast<std::size_t>(m_heap.push(e));
   }
 
   std::vector<Bucket> m_buckets; // a circle; their number is a power of two
-  Bucket m_heap;                 // entries beyond the circle, or to be extracted in order
+  internal::Indexed_heap m_heap; // entries beyond the circle, or to be extracted in order
   Bucket m_round;                // entries of the current bucket
   std::size_t m_next = 0;        // the first of the round that is left
   std::size_t m_size = 0;        // the number of entries left

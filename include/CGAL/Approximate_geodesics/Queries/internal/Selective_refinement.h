@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/smallest_distance.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -117,17 +119,23 @@ public:
   {
   }
 
-  // Ends when the path gets shorter by less than this part of its length.
-  Path run(Fixed_number_of_points first_placement, const double relative_tolerance)
+  // Refines the path that is found with points as this placement says. Ends when it gets shorter by
+  // less than the given part of its length.
+  template <typename Placement>
+  Path run(Placement first_placement, const double relative_tolerance)
   {
-    std::size_t number_of_points = first_placement.number_of_points(m_triangulation, 0);
+    const Steiner_graph<Placement> graph(m_triangulation, std::move(first_placement));
+    Path result = search(graph);
+    m_lower_bound = result.points.empty() ? std::numeric_limits<double>::infinity()
+                                          : smallest_distance(result.length, graph.epsilon());
+    std::size_t number_of_points = mean_number_of_points(graph);
     std::size_t number_of_rings = LARGEST_NUMBER_OF_RINGS;
-    Path result = search(std::move(first_placement));
     while(!result.points.empty() && number_of_points < LARGEST_NUMBER_OF_POINTS)
     {
-      number_of_points = 2 * number_of_points + 1; // the points so far among them
-      Path refined =
-          search(Points_near_path(m_triangulation, result, number_of_rings, number_of_points));
+      number_of_points = 2 * number_of_points + 1; // if equally spaced, those so far among them
+      Path refined = search(Steiner_graph<Points_near_path>(
+          m_triangulation,
+          Points_near_path(m_triangulation, result, number_of_rings, number_of_points)));
       number_of_rings -= (std::min)(number_of_rings, std::size_t(1));
       const double gain = result.length - refined.length;
       if(gain > 0)
@@ -138,22 +146,35 @@ public:
     return result;
   }
 
+  // A lower bound of the length of all paths, as the first graph has a bound; or 0 if it has none.
+  double lower_bound() const { return m_lower_bound; }
+
 private:
   static constexpr std::size_t LARGEST_NUMBER_OF_POINTS = 4096;
   static constexpr std::size_t LARGEST_NUMBER_OF_RINGS = 3; // a coarse path can be this far off
 
   // The path is empty if the target cannot be reached; its length is in the unit of the mesh.
   template <typename Placement>
-  Path search(Placement placement) const
+  Path search(const Steiner_graph<Placement>& graph) const
   {
-    const Steiner_graph<Placement> graph(m_triangulation, std::move(placement));
     Propagation<Steiner_graph<Placement>, PriorityQueue> search(graph);
     search.run({{m_source}}, {std::numeric_limits<double>::infinity(), {m_target}});
     return tree_path(search, m_target);
   }
 
+  // per edge that has some
+  template <typename Placement>
+  static std::size_t mean_number_of_points(const Steiner_graph<Placement>& graph)
+  {
+    if constexpr(std::is_same_v<Placement, Fixed_number_of_points>)
+      return graph.placement().number_of_points(graph.triangulation(), 0);
+    const std::size_t number_of_edges = graph.triangulation().number_of_halfedges() / 2;
+    return graph.number_of_points() / (std::max)(number_of_edges, std::size_t(1));
+  }
+
   const Intrinsic_triangulation& m_triangulation;
   Index m_source, m_target;
+  double m_lower_bound = 0;
 };
 
 } // namespace internal

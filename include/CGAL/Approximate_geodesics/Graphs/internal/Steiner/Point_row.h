@@ -16,8 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <utility>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -148,63 +146,6 @@ private:
   double m_length;
   Index m_is_reversed; // 0 or 1
 };
-
-// A point that is reached at some cost, and its distance from a corner.
-struct Reached_point
-{
-  double label;
-  double distance_from_corner;
-
-  // what it costs to go on to a point of the corner's other side
-  double cost_to(const double y, const Corner& corner, const double weight) const
-  {
-    return label + weight * corner.distance(distance_from_corner, y);
-  }
-};
-
-/*
- * The ranks of those points of a row that two rivals of a point do not reach at less cost: as a
- * first one and one beyond. One rival is nearer to the corner and one farther from it, on the same
- * side of it.
- *
- * Straight arcs from two points of a side to two points of the other need not cross: exchanging
- * their ends does not make them longer. So what a rival reaches at less cost lies at its own end of
- * the row, and a binary search finds where it ends.
- */
-inline std::pair<Point_row::Index, Point_row::Index> cell(const Point_row& row,
-                                                          const Corner& corner,
-                                                          const double weight,
-                                                          const Reached_point& point,
-                                                          const Reached_point& nearer,
-                                                          const Reached_point& farther)
-{
-  using Index = Point_row::Index;
-  // At the same cost, the one with the smaller label wins; if labels are the same as well, neither.
-  // What is the same is a matter of rounding, and no point must be lost between two that both take
-  // the other for better.
-  constexpr double tolerance = 8 * std::numeric_limits<double>::epsilon();
-  const auto reaches = [&](const Reached_point& rival, const Index rank) {
-    const double y = row.distance_from_corner(rank);
-    const double factor =
-        rival.label < (1 - tolerance) * point.label ? 1 - tolerance : 1 + tolerance;
-    return factor * rival.cost_to(y, corner, weight) < point.cost_to(y, corner, weight);
-  };
-  // the first rank from `low` on of which this is not, or is, the case
-  const auto search = [&](const Reached_point& rival, Index low, const bool is_nearer) {
-    Index high = row.size();
-    while(low < high)
-    {
-      const Index middle = low + (high - low) / 2;
-      if(reaches(rival, middle) == is_nearer)
-        low = middle + 1;
-      else
-        high = middle;
-    }
-    return low;
-  };
-  const Index first = search(nearer, 0, true);
-  return {first, search(farther, first, false)};
-}
 
 } // namespace internal
 } // namespace Approximate_geodesics

@@ -10,10 +10,12 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Corner_nodes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Point_row.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Rivals.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -180,13 +182,15 @@ private:
   {
     Viewpoint reversed(const Index opposite) const
     {
-      return {opposite, node, from_target, from_source, toward_target, toward_source};
+      return {opposite,      node,          from_target,    from_source,
+              toward_target, toward_source, cost_to_target, cost_to_source};
     }
 
     Index halfedge;
     Node node;
-    double from_source, from_target;   // distances
-    Node toward_source, toward_target; // neighbors
+    double from_source, from_target;       // distances
+    Node toward_source, toward_target;     // neighbors
+    double cost_to_source, cost_to_target; // of arcs to these
   };
 
   using Face = std::array<Index, 3>; // its halfedges
@@ -200,7 +204,11 @@ private:
     const Index opposite = m_triangulation.opposite(h);
     const bool has_right = m_points.edge(opposite) == m_points.edge(h) && is_open(opposite);
     const Viewpoint left = viewpoint(p, h);
-    expand_along_edge(left, p, f);
+    if(left.cost_to_source < infinity)
+    {
+      f(left.toward_source, left.cost_to_source);
+      f(left.toward_target, left.cost_to_target);
+    }
 
     const Node origin = labels.predecessor(node);
     if(origin == left.toward_source || origin == left.toward_target || origin == null_node)
@@ -239,30 +247,19 @@ private:
   Viewpoint viewpoint(const Index p, const Index h) const
   {
     const Index e = m_points.edge(h);
-    const double length = m_triangulation.length(h);
+    const double length = m_triangulation.length(h), weight = m_triangulation.weight_of_edge(h);
+    const double from_source = length * m_points.part_before(e, p);
+    const double from_target = length * m_points.part_behind(e, p);
+    const bool is_first = p == m_points.first_point(e), is_last = p + 1 == m_points.beyond_point(e);
     const Node node = m_nodes.node_of_point(p);
     return {h,
             node,
-            length * m_points.part_before(e, p),
-            length * m_points.part_behind(e, p),
-            p == m_points.first_point(e) ? m_corners.at_source(h) : node - 1,
-            p + 1 == m_points.beyond_point(e) ? m_corners.at_target(h) : node + 1};
-  }
-
-  // The arcs from a viewpoint, which is that of the point `p`, to its neighbors.
-  template <typename F>
-  void expand_along_edge(const Viewpoint& view, const Index p, F& f) const
-  {
-    const Index h = view.halfedge, e = m_points.edge(h);
-    const double weight = m_triangulation.weight_of_edge(h), length = m_triangulation.length(h);
-    if(weight == infinity)
-      return;
-    f(view.toward_source,
-      weight * (p == m_points.first_point(e) ? view.from_source
-                                             : length * m_points.part_between(e, p - 1)));
-    f(view.toward_target,
-      weight * (p + 1 == m_points.beyond_point(e) ? view.from_target
-                                                  : length * m_points.part_between(e, p)));
+            from_source,
+            from_target,
+            is_first ? m_corners.at_source(h) : node - 1,
+            is_last ? m_corners.at_target(h) : node + 1,
+            weight * (is_first ? from_source : length * m_points.part_between(e, p - 1)),
+            weight * (is_last ? from_target : length * m_points.part_between(e, p))};
   }
 
   // Whether a node is on one of the two edges of a face that are not the first, or where these
@@ -311,16 +308,22 @@ private:
   {
     if(row.size() < LONG_ROW)
       return {0, row.size()};
-    const auto reached = [&](const Node node, const double distance_if_end) {
-      return Reached_point{labels.distance(node),
+    const double label = labels.distance(view.node);
+    // a neighbor, which is reached from here in any case
+    const auto rival = [&](const Node node, const double cost, const double distance_if_end) {
+      return Reached_point{(std::min)(labels.distance(node), label + cost),
                            m_nodes.is_point(node)
                                ? distance_from_end(view.halfedge, node, is_at_source)
                                : distance_if_end};
     };
     const double length = m_triangulation.length(view.halfedge);
-    return cell(row, corner, weight, reached(view.node, 0),
-                reached(is_at_source ? view.toward_source : view.toward_target, 0),
-                reached(is_at_source ? view.toward_target : view.toward_source, length));
+    const Reached_point point{label, is_at_source ? view.from_source : view.from_target};
+    const Reached_point at_source =
+        rival(view.toward_source, view.cost_to_source, is_at_source ? 0 : length);
+    const Reached_point at_target =
+        rival(view.toward_target, view.cost_to_target, is_at_source ? length : 0);
+    return is_at_source ? cell(row, corner, weight, point, at_source, at_target)
+                        : cell(row, corner, weight, point, at_target, at_source);
   }
 
   // The distance of a point on the edge of `h` from the source or the target of `h`.
