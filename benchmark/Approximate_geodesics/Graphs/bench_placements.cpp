@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How many points geometric progressions have for the same bound, ours and the published ones. They
-// are only counted: the graphs of the latter would not fit into memory. See --help.
+// How many points geometric progressions have for the same bound, ours and the published ones, and
+// how many thin faces take, on all sample meshes. They are only counted: some graphs would not fit
+// into memory. See --help.
 
 #include "meshes/Mesh.h"
 #include "meshes/Weighted_terrain.h"
@@ -13,11 +14,15 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -76,11 +81,86 @@ static Table placements_table(const std::vector<std::string>& meshes,
   return result;
 }
 
+// ----- thin faces
+
+static constexpr double SHOWN = 0.1; // epsilon
+static constexpr std::size_t MANY = 1000;
+
+// What the bound takes on all sample meshes; a row for those that take many points, or are refused.
+class Thin_faces
+{
+public:
+  Thin_faces() : m_rows({"mesh", "faces", "smallest angle", "points/edge", "at most", "bound"}) {}
+
+  void add(const std::string& name)
+  {
+    const AG::Intrinsic_triangulation triangulation(read_mesh(name));
+    ++m_number_of_meshes;
+    try
+    {
+      const Count count(triangulation, AG::Geometric_points(SHOWN));
+      if(count.largest > MANY)
+        add_row(name, triangulation).add(count.mean, 2).add(double(count.largest), 0).add(SHOWN, 1);
+    }
+    catch(const std::length_error& refusal)
+    {
+      ++m_number_of_refusals;
+      add_weaker_bound(name, triangulation);
+      m_refusals += short_name(name) + ": " + refusal.what() + "\n";
+    }
+  }
+
+  void print(const Report& report) const
+  {
+    report.print("thin_faces",
+                 "Of " + std::to_string(m_number_of_meshes) + " sample meshes, " +
+                     std::to_string(m_number_of_meshes - m_number_of_refusals) +
+                     " have the bound epsilon = " + Table::text_of(SHOWN, 1) +
+                     "; those with more than " + std::to_string(MANY) +
+                     " points on an edge, and the bounds of others if weaker ones are accepted",
+                 m_rows);
+    std::cout << "Refused:\n\n" << m_refusals;
+  }
+
+private:
+  Table::Row add_row(const std::string& name, const AG::Intrinsic_triangulation& triangulation)
+  {
+    double smallest = 1;
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if(!triangulation.is_border(h))
+        smallest =
+            (std::min)(smallest, AG::internal::Face_shape(triangulation, h).sine_of_corner());
+    return m_rows.add_row()
+        .add(short_name(name))
+        .add(double(triangulation.number_of_faces()), 0)
+        .add(Table::scientific(std::asin(smallest)));
+  }
+
+  void add_weaker_bound(const std::string& name, const AG::Intrinsic_triangulation& triangulation)
+  {
+    AG::Geometric_points placement(CGAL::parameters::epsilon(SHOWN).accept_weaker_bound(true));
+    const Count count(triangulation, placement);
+    placement.prepare(triangulation);
+    add_row(name, triangulation)
+        .add(count.mean, 2)
+        .add(double(count.largest), 0)
+        .add(Table::text_of(placement.epsilon(triangulation), 1));
+  }
+
+  Table m_rows;
+  std::string m_refusals;
+  std::size_t m_number_of_meshes = 0, m_number_of_refusals = 0;
+};
+
 int main(int argc, char* argv[])
 {
   const auto count_points = [](const Options& options, const Report& report) {
     report.print("steiner_placements", "Points per edge for the same bound",
                  placements_table(options.meshes, Weighted_terrain(options)));
+    Thin_faces thin;
+    for(const std::string& name : options.is_quick ? options.meshes : all_sample_meshes())
+      thin.add(name);
+    thin.print(report);
   };
   return run_benchmark(argc, argv, "bench_placements", {{"bunny00"}, 1, ""}, count_points);
 }

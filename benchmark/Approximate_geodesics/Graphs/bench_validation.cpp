@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
-#include <filesystem>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -334,16 +333,6 @@ private:
   Table m_violations;
   Table m_left_out;
 };
-
-std::vector<std::string> all_sample_meshes()
-{
-  std::vector<std::string> result;
-  for(const auto& entry : std::filesystem::directory_iterator(CGAL::data_file_path("meshes")))
-    if(entry.path().extension() == ".off")
-      result.push_back(entry.path().string());
-  std::sort(result.begin(), result.end());
-  return result;
-}
 
 int main(int argc, char* argv[])
 {

@@ -66,7 +66,8 @@ public:
     add_distances("weights", with_weights(m_weights));
     add_distances("barriers", with_barriers(m_barriers));
     if(m_mesh.number_of_vertices() <= 1200)
-      add_distances("weights, epsilon", with_weights(m_weights).epsilon(1.));
+      add_distances("weights, epsilon",
+                    with_weights(m_weights).epsilon(1.).accept_weaker_bound(true));
     add_distances("maximum", parameters::maximum_distance(m_reach));
     add_distances("targets", parameters::targets(m_vertices).epsilon(0.1));
     add_everything();

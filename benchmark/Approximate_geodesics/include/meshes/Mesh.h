@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/subdivision_method_3.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -55,6 +56,17 @@ inline std::string short_name(const std::string& name)
 {
   const std::size_t plus = position_of_plus(name);
   return std::filesystem::path(name.substr(0, plus)).stem().string() + name.substr(plus);
+}
+
+// the files
+inline std::vector<std::string> all_sample_meshes()
+{
+  std::vector<std::string> result;
+  for(const auto& entry : std::filesystem::directory_iterator(CGAL::data_file_path("meshes")))
+    if(entry.path().extension() == ".off")
+      result.push_back(entry.path().string());
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 inline Mesh read_mesh(const std::string& name)

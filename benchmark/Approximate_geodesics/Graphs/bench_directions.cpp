@@ -1,0 +1,185 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What costs that depend on the direction cost to compute, and how far off they are, on a terrain.
+// See --help.
+
+#include "measuring/Errors.h"
+#include "measuring/measure.h"
+#include "meshes/Mesh.h"
+#include "meshes/Terrain.h"
+#include "output/Options.h"
+#include "output/Table.h"
+#include "peers/searches_of_arrays.h"
+
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Mesh/Costs/Drift_time.h>
+#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
+#include <CGAL/Approximate_geodesics/Mesh/Costs/Walking_energy.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace AG = CGAL::Approximate_geodesics;
+using Node = AG::Intrinsic_triangulation::Index;
+using AG::Directional_points;
+using AG::Fixed_number_of_points;
+template <typename Placement>
+using Search = AG::Propagation<AG::Directional_graph<Placement>>;
+
+static constexpr std::size_t SOURCES_OF_ERRORS = 3;
+static constexpr std::size_t NUMBER_OF_POINTS = 48; // of the reference
+static constexpr double EPSILON = 0.005;
+
+// One kind of costs.
+class Directions_benchmark
+{
+public:
+  template <typename Cost>
+  Directions_benchmark(std::string name, const Mesh& mesh, const Cost& cost)
+    : m_name(std::move(name)),
+      m_mesh(mesh),
+      m_triangulation(
+          mesh, CGAL::parameters::face_weight_map(AG::directional_cost(cost)).epsilon(EPSILON / 4)),
+      m_expected(SOURCES_OF_ERRORS * mesh.number_of_vertices(),
+                 std::numeric_limits<double>::infinity())
+  {
+    lower_costs(Fixed_number_of_points(NUMBER_OF_POINTS));
+    lower_costs(Directional_points(EPSILON));
+  }
+
+  static Table empty_table()
+  {
+    return Table({"costs", "points", "parameter", "points/edge", "build s", "search ms",
+                  "search : std::priority_queue", "mean %", "largest %", "least",
+                  "largest : bound"});
+  }
+
+  void add_to(Table& table, const std::vector<Vertex>& sources) const
+  {
+    for(const std::size_t number : {0u, 1u, 3u})
+      add_row(table, "equally spaced", double(number), Fixed_number_of_points(number), sources);
+    for(const double epsilon : {0.5, 0.2, 0.1})
+      add_row(table, "for the bound", epsilon, Directional_points(epsilon), sources);
+  }
+
+  static std::string description_of_reference()
+  {
+    return "the cheaper of " + std::to_string(NUMBER_OF_POINTS) +
+           " equally spaced points and those for " + Table::text_of(EPSILON, 3);
+  }
+
+private:
+  Node node(const Vertex v) const { return m_triangulation.vertex(v.idx()); }
+
+  std::vector<Vertex> sources_of_errors() const
+  {
+    return first_and_random(random_sources(m_mesh, SOURCES_OF_ERRORS));
+  }
+
+  template <typename Placement>
+  void lower_costs(const Placement& placement)
+  {
+    const AG::Directional_graph<Placement> graph(m_triangulation, placement);
+    Search<Placement> search(graph);
+    auto cost = m_expected.begin();
+    for(const Vertex source : sources_of_errors())
+    {
+      search.run_from(node(source));
+      for(const Vertex v : m_mesh.vertices())
+      {
+        *cost = (std::min)(*cost, search.distance(node(v)));
+        ++cost;
+      }
+    }
+  }
+
+  template <typename Placement>
+  Errors errors(Search<Placement>& search) const
+  {
+    Errors result;
+    auto cost = m_expected.begin();
+    for(const Vertex source : sources_of_errors())
+    {
+      search.run_from(node(source));
+      for(const Vertex v : m_mesh.vertices())
+        result.add(search.distance(node(v)), *cost++);
+    }
+    return result;
+  }
+
+  template <typename Placement>
+  void add_row(Table& table,
+               const std::string& points,
+               const double parameter,
+               const Placement& placement,
+               const std::vector<Vertex>& sources) const
+  {
+    AG::Intrinsic_triangulation copy = m_triangulation; // takes time that does not count
+    std::optional<AG::Directional_graph<Placement>> graph;
+    const double build_seconds = seconds_of([&] { graph.emplace(std::move(copy), placement); });
+    Search<Placement> search(*graph);
+    Priority_queue_dijkstra priority_queue(m_triangulation);
+    const Errors errors = this->errors(search); // which makes room in the workspace
+    Contest contest;
+    contest.add([&](const auto round) { search.run_from(node(sources[round])); });
+    contest.add([&](const auto round) { priority_queue.run_from(node(sources[round])); });
+    contest.run(sources.size());
+    const double bound = graph->epsilon();
+    table.add_row()
+        .add(m_name)
+        .add(points)
+        .add(parameter, bound < 1 ? 1 : 0)
+        .add(double(graph->number_of_points()) / double(m_triangulation.number_of_edges()), 2)
+        .add(build_seconds, 3)
+        .add(contest.median_seconds(0) * 1e3, 2)
+        .add(contest.ratio(0, 1), 2)
+        .add(errors.mean() * 100, 3)
+        .add(errors.largest() * 100, 3)
+        .add(Table::scientific(errors.least()))
+        .add_if(bound < 1, errors.largest() / bound, 3);
+  }
+
+  std::string m_name;
+  const Mesh& m_mesh;
+  AG::Intrinsic_triangulation m_triangulation;
+  std::vector<double> m_expected; // costs of all vertices from the first source, and so on
+};
+
+int main(int argc, char* argv[])
+{
+  const auto measure = [](const Options& options, const Report& report) {
+    const Mesh mesh = terrain(options.is_quick ? 12 : 100, 1, 0.2);
+    const std::vector<Vertex> sources = random_sources(mesh, options.number_of_rounds);
+    Table table = Directions_benchmark::empty_table();
+    const auto add = [&](const std::string& name, const auto& cost) {
+      Directions_benchmark(name, mesh, cost).add_to(table, sources);
+    };
+    using Vector = Kernel::Vector_3;
+    add("walking, time", AG::Hiking_time());
+    add("walking, energy", AG::Walking_energy());
+    const auto drift =
+        boost::static_property_map<Vector, Mesh::Face_index>(Vector(0.5, 0, 0)); // of speed 1
+    add("a current", AG::Drift_time(drift, 1));
+    report.print("directions",
+                 "Costs that depend on the direction, on a terrain, and " +
+                     Directions_benchmark::description_of_reference() + " (medians of " +
+                     std::to_string(sources.size()) + " sources, errors of " +
+                     std::to_string(SOURCES_OF_ERRORS) + ")",
+                 table);
+  };
+  return run_benchmark(argc, argv, "bench_directions", {{}, 11, ""}, measure);
+}
