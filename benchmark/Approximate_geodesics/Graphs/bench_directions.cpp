@@ -42,7 +42,7 @@ using Search = AG::Propagation<AG::Directional_graph<Placement>>;
 
 static constexpr std::size_t SOURCES_OF_ERRORS = 3;
 static constexpr std::size_t NUMBER_OF_POINTS = 48; // of the reference
-static constexpr double EPSILON = 0.005;
+static constexpr double EPSILON = 0.02;
 
 // One kind of costs.
 class Directions_benchmark
@@ -79,7 +79,7 @@ public:
   static std::string description_of_reference()
   {
     return "the cheaper of " + std::to_string(NUMBER_OF_POINTS) +
-           " equally spaced points and those for " + Table::text_of(EPSILON, 3);
+           " equally spaced points and those for " + Table::text_of(EPSILON, 2);
   }
 
 private:
@@ -162,7 +162,7 @@ private:
 int main(int argc, char* argv[])
 {
   const auto measure = [](const Options& options, const Report& report) {
-    const Mesh mesh = terrain(options.is_quick ? 12 : 100, 1, 0.2);
+    const Mesh mesh = terrain(options.is_quick ? 6 : 25, 1, 0.2);
     const std::vector<Vertex> sources = random_sources(mesh, options.number_of_rounds);
     Table table = Directions_benchmark::empty_table();
     const auto add = [&](const std::string& name, const auto& cost) {

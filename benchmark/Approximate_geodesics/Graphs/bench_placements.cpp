@@ -17,6 +17,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +95,10 @@ public:
 
   void add(const std::string& name)
   {
-    const AG::Intrinsic_triangulation triangulation(read_mesh(name));
+    const Mesh mesh = read_mesh(name);
+    if(!CGAL::is_triangle_mesh(mesh))
+      return;
+    const AG::Intrinsic_triangulation triangulation(mesh);
     ++m_number_of_meshes;
     try
     {
@@ -113,7 +117,7 @@ public:
   void print(const Report& report) const
   {
     report.print("thin_faces",
-                 "Of " + std::to_string(m_number_of_meshes) + " sample meshes, " +
+                 "Of " + std::to_string(m_number_of_meshes) + " sample meshes of triangles, " +
                      std::to_string(m_number_of_meshes - m_number_of_refusals) +
                      " have the bound epsilon = " + Table::text_of(SHOWN, 1) +
                      "; those with more than " + std::to_string(MANY) +
