@@ -7,7 +7,7 @@ set logscale xy
 set xlabel 'nodes per vertex'
 set format x '%g'
 set format y '%g %%'
-set xrange [2:4000]
+set xrange [2:10000]
 set yrange [0.002:50]
 set datafile missing NaN
 of(name, points, y) = strcol('mesh') eq name && strcol('points') eq points && \
