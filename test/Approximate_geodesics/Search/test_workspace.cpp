@@ -131,7 +131,11 @@ void expect_identities(Mesh_search& search, const bool is_complete)
   EXPECT_LE(queue.used_buckets, queue.visited_buckets);
   if(is_complete)
   {
-    EXPECT_EQ(s.pops, s.improvements + 1); // what was entered came out; the source was, too
+    EXPECT_LE(s.pops, s.improvements + 1); // what was entered came out; the source was, too
+    if(queue.comparisons == 0) // or keys were lowered in place
+    {
+      EXPECT_EQ(s.pops, s.improvements + 1);
+    }
     if(s.repeated_pops() == 0)
     {
       EXPECT_EQ(s.relaxations, degrees);
