@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -55,13 +56,12 @@ public:
   {
     const double gap = m_farther - m_nearer;
     if(nearer.label != farther.label)
-      m_head_start = (farther.label - nearer.label) / weight;
+      m_head_start = divided(farther.label - nearer.label, weight);
     else if(gap == 0)
       m_head_start = (std::numeric_limits<double>::min)(); // somebody must win
     constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    const double noise =
-        rounding * ((std::min)(nearer.label, farther.label) / weight + m_farther + row.length());
-    m_doubt = (std::min)(SMALLEST_DIFFERENCE * gap, noise); // which is not a number for 0 / 0
+    const double label = divided((std::min)(nearer.label, farther.label), weight);
+    m_doubt = (std::min)(SMALLEST_DIFFERENCE * gap, rounding * (label + m_farther + row.length()));
   }
 
   // Returns the number of points that the nearer one reaches at less cost, beyond doubt.
@@ -80,6 +80,13 @@ private:
   // Sums that are rounded to the same number shall not count, so that costs are those with all
   // arcs, to the last bit; unless labels are so large that nothing else is left of a whole face.
   static constexpr double SMALLEST_DIFFERENCE = 1e-3;
+
+  // A label is worth infinitely much where going on is free.
+  static double divided(const double label, const double weight)
+  {
+    return weight > 0 ? label / weight
+                      : std::copysign(std::numeric_limits<double>::infinity(), label);
+  }
 
   // By how much the nearer one is better for the point at the distance `y` from the corner, times
   // a positive number.
