@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Optional, Tuple
+from typing import Any, Iterable, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -46,9 +46,9 @@ def points(values: Any, name: str) -> tuple[Points, bool]:
         return _points_of_faces([values], name), True
     if isinstance(values, tuple) and [getattr(v, "ndim", None) for v in values] == [1, 2]:
         return _arrays_of_faces(values, name), False
-    if not isinstance(values, (np.ndarray, list, tuple)) and np.iterable(values):
-        values = list(values)
-    if np.iterable(values) and len(values) > 0 and _has_point_of_face(values):
+    if isinstance(values, Iterable) and not isinstance(values, (np.ndarray, list, tuple)):
+        values = list(values)  # as that of a range
+    if _has_point_of_face(values):
         return _points_of_faces(values, name), False
     if np.ndim(values) == 0:
         return (np.array([_vertex(values, name)], dtype=np.int64), None), True
@@ -116,4 +116,4 @@ def _arrays_of_faces(values: Any, name: str) -> Points:
 
 def _has_point_of_face(values: Any) -> bool:
     """Whether there is any in a sequence. Arrays have none, and need not be looked through."""
-    return not isinstance(values, np.ndarray) and any(map(_is_point_of_face, values))
+    return isinstance(values, (tuple, list)) and any(map(_is_point_of_face, values))

@@ -56,7 +56,8 @@ def compute_gdist(
             f"target {wrong[0]} is vertex {targets[wrong[0]]}; they are numbered from 0, "
             f"and there are {len(distances)}"
         )
-    return distances[targets]
+    result: _arrays.Floats = distances[targets]
+    return result
 
 
 def local_gdist_matrix(

@@ -52,7 +52,7 @@ class Solver:
     a run with two numbers: how much is done, and how much there is to do.
     """
 
-    _native: _native.Solver
+    _solver: _native.Solver
 
     def __init__(
         self,
@@ -71,7 +71,7 @@ class Solver:
             weights = _arrays.numbers(face_weights, "face_weights", (len(corners),))
         if barriers is not None:
             ends = _arrays.integers(barriers, "barriers", (-1, 2)).astype(np.int64, copy=False)
-        self._native = _native.Solver(
+        self._solver = _native.Solver(
             coordinates, corners, epsilon, weights, ends, _number_of_threads(threads)
         )
 
@@ -111,7 +111,7 @@ class Solver:
             The position of the nearest source among the sources, or -1; if wanted.
         """
         (elements, coordinates), _ = _arrays.points(sources, "source")
-        result, nearest = self._native.distances(
+        result, nearest = self._solver.distances(
             elements, coordinates, _distance(max_distance), return_nearest, progress
         )
         return (result, nearest) if return_nearest else result
@@ -136,7 +136,7 @@ class Solver:
         float
             The length, or infinity; if wanted.
         """
-        points, length = self._native.path(
+        points, length = self._solver.path(
             *_arrays.one_point(source, "source"), *_arrays.one_point(target, "target"), straighten
         )
         return (points, length) if return_length else points
@@ -182,7 +182,7 @@ class Solver:
             raise ValueError(f"k is {k}; it must be at least 1")
         limit = None if max_distance is None else _distance(max_distance)
         number = 0 if threads is None else _number_of_threads(threads)
-        result = self._native.matrix(*request, columns, limit, k, number, progress)
+        result = self._solver.matrix(*request, columns, limit, k, number, progress)
         if not isinstance(result, tuple):
             return result
         width = self.number_of_vertices if columns is None else len(columns[0])
@@ -211,7 +211,7 @@ class Solver:
 
         Returns an (m,) array of int64: positions among the sources, or -1 if none reaches the face.
         """
-        return self._native.voronoi(*_arrays.points(sources, "source")[0], progress)
+        return self._solver.voronoi(*_arrays.points(sources, "source")[0], progress)
 
     def farthest_points(
         self,
@@ -243,7 +243,7 @@ class Solver:
         (elements, coordinates), _ = _arrays.points(sources, "source")
         if coordinates is not None:
             raise ValueError("sources of farthest points must be vertices")
-        points, radius = self._native.farthest_points(number, elements, progress)
+        points, radius = self._solver.farthest_points(number, elements, progress)
         return (points, radius) if return_radius else points
 
     def gradient(self, values: npt.ArrayLike) -> _arrays.Floats:
@@ -252,7 +252,7 @@ class Solver:
         Returns an (m, 3) array of float64: zeros where a value is infinite or not a number. That of
         a distance has a length of about 1, and points away from the source.
         """
-        return self._native.gradient(self._values(values))
+        return self._solver.gradient(self._values(values))
 
     def isolines(
         self, values: npt.ArrayLike, levels: Union[float, npt.ArrayLike]
@@ -264,9 +264,9 @@ class Solver:
         """
         function = self._values(values)
         if np.ndim(levels) == 0:
-            return self._native.isolines(function, float(levels))  # type: ignore[arg-type]
+            return self._solver.isolines(function, float(levels))  # type: ignore[arg-type]
         return [
-            self._native.isolines(function, float(level))
+            self._solver.isolines(function, float(level))
             for level in _arrays.numbers(levels, "levels", (-1,))
         ]
 
@@ -277,7 +277,7 @@ class Solver:
 
         Raises `OSError` if it cannot be written.
         """
-        self._native.save(os.fspath(file))
+        self._solver.save(os.fspath(file))
 
     @classmethod
     def load(cls, file: File, *, threads: Optional[int] = None) -> Solver:
@@ -289,54 +289,54 @@ class Solver:
         return cls._with(_native.Solver.load(os.fspath(file), _number_of_threads(threads)))
 
     def __getstate__(self) -> tuple[bytes, int]:
-        return self._native.to_bytes(), self._native.threads
+        return self._solver.to_bytes(), self._solver.threads
 
     def __setstate__(self, state: tuple[bytes, int]) -> None:
-        self._native = _native.Solver.from_bytes(*state)
+        self._solver = _native.Solver.from_bytes(*state)
 
     # Properties
 
     @property
     def number_of_vertices(self) -> int:
         """The number of vertices, n."""
-        return self._native.number_of_vertices
+        return self._solver.number_of_vertices
 
     @property
     def number_of_faces(self) -> int:
         """The number of faces, m."""
-        return self._native.number_of_faces
+        return self._solver.number_of_faces
 
     @property
     def vertices(self) -> _arrays.Floats:
         """A copy of the coordinates, (n, 3) float64."""
-        return self._native.vertices
+        return self._solver.vertices
 
     @property
     def faces(self) -> _arrays.Integers:
         """A copy of the faces, (m, 3) int64."""
-        return self._native.faces
+        return self._solver.faces
 
     @property
     def epsilon(self) -> Optional[float]:
         """The bound that was asked for: `None` along edges, `0` for exact distances."""
-        return self._native.epsilon
+        return self._solver.epsilon
 
     @property
     def error_bound(self) -> float:
         """The bound that holds: infinity along edges, and where face weights do not allow one."""
-        return self._native.error_bound
+        return self._solver.error_bound
 
     @property
     def memory(self) -> int:
         """Bytes of the graph and of workspaces that are kept, beside about 100 per vertex."""
-        return self._native.memory
+        return self._solver.memory
 
     def __repr__(self) -> str:
         parts = [f"{self.number_of_vertices} vertices", f"{self.number_of_faces} faces"]
         parts.append("along edges" if self.epsilon is None else f"epsilon={self.epsilon:g}")
-        if self._native.has_face_weights:
+        if self._solver.has_face_weights:
             parts.append("with face weights")
-        if self._native.has_barriers:
+        if self._solver.has_barriers:
             parts.append("with barriers")
         return f"<approximate_geodesics.Solver: {', '.join(parts)}>"
 
@@ -345,7 +345,7 @@ class Solver:
     @classmethod
     def _with(cls, native: _native.Solver) -> Solver:
         result = cls.__new__(cls)
-        result._native = native
+        result._solver = native
         return result
 
     def _values(self, values: npt.ArrayLike) -> _arrays.Floats:

@@ -65,7 +65,7 @@ def test_the_solver_does_not_need_the_arrays_any_more():
 def test_sparse_rows_are_those_of_the_sink():
     solver = ag.Solver(*sphere(3), epsilon=0.1)
     request = (np.arange(50), None, None, 0.5, None, 0, None)
-    distances, columns, starts = solver._native.matrix(*request)
+    distances, columns, starts = solver._solver.matrix(*request)
     assert distances.base is not None and columns.base is distances.base
     from approximate_geodesics._solver import _compressed_rows
 
