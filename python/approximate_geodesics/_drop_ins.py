@@ -66,7 +66,7 @@ def local_gdist_matrix(
     max_distance: float = _INFINITY,
     is_one_indexed: bool = False,
     *,
-    epsilon: Optional[float] = 0.1,
+    epsilon: Optional[float] = 0.05,
     threads: Optional[int] = None,
     progress: Any = None,
 ) -> Any:
@@ -81,7 +81,7 @@ def local_gdist_matrix(
         Whether the vertices of triangles are numbered from 1.
     epsilon : float, optional
         As for `Solver`. `0` gives the exact distances of gdist; the default takes a small part of
-        the time, and is at most 10 % too long, and less than 0.2 % on average on smooth surfaces.
+        the time, and is at most 5 % too long, and less than 0.1 % on average on smooth surfaces.
     threads : int, optional
         One per core by default. gdist has one.
     progress : callable, optional
@@ -98,9 +98,10 @@ def local_gdist_matrix(
     rows = solver.distance_matrix(
         np.arange(solver.number_of_vertices), max_distance=max_distance, progress=progress
     )
-    result = scipy.sparse.csr_matrix(rows, copy=False)
+    # columns are rows: a path leads both ways
+    result = scipy.sparse.csc_matrix(rows.T, copy=False)
     result.eliminate_zeros()
-    return result.tocsc()
+    return result
 
 
 def _from_zero(triangles: npt.ArrayLike, is_one_indexed: bool) -> npt.NDArray[Any]:

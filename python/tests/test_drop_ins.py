@@ -39,7 +39,7 @@ def test_distances_within_a_radius(epsilon, error):
     assert isinstance(matrix, scipy.sparse.csc_matrix) and matrix.dtype == np.float64
     for v in (0, 100, 641):
         exact = EXACT.distances(v)
-        row = matrix[v].toarray()[0]
+        row = matrix[:, v].toarray()[:, 0]
         stored = row > 0
         assert not stored[v]
         np.testing.assert_allclose(row[stored], exact[stored], rtol=error)
@@ -53,7 +53,7 @@ def test_mean_error_by_default_is_small():
     exact = ag.local_gdist_matrix(VERTICES, FACES, 0.6, epsilon=0)
     both = matrix.multiply(exact > 0)
     errors = (both.data - exact.multiply(matrix > 0).data) / both.data
-    assert 0 <= errors.mean() < 0.002
+    assert 0 <= errors.mean() < 0.001
 
 
 def test_names_are_those_of_potpourri3d():

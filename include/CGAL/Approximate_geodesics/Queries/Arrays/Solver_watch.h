@@ -64,22 +64,33 @@ public:
   // The watch is referred to, not copied.
   explicit Solver_visitor(const Solver_watch& watch) : m_watch(watch) {}
 
-  void on_progress(const std::size_t number_done, const std::size_t number)
+  // of pieces of work that take longer than a look at the clock
+  void set_progress(const std::size_t number_done, const std::size_t number)
   {
     m_number_done = number_done;
     m_number = number;
   }
 
+  // of a search, after each of many small steps, most of which do not look at the clock
+  void on_progress(const std::size_t number_done, const std::size_t number)
+  {
+    constexpr std::size_t nodes_between_looks = 1024;
+    set_progress(number_done, number);
+    m_looks_at_clock = number_done >= m_next_look;
+    if(m_looks_at_clock)
+      m_next_look = number_done + nodes_between_looks;
+  }
+
   void on_progress(const Distance_matrix_progress& progress)
   {
-    on_progress(progress.number_done, progress.number_of_rows);
+    set_progress(progress.number_done, progress.number_of_rows);
   }
 
   bool go_further()
   {
     if(m_is_stopped)
       return false;
-    if(std::this_thread::get_id() != m_caller)
+    if(!m_looks_at_clock || std::this_thread::get_id() != m_caller)
       return true;
     const Clock::time_point now = Clock::now();
     if(now - m_last_time < std::chrono::milliseconds(30))
@@ -112,6 +123,8 @@ private:
   std::atomic<bool> m_is_stopped{false};
   std::size_t m_number_done = 0; // threads that tell of it do so one after the other
   std::size_t m_number = 0;
+  std::size_t m_next_look = 0;
+  bool m_looks_at_clock = true;
 };
 
 } // namespace internal

@@ -128,7 +128,7 @@ public:
       search.run_further({{triangulation().vertex(farthest.number)}});
       vertices.push_back(static_cast<std::int64_t>(farthest.number));
       farthest = farthest_first.find(distance);
-      visitor.on_progress(i + 1, number);
+      visitor.set_progress(i + 1, number);
     }
     visitor.finish();
     return farthest.distance;
