@@ -43,12 +43,13 @@ def test_an_interrupt_ends_a_run_and_leaves_the_solver_usable(solver, call):
     np.testing.assert_array_equal(solver.distances(0), before)
 
 
-def test_an_interrupt_ends_one_exact_search():
-    solver = ag.Solver(*sphere(7), epsilon=0)
-    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
-    with pytest.raises(KeyboardInterrupt):
-        while True:
-            solver.distances(0)
+def test_an_interrupt_ends_exact_searches_amid_a_row():
+    solver = ag.Solver(*sphere(6), epsilon=0)
+    for threads in (1, 2):
+        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with pytest.raises(KeyboardInterrupt):
+            solver.distance_matrix(range(1000), threads=threads)  # which would take minutes
     assert solver.distances(0, max_distance=0.1)[0] == 0
 
 

@@ -62,7 +62,17 @@ public:
   static constexpr bool is_told_of_nodes = false; // which would cost a sort
 
   // The watch is referred to, not copied.
-  explicit Solver_visitor(const Solver_watch& watch) : m_watch(watch) {}
+  explicit Solver_visitor(const Solver_watch& watch) : m_watch(watch) { of_this_thread() = this; }
+  ~Solver_visitor() { of_this_thread() = m_outer; }
+  Solver_visitor(const Solver_visitor&) = delete;
+  Solver_visitor& operator=(const Solver_visitor&) = delete;
+
+  // The visitor of the call that this thread has made, for those who are not given it.
+  static Solver_visitor*& of_this_thread()
+  {
+    thread_local Solver_visitor* result = nullptr;
+    return result;
+  }
 
   // of pieces of work that take longer than a look at the clock
   void set_progress(const std::size_t number_done, const std::size_t number)
@@ -86,11 +96,14 @@ public:
     set_progress(progress.number_done, progress.number_of_rows);
   }
 
-  bool go_further()
+  bool go_further() { return m_looks_at_clock ? look() : !m_is_stopped; }
+
+  // Looks at the clock, and asks the watch if it is time.
+  bool look()
   {
     if(m_is_stopped)
       return false;
-    if(!m_looks_at_clock || std::this_thread::get_id() != m_caller)
+    if(std::this_thread::get_id() != m_caller)
       return true;
     const Clock::time_point now = Clock::now();
     if(now - m_last_time < std::chrono::milliseconds(30))
@@ -118,6 +131,7 @@ private:
   }
 
   const Solver_watch& m_watch;
+  Solver_visitor* m_outer = of_this_thread(); // of a call that has made this one by its watch
   std::thread::id m_caller = std::this_thread::get_id();
   Clock::time_point m_last_time = Clock::now();
   std::atomic<bool> m_is_stopped{false};

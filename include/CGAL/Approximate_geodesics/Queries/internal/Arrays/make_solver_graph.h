@@ -14,10 +14,10 @@
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_graph_of.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Watched_exact_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <istream>
@@ -59,7 +59,7 @@ inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation t
   if(!epsilon)
     return solver_graph(Edge_graph(std::move(triangulation)));
   if(*epsilon == 0)
-    return solver_graph(Saddle_vertex_graph(std::move(triangulation)));
+    return solver_graph(Watched_exact_graph(std::move(triangulation)));
   if(saved != nullptr)
     return solver_graph(Discrete_geodesic_graph::load(*saved, std::move(triangulation)));
   return solver_graph(Discrete_geodesic_graph(
