@@ -43,7 +43,7 @@ def in_python(solver):
         for v in some_vertices(solver, number).tolist():
             solver.distances(v)
 
-    yield shortest_time(lambda: search(1))
+    yield shortest_time(lambda: search(1), SEARCHES)
     yield shortest_time(lambda: search(SEARCHES))
     yield shortest_time(lambda: solver.distance_matrix(some_vertices(solver, ROWS), threads=1))
 

@@ -68,8 +68,8 @@ int main(int argc, char* argv[])
   std::vector<double> distances(mesh.number_of_vertices());
   const auto map =
       boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh));
-  const auto search = [&](const std::size_t number) {
-    return shortest_time(repetitions, [&] {
+  const auto search = [&](const std::size_t number, const int times) {
+    return shortest_time(times, [&] {
       for(const auto v : some_vertices(mesh, number))
       {
         paths.remove_all_source_points();
@@ -78,7 +78,8 @@ int main(int argc, char* argv[])
       }
     });
   };
-  std::cout << search(1) << ' ' << search(number_of_searches) << ' ';
+  std::cout << search(1, static_cast<int>(number_of_searches)) << ' '
+            << search(number_of_searches, repetitions) << ' ';
 
   std::vector<std::size_t> sources;
   for(const auto v : some_vertices(mesh, number_of_rows))
