@@ -205,7 +205,7 @@ TEST(Solver, is_the_same_after_it_was_saved)
 
 TEST(Solver, can_be_interrupted_and_used_again)
 {
-  const Solver_of solver(Arrays(sphere(200, 100)), bound(0.1));
+  const Solver_of solver(Arrays(sphere(100, 50)), bound(0.1));
   const Values expected = distances(solver);
   AG::Solver_watch watch;
   int number_of_calls = 0;

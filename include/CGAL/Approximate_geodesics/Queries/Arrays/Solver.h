@@ -406,7 +406,7 @@ private:
       m_costs.set_weights(options.face_weights);
     if(options.number_of_barriers > 0)
       m_costs.set_barriers(options.barriers, options.number_of_barriers);
-    internal::with_threads(m_number_of_threads, nullptr, [&] {
+    internal::with_threads(m_number_of_threads, [&] {
       m_graph = internal::make_solver_graph(m_costs.triangulation(), m_epsilon, saved_graph);
     });
     m_translation.emplace(m_mesh, get(boost::vertex_index, std::as_const(m_mesh)),
@@ -428,7 +428,7 @@ private:
       columns = intrinsic_points(*options.targets, "target");
     const std::size_t threads =
         options.number_of_threads > 0 ? options.number_of_threads : m_number_of_threads;
-    internal::with_threads(threads, &visitor, [&] {
+    internal::with_threads(threads, [&] {
       m_graph->compute_rows(any_rows, rows_of, columns ? &*columns : nullptr,
                             options.maximum_distance, visitor);
     });

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/with_threads.h>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -29,10 +30,11 @@ public:
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
     constexpr unsigned arcs_between_looks = 256;
-    Solver_visitor* const visitor = Solver_visitor::of_this_thread();
+    Solver_visitor* const visitor = Solver_visitor::of_this_thread(); // helpers have none
     unsigned number = 0;
     Saddle_vertex_graph::for_each_arc(node, labels, [&](const auto&... arc) {
-      if(visitor != nullptr && ++number % arcs_between_looks == 0 && !visitor->look())
+      if(++number % arcs_between_looks == 0 &&
+         (visitor != nullptr ? !visitor->look() : is_loop_canceled()))
         throw Solver_interrupted();
       f(arc...);
     });

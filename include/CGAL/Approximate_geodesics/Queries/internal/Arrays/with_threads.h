@@ -9,11 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
-#include <tbb/task_scheduler_observer.h>
+#include <tbb/task_group.h>
 #endif
 
 #include <cstddef>
@@ -23,44 +22,20 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-#ifdef CGAL_LINKED_WITH_TBB
-
-// Tells the threads that come to help which visitor their work belongs to, if any.
-class Visitor_for_helpers : public tbb::task_scheduler_observer
+// Whether a thread that works on the same loop as this one has thrown an exception.
+inline bool is_loop_canceled()
 {
-public:
-  Visitor_for_helpers(tbb::task_arena& arena, Solver_visitor* const visitor)
-    : tbb::task_scheduler_observer(arena), m_visitor(visitor)
-  {
-    observe(true);
-  }
-
-  ~Visitor_for_helpers() override { observe(false); }
-
-  void on_scheduler_entry(const bool is_helper) override
-  {
-    if(is_helper)
-      Solver_visitor::of_this_thread() = m_visitor;
-  }
-
-  void on_scheduler_exit(const bool is_helper) override
-  {
-    if(is_helper)
-      Solver_visitor::of_this_thread() = nullptr;
-  }
-
-private:
-  Solver_visitor* m_visitor;
-};
-
+#ifdef CGAL_LINKED_WITH_TBB
+  return tbb::is_current_task_group_canceling();
+#else
+  return false;
 #endif
+}
 
 // Calls `f` where so many threads may take part in loops, this one among them; `0` stands for as
 // many as there are cores.
 template <typename F>
-void with_threads([[maybe_unused]] const std::size_t number,
-                  [[maybe_unused]] Solver_visitor* const visitor,
-                  const F& f)
+void with_threads([[maybe_unused]] const std::size_t number, const F& f)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   constexpr std::size_t most = 1 << 16;
@@ -68,7 +43,6 @@ void with_threads([[maybe_unused]] const std::size_t number,
     reject("the number of threads is " + std::to_string(number) + ", above " +
            std::to_string(most));
   tbb::task_arena arena(number == 0 ? tbb::task_arena::automatic : static_cast<int>(number));
-  const Visitor_for_helpers visitor_for_helpers(arena, visitor);
   arena.execute(f);
 #else
   f();
