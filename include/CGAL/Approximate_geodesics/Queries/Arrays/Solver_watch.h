@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -77,7 +78,7 @@ public:
   // of pieces of work that take longer than a look at the clock
   void set_progress(const std::size_t number_done, const std::size_t number)
   {
-    m_number_done = number_done;
+    m_number_done = (std::min)(number_done, number); // nodes may count more than once
     m_number = number;
   }
 
