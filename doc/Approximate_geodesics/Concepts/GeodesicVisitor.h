@@ -12,6 +12,10 @@ once. For each group, `on_settled()` is called for each of its vertices, then `o
 then `go_further()` once. `go_further()` is not called when all targets are settled, nor after the
 last group, when the search is complete.
 
+A model that need not know the vertices can have a member `static constexpr bool is_told_of_nodes`
+that is `false`: `on_settled()` is not called then, which spares the search sorting each group, and
+a vertex may count as settled more than once.
+
 All calls come from the thread that runs the search. The functions must not run or change the object
 that calls them, and must not rely on what it answers before the run has ended. They may throw an
 exception: the run ends, and the exception leaves the function that started it.

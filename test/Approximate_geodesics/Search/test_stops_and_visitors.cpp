@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -241,6 +242,42 @@ TEST(Visitor, may_leave_out_what_it_does_not_need)
   search.search().run(search.seeds({Vertex(0)}), {}, Settled_counter()); // a temporary one
   search.search().run(search.seeds({}), {}, counter);
   EXPECT_EQ(counter.count, 25u); // there was nothing to see
+}
+
+struct Progress_counter : Settled_counter
+{
+  static constexpr bool is_told_of_nodes = false;
+
+  void on_progress(const std::size_t number_settled, const std::size_t number)
+  {
+    EXPECT_GE(number_settled, largest);
+    EXPECT_EQ(number, 2500u);
+    largest = number_settled;
+  }
+
+  bool go_further() { return largest < stop_at; }
+
+  std::size_t largest = 0;
+  std::size_t stop_at = (std::numeric_limits<std::size_t>::max)();
+};
+
+TEST(Visitor, need_not_be_told_of_nodes)
+{
+  const Mesh mesh = to_mesh(flat_grid(50, 50));
+  Mesh_search search(mesh);
+  search.search().run(search.seeds({Vertex(0)}));
+  const Field full = search.field();
+  Progress_counter counter;
+  search.search().run(search.seeds({Vertex(0)}), {}, counter);
+  EXPECT_EQ(counter.count, 0u);
+  EXPECT_GE(counter.largest, 2500u);
+  EXPECT_EQ(search.field().distance, full.distance);
+
+  counter.largest = 0;
+  counter.stop_at = 100;
+  search.search().run(search.seeds({Vertex(0)}), {}, counter);
+  expect_part_of(search.field(), full);
+  EXPECT_LT(search.search().reached_nodes().size(), 2500u);
 }
 
 } // namespace

@@ -132,7 +132,7 @@ void expect_identities(Mesh_search& search, const bool is_complete)
   if(is_complete)
   {
     EXPECT_LE(s.pops, s.improvements + 1); // what was entered came out; the source was, too
-    if(queue.comparisons == 0) // or keys were lowered in place
+    if(queue.comparisons == 0)             // or keys were lowered in place
     {
       EXPECT_EQ(s.pops, s.improvements + 1);
     }

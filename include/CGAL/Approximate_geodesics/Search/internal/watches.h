@@ -11,6 +11,8 @@
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
+#include <boost/type_traits/is_detected.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
@@ -64,6 +66,14 @@ private:
 template <typename Visitor>
 constexpr bool is_idle_visitor = std::is_same_v<std::decay_t<Visitor>, Geodesic_visitor_base>;
 
+template <typename Visitor>
+using Is_told_of_nodes = std::bool_constant<std::decay_t<Visitor>::is_told_of_nodes>;
+
+// Whether a visitor is told of nodes, which have to be sorted for that.
+template <typename Visitor>
+constexpr bool is_told_of_nodes =
+    boost::detected_or_t<std::true_type, Is_told_of_nodes, Visitor>::value;
+
 // Tells a visitor which nodes are settled, as soon as they are final, and ends a run when its goal
 // is met or the visitor wishes so.
 template <typename Graph, typename Goal, typename Visitor>
@@ -90,8 +100,17 @@ public:
   void finish() { settle(m_labels.order().size()); }
 
 private:
-  // Settles the nodes of the order up to `end`: by distance, and each of them once.
   void settle(const std::size_t end)
+  {
+    if constexpr(is_told_of_nodes<Visitor>)
+      tell_nodes(end);
+    else
+      m_number_settled = end;
+    m_visitor.on_progress(m_number_settled, m_labels.number_of_nodes());
+  }
+
+  // Settles the nodes of the order up to `end`: by distance, and each of them once.
+  void tell_nodes(const std::size_t end)
   {
     auto& order = m_labels.order();
     const auto position = [&](const std::size_t i) {
@@ -110,7 +129,6 @@ private:
       const Node node = order[m_number_settled++];
       m_visitor.on_settled(node, m_labels.distance(node) * m_graph.unit());
     }
-    m_visitor.on_progress(m_number_settled, m_labels.number_of_nodes());
   }
 
   const Graph& m_graph;

@@ -1,0 +1,498 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_point.h>
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/gradient.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Any_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_costs.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_mesh.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_file.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/make_solver_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/with_threads.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * What a `Solver` is told beside the mesh. Arrays are read by its constructor only.
+ */
+struct Solver_options
+{
+  /// the error bound: paths are at most `1 + epsilon` times as long as the shortest ones. `0` asks
+  /// for exact ones. Without it, paths run along edges, and there is no bound.
+  std::optional<double> epsilon = std::nullopt;
+
+  /// the cost of a unit of length in each face: not negative; infinity forbids a face.
+  const double* face_weights = nullptr;
+
+  /// edges that paths must not cross: two vertices each.
+  const std::int64_t* barriers = nullptr;
+
+  /// the number of barriers.
+  std::size_t number_of_barriers = 0;
+
+  /// how many threads build the graph and compute matrices; `0` stands for one per core. Without
+  /// TBB, there is one.
+  std::size_t number_of_threads = 0;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * How far the rows of a matrix go.
+ */
+struct Solver_row_options
+{
+  /// the points that the columns belong to; all vertices if there is no list.
+  const std::vector<Solver_point>* targets = nullptr;
+
+  /// columns that are farther are not reached.
+  double maximum_distance = std::numeric_limits<double>::infinity();
+
+  /// the number of threads; `0` stands for that of the solver.
+  std::size_t number_of_threads = 0;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * Distances and paths on a mesh that is given by plain arrays, for programs without mesh types, and
+ * for bindings to other languages: the class `Surface_mesh_shortest_path` and the functions of the
+ * package behind one type, which does not depend on the graph that is chosen when a program runs.
+ *
+ * Vertices and faces have the numbers of their places in the arrays. All member functions that are
+ * `const` can be called by several threads at the same time, each of which gets a workspace.
+ *
+ * All of them throw `std::invalid_argument` with a message that names what is wrong with the input,
+ * as "face 17 has vertex 99", and `Solver_interrupted` if the watch ends them.
+ */
+class Solver
+{
+  using Mesh = internal::Array_mesh;
+  using Vertex_index_map = decltype(get(boost::vertex_index, std::declval<const Mesh&>()));
+  using Translation = Mesh_translation<Mesh, Vertex_index_map>;
+  using Values_of_vertices = boost::iterator_property_map<const double*, Vertex_index_map>;
+
+public:
+  /// \name Creation
+  /// @{
+
+  /*!
+   * reads a mesh, and builds the graph.
+   *
+   * \tparam Integer an integer type
+   *
+   * \param coordinates the coordinates of the vertices, three each
+   * \param number_of_vertices their number
+   * \param corners the vertices of the faces, three each, counterclockwise seen from one side of
+   *        the surface
+   * \param number_of_faces their number
+   * \param options the bound, costs, and threads
+   *
+   * \throws std::invalid_argument if a coordinate is not finite, a vertex of a face does not exist
+   *         or occurs in it twice, an edge has more than two faces, or two of different
+   *         orientation, or the faces of a vertex are in several groups that only touch in it.
+   */
+  template <typename Integer>
+  Solver(const double* const coordinates,
+         const std::size_t number_of_vertices,
+         const Integer* const corners,
+         const std::size_t number_of_faces,
+         const Solver_options& options = Solver_options())
+    : m_costs(m_mesh)
+  {
+    build(coordinates, number_of_vertices, corners, number_of_faces, options, nullptr);
+  }
+
+  /// reads from a binary stream what `save()` has written there.
+  /// \throws std::invalid_argument if the stream holds something else, or is damaged.
+  explicit Solver(std::istream& in, const std::size_t number_of_threads = 0) : m_costs(m_mesh)
+  {
+    internal::Solver_file file;
+    file.read(in);
+    Solver_options options{file.epsilon, nullptr, nullptr, 0, number_of_threads};
+    if(file.weights)
+      options.face_weights = file.weights->data();
+    if(file.barriers)
+    {
+      options.barriers = file.barriers->data();
+      options.number_of_barriers = file.barriers->size() / 2;
+    }
+    if(file.coordinates.size() % 3 != 0 || file.corners.size() % 3 != 0 ||
+       (file.weights && file.weights->size() != file.corners.size() / 3))
+      internal::reject("the file of the solver has arrays whose sizes do not fit each other");
+    build(file.coordinates.data(), file.coordinates.size() / 3, file.corners.data(),
+          file.corners.size() / 3, options, &in);
+  }
+
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+
+  /// writes the mesh, the parameters, and a graph that takes long to build, to a binary stream.
+  /// \throws std::runtime_error if `out` does not take it.
+  void save(std::ostream& out) const
+  {
+    internal::Solver_file(m_mesh, m_costs, m_epsilon).write(out);
+    m_graph->save(out);
+  }
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns the number of vertices.
+  std::size_t number_of_vertices() const { return m_mesh.number_of_vertices(); }
+
+  /// returns the number of faces.
+  std::size_t number_of_faces() const { return m_mesh.number_of_faces(); }
+
+  /// returns the bound that was asked for, if any.
+  std::optional<double> epsilon() const { return m_epsilon; }
+
+  /// returns the bound that holds: infinity along edges, and where face weights do not allow one.
+  double error_bound() const { return m_graph->error_bound(); }
+
+  /// returns whether faces have weights.
+  bool has_face_weights() const { return m_costs.has_weights(); }
+
+  /// returns whether any edges are barriers.
+  bool has_barriers() const { return m_costs.has_barriers(); }
+
+  /// returns the number of threads that matrices are computed by; `0` stands for one per core.
+  std::size_t number_of_threads() const { return m_number_of_threads; }
+
+  /// returns the number of bytes of the graph and of the workspaces that are not in use; the mesh
+  /// takes about 100 more per vertex.
+  std::size_t memory() const { return m_graph->memory(); }
+
+  /// writes the coordinates of the vertices, three each.
+  void write_coordinates(double* coordinates) const
+  {
+    for(const auto v : m_mesh.vertices())
+      coordinates = write(m_mesh.point(v), coordinates);
+  }
+
+  /// writes the vertices of the faces, three each.
+  void write_corners(std::int64_t* corners) const
+  {
+    for(const auto f : m_mesh.faces())
+      for(const auto h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
+        *corners++ = m_mesh.source(h);
+  }
+
+  /// @}
+
+  /// \name Distances and Paths
+  /// @{
+
+  /*!
+   * finds the distance of each vertex from the nearest source.
+   *
+   * \param sources the sources
+   * \param distances receives as many numbers as there are vertices, infinity where no source
+   *        reaches
+   * \param nearest_sources receives the positions of the nearest sources, or `-1`, unless it is
+   * null \param maximum_distance vertices that are farther are not reached \param watch is called
+   * during the run
+   */
+  void find_distances(const std::vector<Solver_point>& sources,
+                      double* const distances,
+                      std::int64_t* const nearest_sources = nullptr,
+                      const double maximum_distance = std::numeric_limits<double>::infinity(),
+                      const Solver_watch& watch = Solver_watch()) const
+  {
+    internal::Solver_visitor visitor(watch);
+    std::vector<Source_point> seeds;
+    for(const Intrinsic_point& p : intrinsic_points(sources, "source"))
+      seeds.push_back({p});
+    m_graph->find_distances(std::move(seeds), maximum_distance, distances, nearest_sources,
+                            visitor);
+  }
+
+  /*!
+   * appends the points of a shortest path from `source` to `target` to `coordinates`, three numbers
+   * each, and returns its length: infinity, and no points, if there is none.
+   *
+   * \param source where the path starts
+   * \param target where it ends
+   * \param straighten whether it is made a locally shortest one; not with face weights
+   * \param coordinates receives the points
+   * \param watch is called during an exact search; others end soon
+   */
+  double find_path(const Solver_point& source,
+                   const Solver_point& target,
+                   const bool straighten,
+                   std::vector<double>& coordinates,
+                   const Solver_watch& watch = Solver_watch()) const
+  {
+    internal::Solver_visitor visitor(watch);
+    Path path = m_graph->find_path(intrinsic_point(source, "source"),
+                                   intrinsic_point(target, "target"), positions(), visitor);
+    if(path.points.empty())
+      return std::numeric_limits<double>::infinity();
+    internal::straighten_if_wanted(m_graph->triangulation(), parameters::straighten(straighten),
+                                   path);
+    std::size_t size = coordinates.size();
+    coordinates.resize(size + 3 * path.points.size());
+    for(auto p = path.points.rbegin(); p != path.points.rend(); ++p, size += 3)
+      write(m_translation->point(*p, m_mesh.points(), Simple_cartesian<double>()),
+            coordinates.data() + size);
+    return path.length;
+  }
+
+  /// @}
+
+  /// \name Matrices
+  /// A row per source, and a column per target.
+  /// @{
+
+  /// writes all distances, row by row; infinity where a target is not reached.
+  void compute_matrix(double* const distances,
+                      const std::vector<Solver_point>& sources,
+                      const Solver_row_options& options = Solver_row_options(),
+                      const Solver_watch& watch = Solver_watch()) const
+  {
+    internal::Rows_in_place rows(distances);
+    compute_rows(rows, sources, options, watch);
+  }
+
+  /// finds the distances up to the maximum distance.
+  void compute_matrix(Radius_rows<double>& rows,
+                      const std::vector<Solver_point>& sources,
+                      const Solver_row_options& options = Solver_row_options(),
+                      const Solver_watch& watch = Solver_watch()) const
+  {
+    compute_rows(rows, sources, options, watch);
+  }
+
+  /// finds the smallest distances of each row.
+  void compute_matrix(Nearest_rows<double>& rows,
+                      const std::vector<Solver_point>& sources,
+                      const Solver_row_options& options = Solver_row_options(),
+                      const Solver_watch& watch = Solver_watch()) const
+  {
+    compute_rows(rows, sources, options, watch);
+  }
+
+  /// @}
+
+  /// \name What Follows from Distances
+  /// @{
+
+  /// writes the position of the nearest source of each face, as `voronoi_partition()` does, or
+  /// `-1`.
+  void find_voronoi_partition(const std::vector<Solver_point>& sources,
+                              std::int64_t* nearest_sources,
+                              const Solver_watch& watch = Solver_watch()) const
+  {
+    std::vector<double> distances(number_of_vertices());
+    std::vector<std::int64_t> nearest(number_of_vertices());
+    find_distances(sources, distances.data(), nearest.data(),
+                   std::numeric_limits<double>::infinity(), watch);
+    for(const auto f : m_mesh.faces())
+    {
+      std::array<internal::Corner_source, 3> corners;
+      std::size_t i = 0;
+      for(const auto v : vertices_around_face(m_mesh.halfedge(f), m_mesh))
+        corners[i++] = {distances[v], static_cast<std::size_t>(nearest[v])};
+      *nearest_sources++ = static_cast<std::int64_t>(internal::source_of_face(corners));
+    }
+  }
+
+  /// appends vertices that are spread evenly, as `farthest_point_sampling()` chooses them, to
+  /// `vertices`, and returns the greatest distance of a vertex from them and the sources.
+  /// \param number how many vertices are chosen at most
+  /// \param sources vertices to keep away from
+  /// \param vertices receives the vertices
+  /// \param watch is called between any two of them
+  double find_farthest_vertices(const std::size_t number,
+                                const std::vector<Solver_point>& sources,
+                                std::vector<std::int64_t>& vertices,
+                                const Solver_watch& watch = Solver_watch()) const
+  {
+    const auto points = intrinsic_points(sources, "source");
+    for(std::size_t i = 0; i < points.size(); ++i)
+      if(!points[i].is_vertex())
+        internal::reject("source " + std::to_string(i) + " is not a vertex");
+    internal::Solver_visitor visitor(watch);
+    return m_graph->find_farthest_vertices(points, number, vertices, visitor);
+  }
+
+  /// writes the gradient of a function that has these values at the vertices: three numbers per
+  /// face, as `gradient()` computes them.
+  void find_gradient(const double* const values, double* gradients) const
+  {
+    std::vector<Simple_cartesian<double>::Vector_3> vectors(number_of_faces());
+    gradient(m_mesh, Values_of_vertices(values, get(boost::vertex_index, m_mesh)),
+             boost::make_iterator_property_map(vectors.begin(), get(boost::face_index, m_mesh)));
+    for(const auto& vector : vectors)
+      gradients = write(vector, gradients);
+  }
+
+  /// returns the polylines where such a function has the value `level`, as `isolines()` does: three
+  /// numbers per point.
+  std::vector<std::vector<double>> find_isolines(const double* const values,
+                                                 const double level) const
+  {
+    std::vector<std::vector<Mesh::Point>> polylines;
+    isolines(m_mesh, Values_of_vertices(values, get(boost::vertex_index, m_mesh)),
+             std::array<double, 1>{level}, std::back_inserter(polylines));
+    std::vector<std::vector<double>> result;
+    for(const auto& polyline : polylines)
+    {
+      std::vector<double>& coordinates = result.emplace_back(3 * polyline.size());
+      double* next = coordinates.data();
+      for(const auto& point : polyline)
+        next = write(point, next);
+    }
+    return result;
+  }
+
+  /// @}
+
+private:
+  template <typename Integer>
+  void build(const double* const coordinates,
+             const std::size_t number_of_vertices,
+             const Integer* const corners,
+             const std::size_t number_of_faces,
+             const Solver_options& options,
+             std::istream* const saved_graph)
+  {
+    m_epsilon = options.epsilon;
+    m_number_of_threads = options.number_of_threads;
+    if(m_epsilon && !(*m_epsilon >= 0 && std::isfinite(*m_epsilon)))
+      internal::reject("epsilon is " + internal::text_of(*m_epsilon) +
+                       "; it must be a finite number that is not negative");
+    internal::Array_mesh_builder(m_mesh).build(coordinates, number_of_vertices, corners,
+                                               number_of_faces);
+    if(options.face_weights != nullptr)
+      m_costs.set_weights(options.face_weights);
+    if(options.number_of_barriers > 0)
+      m_costs.set_barriers(options.barriers, options.number_of_barriers);
+    internal::with_threads(m_number_of_threads, [&] {
+      m_graph = internal::make_solver_graph(m_costs.triangulation(), m_epsilon, saved_graph);
+    });
+    m_translation.emplace(m_mesh, get(boost::vertex_index, std::as_const(m_mesh)),
+                          m_graph->triangulation());
+    m_translation->list_vertices();
+  }
+
+  template <typename Rows>
+  void compute_rows(Rows& rows,
+                    const std::vector<Solver_point>& sources,
+                    const Solver_row_options& options,
+                    const Solver_watch& watch) const
+  {
+    internal::Solver_visitor visitor(watch);
+    internal::Any_rows any_rows(rows);
+    const auto rows_of = intrinsic_points(sources, "source");
+    std::optional<std::vector<Intrinsic_point>> columns;
+    if(options.targets != nullptr)
+      columns = intrinsic_points(*options.targets, "target");
+    const std::size_t threads =
+        options.number_of_threads > 0 ? options.number_of_threads : m_number_of_threads;
+    internal::with_threads(threads, [&] {
+      m_graph->compute_rows(any_rows, rows_of, columns ? &*columns : nullptr,
+                            options.maximum_distance, visitor);
+    });
+  }
+
+  // Points
+
+  std::vector<Intrinsic_point> intrinsic_points(const std::vector<Solver_point>& points,
+                                                const std::string& kind) const
+  {
+    std::vector<Intrinsic_point> result;
+    result.reserve(points.size());
+    for(const Solver_point& p : points)
+      result.push_back(intrinsic_point(p, kind, result.size()));
+    return result;
+  }
+
+  Intrinsic_point intrinsic_point(const Solver_point& p,
+                                  const std::string& kind,
+                                  const std::optional<std::size_t> number = std::nullopt) const
+  {
+    const std::string name = number ? kind + ' ' + std::to_string(*number) : kind;
+    const auto check = [&](const std::string& element, const std::size_t size) {
+      if(static_cast<std::uint64_t>(p.element) >= size) // so is a negative one
+        internal::reject(name + " is " + element + ' ' + std::to_string(p.element) +
+                         "; they are numbered from 0, and there are " + std::to_string(size));
+      return static_cast<Mesh::size_type>(p.element);
+    };
+    if(p.is_vertex)
+      return m_translation->intrinsic_point(
+          Mesh::Vertex_index(check("vertex", number_of_vertices())));
+    return m_translation->intrinsic_point(Mesh::Face_index(check("face", number_of_faces())),
+                                          p.coordinates);
+  }
+
+  // Of use to straight searches only, which are those for paths.
+  const Vertex_positions& positions() const
+  {
+    std::call_once(m_has_positions, [this] {
+      m_positions = Vertex_positions(m_graph->triangulation(),
+                                     m_translation->position_of_vertex(m_mesh.points()));
+    });
+    return m_positions;
+  }
+
+  template <typename Vector>
+  static double* write(const Vector& v, double* const numbers)
+  {
+    for(int i = 0; i < 3; ++i)
+      numbers[i] = v[i];
+    return numbers + 3;
+  }
+
+  Mesh m_mesh;
+  internal::Array_costs m_costs;
+  std::optional<double> m_epsilon;
+  std::size_t m_number_of_threads = 0;
+  std::unique_ptr<internal::Solver_graph> m_graph;
+  std::optional<Translation> m_translation;
+  mutable std::once_flag m_has_positions;
+  mutable Vertex_positions m_positions;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_ANY_ROWS_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_ANY_ROWS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <variant>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Writes dense rows to memory of the caller.
+class Rows_in_place
+{
+public:
+  explicit Rows_in_place(double* const distances) : m_distances(distances) {}
+
+  void start(const Distance_matrix_plan& /* plan */) {}
+
+  template <typename Block>
+  void collect(Block& /* block */, const std::size_t row, const Distance_row& distances) const
+  {
+    std::copy(distances.begin(), distances.end(), m_distances + row * distances.size());
+  }
+
+  template <typename Block>
+  void add(std::size_t /* number */, Block& /* block */)
+  {
+  }
+
+  bool finish(const bool is_done) const { return is_done; }
+
+private:
+  double* m_distances;
+};
+
+/*
+ * A sink that is one of several: so the computation is compiled once per graph, and not once per
+ * sink of each graph.
+ */
+class Any_rows
+{
+public:
+  using Block = Sparse_block<double>;
+
+  // The sinks are referred to, not copied.
+  explicit Any_rows(Rows_in_place& rows) : m_rows(&rows) {}
+  explicit Any_rows(Radius_rows<double>& rows) : m_rows(&rows) {}
+  explicit Any_rows(Nearest_rows<double>& rows)
+    : m_rows(&rows), m_number_of_nearest(rows.number_of_nearest())
+  {
+  }
+
+  std::size_t number_of_nearest() const { return m_number_of_nearest; }
+
+  void start(const Distance_matrix_plan& plan)
+  {
+    std::visit([&](auto* const rows) { rows->start(plan); }, m_rows);
+  }
+
+  void collect(Block& block, const std::size_t row, const Distance_row& distances)
+  {
+    std::visit([&](auto* const rows) { rows->collect(block, row, distances); }, m_rows);
+  }
+
+  void add(const std::size_t number, Block& block)
+  {
+    std::visit([&](auto* const rows) { rows->add(number, block); }, m_rows);
+  }
+
+  bool finish(const bool is_done)
+  {
+    return std::visit([&](auto* const rows) { return rows->finish(is_done); }, m_rows);
+  }
+
+private:
+  std::variant<Rows_in_place*, Radius_rows<double>*, Nearest_rows<double>*> m_rows;
+  std::size_t m_number_of_nearest = 0;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_ANY_ROWS_H

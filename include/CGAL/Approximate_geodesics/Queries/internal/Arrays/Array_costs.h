@@ -1,0 +1,103 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_ARRAY_COSTS_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_ARRAY_COSTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_mesh.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * Weights of faces and barriers of a mesh of arrays, as property maps of it.
+ */
+class Array_costs
+{
+  using Vertex = Array_mesh::Vertex_index;
+  using Edge = Array_mesh::Edge_index;
+  using Face = Array_mesh::Face_index;
+
+public:
+  // The mesh is referred to.
+  explicit Array_costs(Array_mesh& mesh) : m_mesh(mesh) {}
+
+  void set_weights(const double* const weights)
+  {
+    m_weights = m_mesh.add_property_map<Face, double>("f:weight").first;
+    for(const Face f : m_mesh.faces())
+    {
+      const double weight = weights[static_cast<std::size_t>(f)];
+      if(!(weight >= 0))
+        reject("face " + std::to_string(static_cast<std::size_t>(f)) + " has weight " +
+               text_of(weight) + "; it must be a number that is not negative, or infinity");
+      (*m_weights)[f] = weight;
+    }
+  }
+
+  // Barriers are given by the vertices at their ends.
+  void set_barriers(const std::int64_t* const ends, const std::size_t number)
+  {
+    m_barriers = m_mesh.add_property_map<Edge, bool>("e:is_barrier", false).first;
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      const auto h = m_mesh.halfedge(end(ends[2 * i], i), end(ends[2 * i + 1], i));
+      if(h == Array_mesh::null_halfedge())
+        reject("barrier " + std::to_string(i) + " is not an edge: no face has both vertex " +
+               std::to_string(ends[2 * i]) + " and vertex " + std::to_string(ends[2 * i + 1]));
+      (*m_barriers)[m_mesh.edge(h)] = true;
+    }
+  }
+
+  bool has_weights() const { return m_weights.has_value(); }
+  bool has_barriers() const { return m_barriers.has_value(); }
+  double weight(const Face f) const { return (*m_weights)[f]; }
+  bool is_barrier(const Edge e) const { return (*m_barriers)[e]; }
+
+  Intrinsic_triangulation triangulation() const
+  {
+    const Array_mesh& mesh = m_mesh;
+    if(m_weights && m_barriers)
+      return Intrinsic_triangulation(
+          mesh, parameters::face_weight_map(*m_weights).edge_is_constrained_map(*m_barriers));
+    if(m_weights)
+      return Intrinsic_triangulation(mesh, parameters::face_weight_map(*m_weights));
+    if(m_barriers)
+      return Intrinsic_triangulation(mesh, parameters::edge_is_constrained_map(*m_barriers));
+    return Intrinsic_triangulation(mesh);
+  }
+
+private:
+  Vertex end(const std::int64_t vertex, const std::size_t barrier) const
+  {
+    if(static_cast<std::uint64_t>(vertex) >= m_mesh.number_of_vertices())
+      reject("barrier " + std::to_string(barrier) + " has vertex " + std::to_string(vertex) +
+             "; the vertices are numbered from 0, and there are " +
+             std::to_string(m_mesh.number_of_vertices()));
+    return Vertex(static_cast<Array_mesh::size_type>(vertex));
+  }
+
+  Array_mesh& m_mesh;
+  std::optional<Array_mesh::Property_map<Face, double>> m_weights;
+  std::optional<Array_mesh::Property_map<Edge, bool>> m_barriers;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_ARRAY_COSTS_H

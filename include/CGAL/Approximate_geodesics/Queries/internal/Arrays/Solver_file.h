@@ -1,0 +1,140 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_FILE_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_FILE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_costs.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_mesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * What a solver is made from, in a file: the arrays, and the parameters.
+ */
+struct Solver_file
+{
+  std::vector<double> coordinates;
+  std::vector<std::uint32_t> corners;
+  std::optional<double> epsilon;
+  std::optional<std::vector<double>> weights;
+  std::optional<std::vector<std::int64_t>> barriers;
+
+  static constexpr std::uint64_t SIGNATURE = 0x0a1a0d56534c4741; // AGLSV, and what text modes spoil
+  static constexpr std::uint32_t VERSION = 1;
+  static constexpr const char* CONTENTS = "the solver"; // in messages
+
+  Solver_file() = default;
+
+  Solver_file(const Array_mesh& mesh, const Array_costs& costs, const std::optional<double> bound)
+    : epsilon(bound)
+  {
+    for(const auto v : mesh.vertices())
+      for(int i = 0; i < 3; ++i)
+        coordinates.push_back(mesh.point(v)[i]);
+    for(const auto f : mesh.faces())
+      for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+        corners.push_back(mesh.source(h));
+    if(costs.has_weights())
+      for(const auto f : mesh.faces())
+        some(weights).push_back(costs.weight(f));
+    if(costs.has_barriers())
+      for(const auto e : mesh.edges())
+        if(costs.is_barrier(e))
+          for(const unsigned i : {0u, 1u})
+            some(barriers).push_back(mesh.vertex(e, i));
+  }
+
+  void write(std::ostream& out) const
+  {
+    Binary_writer writer(out, CONTENTS);
+    writer.write(SIGNATURE);
+    writer.write(VERSION);
+    write(writer, coordinates);
+    write(writer, corners);
+    writer.write(static_cast<std::uint8_t>(epsilon.has_value()));
+    writer.write(epsilon.value_or(0));
+    write(writer, weights);
+    write(writer, barriers);
+    writer.finish();
+  }
+
+  void read(std::istream& in)
+  {
+    Binary_reader reader(in, CONTENTS);
+    if(reader.read<std::uint64_t>() != SIGNATURE)
+      reject("the file is not that of a solver");
+    const auto version = reader.read<std::uint32_t>();
+    if(version != VERSION)
+      reject("the file of the solver has version " + std::to_string(version) +
+             "; this program reads version " + std::to_string(VERSION));
+    read(reader, coordinates);
+    read(reader, corners);
+    const bool has_epsilon = reader.read<std::uint8_t>() != 0;
+    const auto bound = reader.read<double>();
+    if(has_epsilon)
+      epsilon = bound;
+    read(reader, weights);
+    read(reader, barriers);
+    reader.finish();
+  }
+
+private:
+  template <typename T>
+  static T& some(std::optional<T>& value)
+  {
+    return value ? *value : value.emplace();
+  }
+
+  template <typename T>
+  static void write(Binary_writer& writer, const std::vector<T>& values)
+  {
+    writer.write(static_cast<std::uint64_t>(values.size()));
+    for(const T value : values)
+      writer.write(value);
+  }
+
+  template <typename T>
+  static void write(Binary_writer& writer, const std::optional<std::vector<T>>& values)
+  {
+    writer.write(static_cast<std::uint8_t>(values.has_value()));
+    if(values)
+      write(writer, *values);
+  }
+
+  // Nothing is reserved: a damaged number must not exhaust memory.
+  template <typename T>
+  static void read(Binary_reader& reader, std::vector<T>& values)
+  {
+    for(auto left = reader.read<std::uint64_t>(); left > 0; --left)
+      values.push_back(reader.read<T>());
+  }
+
+  template <typename T>
+  static void read(Binary_reader& reader, std::optional<std::vector<T>>& values)
+  {
+    if(reader.read<std::uint8_t>() != 0)
+      read(reader, values.emplace());
+  }
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_FILE_H

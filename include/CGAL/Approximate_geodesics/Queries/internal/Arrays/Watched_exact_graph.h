@@ -1,0 +1,48 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_WATCHED_EXACT_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_WATCHED_EXACT_GRAPH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/with_threads.h>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The graph of exact distances, whose searches can end amid the arcs of a node: on a convex
+ * surface, where no path bends, all arcs are those of the source, and finding them is the whole
+ * search.
+ */
+class Watched_exact_graph : public Saddle_vertex_graph
+{
+public:
+  using Saddle_vertex_graph::Saddle_vertex_graph;
+
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    constexpr unsigned arcs_between_looks = 256;
+    Solver_visitor* const visitor = Solver_visitor::of_this_thread(); // helpers have none
+    unsigned number = 0;
+    Saddle_vertex_graph::for_each_arc(node, labels, [&](const auto&... arc) {
+      if(++number % arcs_between_looks == 0 &&
+         (visitor != nullptr ? !visitor->look() : is_loop_canceled()))
+        throw Solver_interrupted();
+      f(arc...);
+    });
+  }
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_WATCHED_EXACT_GRAPH_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_MAKE_SOLVER_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_MAKE_SOLVER_GRAPH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_graph_of.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Watched_exact_graph.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <istream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+template <typename Graph>
+std::unique_ptr<Solver_graph> solver_graph(Graph graph)
+{
+  return std::make_unique<Solver_graph_of<Graph>>(std::move(graph));
+}
+
+// A graph of faces that differ in what they cost, or of edges that are barriers.
+inline std::unique_ptr<Solver_graph> make_graph_of_costs(Intrinsic_triangulation triangulation,
+                                                         const std::optional<double> epsilon)
+{
+  if(!epsilon)
+    return solver_graph(
+        Steiner_graph<Fixed_number_of_points>(std::move(triangulation), Fixed_number_of_points(0)));
+  if(*epsilon == 0)
+    reject("epsilon is 0, but there are no exact distances with face weights or barriers; give a "
+           "number above 0");
+  return solver_graph(
+      Steiner_graph<Geometric_points>(std::move(triangulation), Geometric_points(*epsilon)));
+}
+
+// The graph for a bound: along edges if there is none. A graph that was saved is read.
+inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation triangulation,
+                                                       const std::optional<double> epsilon,
+                                                       std::istream* const saved)
+{
+  if(triangulation.has_weights() || triangulation.has_barriers())
+    return make_graph_of_costs(std::move(triangulation), epsilon);
+  if(!epsilon)
+    return solver_graph(Edge_graph(std::move(triangulation)));
+  if(*epsilon == 0)
+    return solver_graph(Watched_exact_graph(std::move(triangulation)));
+  if(saved != nullptr)
+    return solver_graph(Discrete_geodesic_graph::load(*saved, std::move(triangulation)));
+  return solver_graph(Discrete_geodesic_graph(
+      std::move(triangulation),
+      parameters::epsilon(*epsilon).concurrency_tag(Parallel_if_available_tag())));
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_MAKE_SOLVER_GRAPH_H

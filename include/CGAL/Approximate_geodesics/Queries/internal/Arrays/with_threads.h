@@ -1,0 +1,56 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_WITH_THREADS_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_WITH_THREADS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+#endif
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Whether a thread that works on the same loop as this one has thrown an exception.
+inline bool is_loop_canceled()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return tbb::is_current_task_group_canceling();
+#else
+  return false;
+#endif
+}
+
+// Calls `f` where so many threads may take part in loops, this one among them; `0` stands for as
+// many as there are cores.
+template <typename F>
+void with_threads([[maybe_unused]] const std::size_t number, const F& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  constexpr std::size_t most = 1 << 16;
+  if(number > most)
+    reject("the number of threads is " + std::to_string(number) + ", above " +
+           std::to_string(most));
+  tbb::task_arena arena(number == 0 ? tbb::task_arena::automatic : static_cast<int>(number));
+  arena.execute(f);
+#else
+  f();
+#endif
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_WITH_THREADS_H

@@ -1,0 +1,18 @@
+"""Shortest distances and paths along triangle meshes, on NumPy arrays.
+
+A `Solver` reads a mesh once, and answers any number of questions:
+
+>>> import approximate_geodesics as ag
+>>> solver = ag.Solver(vertices, faces, epsilon=0.1)
+>>> distances = solver.distances(0)
+
+Lengths are in the unit of the vertices. Input that cannot be right raises `ValueError`, with a
+message that names the vertex or the face.
+"""
+
+from ._drop_ins import compute_gdist, local_gdist_matrix
+from ._files import read_mesh
+from ._solver import Solver
+
+__all__ = ["Solver", "compute_gdist", "local_gdist_matrix", "read_mesh"]
+__version__ = "0.1.0"

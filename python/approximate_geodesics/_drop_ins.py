@@ -1,0 +1,109 @@
+"""The functions of gdist, with its arguments."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays
+from ._solver import Solver
+
+_INFINITY = float("inf")
+
+
+def compute_gdist(
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    source_indices: Optional[npt.ArrayLike] = None,
+    target_indices: Optional[npt.ArrayLike] = None,
+    max_distance: float = _INFINITY,
+    is_one_indexed: bool = False,
+    *,
+    epsilon: Optional[float] = 0,
+) -> _arrays.Floats:
+    """Distances from the nearest source to targets: the arguments of gdist's function, and a bound.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array of float
+    triangles : (m, 3) array of int
+    source_indices : (k,) array of int, optional
+        Vertices; by default, the first one.
+    target_indices : (l,) array of int, optional
+        Vertices; by default, all.
+    max_distance : float
+        Targets that are farther get infinity.
+    is_one_indexed : bool
+        Whether the vertices of triangles are numbered from 1. Sources and targets never are.
+    epsilon : float, optional
+        As for `Solver`: exact by default, as in gdist.
+
+    Returns
+    -------
+    (l,) array of float64
+    """
+    solver = Solver(vertices, _from_zero(triangles, is_one_indexed), epsilon)
+    sources = [0] if source_indices is None else source_indices
+    distances: _arrays.Floats = solver.distances(sources, max_distance=max_distance)
+    if target_indices is None:
+        return distances
+    targets = _arrays.integers(target_indices, "target_indices", (-1,))
+    wrong = np.flatnonzero((targets < 0) | (targets >= len(distances)))
+    if len(wrong) > 0:
+        raise ValueError(
+            f"target {wrong[0]} is vertex {targets[wrong[0]]}; they are numbered from 0, "
+            f"and there are {len(distances)}"
+        )
+    result: _arrays.Floats = distances[targets]
+    return result
+
+
+def local_gdist_matrix(
+    vertices: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    max_distance: float = _INFINITY,
+    is_one_indexed: bool = False,
+    *,
+    epsilon: Optional[float] = 0.05,
+    threads: Optional[int] = None,
+    progress: Any = None,
+) -> Any:
+    """Distances from every vertex to all within a distance: the arguments of gdist's function.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array of float
+    triangles : (m, 3) array of int
+    max_distance : float
+    is_one_indexed : bool
+        Whether the vertices of triangles are numbered from 1.
+    epsilon : float, optional
+        As for `Solver`. `0` gives the exact distances of gdist; the default takes a small part of
+        the time, and is at most 5 % too long, and less than 0.1 % on average on smooth surfaces.
+    threads : int, optional
+        One per core by default. gdist has one.
+    progress : callable, optional
+        Is told of rows.
+
+    Returns
+    -------
+    scipy.sparse.csc_matrix of shape (n, n) and type float64
+        Zeros are not stored, as in gdist; so nothing is on the diagonal.
+    """
+    import scipy.sparse
+
+    solver = Solver(vertices, _from_zero(triangles, is_one_indexed), epsilon, threads=threads)
+    rows = solver.distance_matrix(
+        np.arange(solver.number_of_vertices), max_distance=max_distance, progress=progress
+    )
+    # columns are rows: a path leads both ways
+    result = scipy.sparse.csc_matrix(rows.T, copy=False)
+    result.eliminate_zeros()
+    return result
+
+
+def _from_zero(triangles: npt.ArrayLike, is_one_indexed: bool) -> npt.NDArray[Any]:
+    result = _arrays.integers(triangles, "triangles", (-1, 3))
+    return result - 1 if is_one_indexed else result

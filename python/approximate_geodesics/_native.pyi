@@ -1,0 +1,81 @@
+from typing import Any, Callable, Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+_Floats = npt.NDArray[np.float64]
+_Integers = npt.NDArray[np.int64]
+_Progress = Optional[Callable[[int, int], object]]
+
+def read_mesh(file: str) -> Tuple[_Floats, npt.NDArray[np.int32]]: ...
+
+class Solver:
+    def __init__(
+        self,
+        vertices: _Floats,
+        faces: npt.NDArray[Any],
+        epsilon: Optional[float],
+        face_weights: Optional[_Floats],
+        barriers: Optional[_Integers],
+        threads: int,
+    ) -> None: ...
+    @staticmethod
+    def load(file: str, threads: int) -> Solver: ...
+    @staticmethod
+    def from_bytes(contents: bytes, threads: int) -> Solver: ...
+    def save(self, file: str) -> None: ...
+    def to_bytes(self) -> bytes: ...
+    def distances(
+        self,
+        elements: _Integers,
+        coordinates: Optional[_Floats],
+        maximum_distance: float,
+        wants_nearest: bool,
+        progress: _Progress,
+    ) -> Tuple[_Floats, _Integers]: ...
+    def path(
+        self,
+        elements: _Integers,
+        coordinates: Optional[_Floats],
+        target_elements: _Integers,
+        target_coordinates: Optional[_Floats],
+        straighten: bool,
+    ) -> Tuple[_Floats, float]: ...
+    def matrix(
+        self,
+        elements: _Integers,
+        coordinates: Optional[_Floats],
+        targets: Optional[Tuple[_Integers, Optional[_Floats]]],
+        maximum_distance: Optional[float],
+        k: Optional[int],
+        threads: int,
+        progress: _Progress,
+    ) -> Union[_Floats, Tuple[_Floats, npt.NDArray[np.int32], npt.NDArray[Any]]]: ...
+    def voronoi(
+        self, elements: _Integers, coordinates: Optional[_Floats], progress: _Progress
+    ) -> _Integers: ...
+    def farthest_points(
+        self, number: int, sources: _Integers, progress: _Progress
+    ) -> Tuple[_Integers, float]: ...
+    def gradient(self, values: _Floats) -> _Floats: ...
+    def isolines(self, values: _Floats, level: float) -> list[_Floats]: ...
+    @property
+    def vertices(self) -> _Floats: ...
+    @property
+    def faces(self) -> _Integers: ...
+    @property
+    def number_of_vertices(self) -> int: ...
+    @property
+    def number_of_faces(self) -> int: ...
+    @property
+    def epsilon(self) -> Optional[float]: ...
+    @property
+    def error_bound(self) -> float: ...
+    @property
+    def has_face_weights(self) -> bool: ...
+    @property
+    def has_barriers(self) -> bool: ...
+    @property
+    def threads(self) -> int: ...
+    @property
+    def memory(self) -> int: ...

@@ -1,0 +1,376 @@
+"""The class `Solver`."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Callable, Iterator, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays, _native
+
+File = Union[str, "os.PathLike[str]"]
+Progress = Callable[[int, int], object]
+
+
+class Solver:
+    """Shortest distances and paths on a triangle mesh.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array of float
+        Coordinates of the vertices. The unit of all lengths is theirs.
+    faces : (m, 3) array of int
+        Vertices of each face, counterclockwise seen from one side of the surface.
+    epsilon : float, optional
+        Paths are at most `1 + epsilon` times as long as the shortest ones; `0` asks for exact ones.
+        Without it, paths run along edges, which is the fastest, and has no bound.
+    threads : int, optional
+        How many threads build the graph and compute matrices; by default, one per core.
+    face_weights : (m,) array of float, optional
+        Cost of a unit of length in each face: not negative; infinity forbids a face. "Distance" and
+        "length" mean costs then.
+    barriers : (k, 2) array of int, optional
+        Edges that paths must not cross, by their two vertices.
+
+    Raises
+    ------
+    ValueError
+        If the input cannot be right: a vertex that is not finite, a face with a vertex that does
+        not exist, an edge with more than two faces, and so on. The message names the element.
+
+    Arrays of `float64` and of `int32` or `int64` that are contiguous are read where they are; others
+    are converted. The solver has a mesh of its own afterwards, and does not change.
+
+    A *point* is the number of a vertex, or a pair of the number of a face and its three barycentric
+    coordinates. *Points* are a sequence of either, or a pair of an array of faces, (k,), and an
+    array of barycentric coordinates, (k, 3).
+
+    Several threads can call all methods at the same time; the interpreter's lock is released while
+    they run. Ctrl-C ends a run, and the solver can be used afterwards. `progress` is called during
+    a run with two numbers: how much is done, and how much there is to do.
+    """
+
+    _solver: _native.Solver
+
+    def __init__(
+        self,
+        vertices: npt.ArrayLike,
+        faces: npt.ArrayLike,
+        epsilon: Optional[float] = None,
+        *,
+        threads: Optional[int] = None,
+        face_weights: Optional[npt.ArrayLike] = None,
+        barriers: Optional[npt.ArrayLike] = None,
+    ) -> None:
+        coordinates = _arrays.numbers(vertices, "vertices", (-1, 3))
+        corners = _arrays.integers(faces, "faces", (-1, 3))
+        weights = ends = None
+        if face_weights is not None:
+            weights = _arrays.numbers(face_weights, "face_weights", (len(corners),))
+        if barriers is not None:
+            ends = _arrays.integers(barriers, "barriers", (-1, 2)).astype(np.int64, copy=False)
+        self._solver = _native.Solver(
+            coordinates, corners, epsilon, weights, ends, _number_of_threads(threads)
+        )
+
+    @classmethod
+    def from_file(cls, file: File, epsilon: Optional[float] = None, **options: Any) -> Solver:
+        """Make a solver of the mesh in a file, which `read_mesh` reads. Options are as above."""
+        from ._files import read_mesh
+
+        return cls(*read_mesh(file), epsilon, **options)
+
+    # Distances and paths
+
+    def distances(
+        self,
+        sources: Any,
+        *,
+        return_nearest: bool = False,
+        max_distance: Optional[float] = None,
+        progress: Optional[Progress] = None,
+    ) -> Any:
+        """Distances of all vertices from the nearest source.
+
+        Parameters
+        ----------
+        sources : point or points
+        return_nearest : bool
+            Whether the nearest sources are returned, too.
+        max_distance : float, optional
+            Vertices that are farther are not reached; the run ends there.
+        progress : callable, optional
+
+        Returns
+        -------
+        (n,) array of float64
+            Infinity for vertices that no source reaches.
+        (n,) array of int64
+            The position of the nearest source among the sources, or -1; if wanted.
+        """
+        (elements, coordinates), _ = _arrays.points(sources, "source")
+        result, nearest = self._solver.distances(
+            elements, coordinates, _distance(max_distance), return_nearest, progress
+        )
+        return (result, nearest) if return_nearest else result
+
+    def path(
+        self, source: Any, target: Any, *, straighten: bool = False, return_length: bool = False
+    ) -> Any:
+        """A shortest path from one point to another.
+
+        Parameters
+        ----------
+        source, target : point
+        straighten : bool
+            Whether the path is shortened to a locally shortest one; not with face weights.
+        return_length : bool
+            Whether its length is returned, too.
+
+        Returns
+        -------
+        (k, 3) array of float64
+            The ends, the vertices on the path, and where it crosses edges; (0, 3) if there is none.
+        float
+            The length, or infinity; if wanted.
+        """
+        points, length = self._solver.path(
+            *_arrays.one_point(source, "source"), *_arrays.one_point(target, "target"), straighten
+        )
+        return (points, length) if return_length else points
+
+    # Matrices
+
+    def distance_matrix(
+        self,
+        sources: Any,
+        targets: Any = None,
+        *,
+        max_distance: Optional[float] = None,
+        k: Optional[int] = None,
+        threads: Optional[int] = None,
+        progress: Optional[Progress] = None,
+    ) -> Any:
+        """Distances from each source to each target: a row per source.
+
+        Parameters
+        ----------
+        sources : point or points
+        targets : point or points, optional
+            What the columns belong to; all vertices by default.
+        max_distance : float, optional
+            Only distances up to this one are found. The matrix is sparse.
+        k : int, optional
+            Only the k smallest distances of each row are found, the nearest first. The matrix is
+            sparse.
+        threads : int, optional
+            As many as the solver has by default. Their number changes no result.
+        progress : callable, optional
+            Is told of rows.
+
+        Returns
+        -------
+        (len(sources), len(targets)) array of float64
+            Infinity where there is no path; or a `scipy.sparse.csr_array` of the same shape, which
+            stores zeros, and nothing for what is not reached. Older SciPy has `csr_matrix` only.
+        """
+        request, _ = _arrays.points(sources, "source")
+        columns = None if targets is None else _arrays.points(targets, "target")[0]
+        if k is not None and k < 1:
+            raise ValueError(f"k is {k}; it must be at least 1")
+        limit = None if max_distance is None else _distance(max_distance)
+        number = 0 if threads is None else _number_of_threads(threads)
+        result = self._solver.matrix(*request, columns, limit, k, number, progress)
+        if not isinstance(result, tuple):
+            return result
+        width = self.number_of_vertices if columns is None else len(columns[0])
+        return _compressed_rows(result, (len(request[0]), width))
+
+    def iter_blocks(
+        self, sources: Any, targets: Any = None, *, block_size: int = 256, **options: Any
+    ) -> Iterator[tuple[slice, Any]]:
+        """The matrix by blocks of rows, for what does not fit memory, and for Dask, joblib or MPI.
+
+        Parameters are those of `distance_matrix`, and the number of rows of a block. Yields pairs
+        of a `slice` of the rows and the block, an array or a sparse array.
+        """
+        if block_size < 1:
+            raise ValueError(f"block_size is {block_size}; it must be at least 1")
+        (elements, coordinates), _ = _arrays.points(sources, "source")
+        for first in range(0, len(elements), block_size):
+            rows = slice(first, min(first + block_size, len(elements)))
+            part = elements[rows] if coordinates is None else (elements[rows], coordinates[rows])
+            yield rows, self.distance_matrix(part, targets, **options)
+
+    # What follows from distances
+
+    def voronoi(self, sources: Any, *, progress: Optional[Progress] = None) -> _arrays.Integers:
+        """The nearest source of each face: that of most of its vertices.
+
+        Returns an (m,) array of int64: positions among the sources, or -1 if none reaches the face.
+        """
+        return self._solver.voronoi(*_arrays.points(sources, "source")[0], progress)
+
+    def farthest_points(
+        self,
+        number: int,
+        sources: Any = (),
+        *,
+        return_radius: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> Any:
+        """Vertices that are spread evenly: each as far as possible from those before.
+
+        Parameters
+        ----------
+        number : int
+            How many; there are fewer if all vertices are chosen.
+        sources : vertex or vertices, optional
+            What to keep away from. Without them, the first point is vertex 0.
+        return_radius : bool
+            Whether the largest distance of any vertex from them is returned, too.
+
+        Returns
+        -------
+        (number,) array of int64
+        float
+            The covering radius, if wanted.
+        """
+        if number < 0:
+            raise ValueError(f"the number of points is {number}; it must not be negative")
+        (elements, coordinates), _ = _arrays.points(sources, "source")
+        if coordinates is not None:
+            raise ValueError("sources of farthest points must be vertices")
+        points, radius = self._solver.farthest_points(number, elements, progress)
+        return (points, radius) if return_radius else points
+
+    def gradient(self, values: npt.ArrayLike) -> _arrays.Floats:
+        """The gradient, in each face, of a function with the given values, (n,), at the vertices.
+
+        Returns an (m, 3) array of float64: zeros where a value is infinite or not a number. That of
+        a distance has a length of about 1, and points away from the source.
+        """
+        return self._solver.gradient(self._values(values))
+
+    def isolines(
+        self, values: npt.ArrayLike, levels: Union[float, npt.ArrayLike]
+    ) -> Union[list[_arrays.Floats], list[list[_arrays.Floats]]]:
+        """Lines where a function with the given values, (n,), at the vertices has a level.
+
+        Returns a list of polylines for one level, and a list of such lists for several. A polyline
+        is a (k, 3) array of float64; that of a closed one begins and ends with the same point.
+        """
+        function = self._values(values)
+        if np.ndim(levels) == 0:
+            return self._solver.isolines(function, float(levels))  # type: ignore[arg-type]
+        return [
+            self._solver.isolines(function, float(level))
+            for level in _arrays.numbers(levels, "levels", (-1,))
+        ]
+
+    # Files
+
+    def save(self, file: File) -> None:
+        """Write the mesh, the parameters, and a graph that takes long to build, to a file.
+
+        Raises `OSError` if it cannot be written.
+        """
+        self._solver.save(os.fspath(file))
+
+    @classmethod
+    def load(cls, file: File, *, threads: Optional[int] = None) -> Solver:
+        """Read what `save` has written.
+
+        Raises `OSError` if there is no such file, and `ValueError` if it is none of a solver, or
+        damaged.
+        """
+        return cls._with(_native.Solver.load(os.fspath(file), _number_of_threads(threads)))
+
+    def __getstate__(self) -> tuple[bytes, int]:
+        return self._solver.to_bytes(), self._solver.threads
+
+    def __setstate__(self, state: tuple[bytes, int]) -> None:
+        self._solver = _native.Solver.from_bytes(*state)
+
+    # Properties
+
+    @property
+    def number_of_vertices(self) -> int:
+        """The number of vertices, n."""
+        return self._solver.number_of_vertices
+
+    @property
+    def number_of_faces(self) -> int:
+        """The number of faces, m."""
+        return self._solver.number_of_faces
+
+    @property
+    def vertices(self) -> _arrays.Floats:
+        """A copy of the coordinates, (n, 3) float64."""
+        return self._solver.vertices
+
+    @property
+    def faces(self) -> _arrays.Integers:
+        """A copy of the faces, (m, 3) int64."""
+        return self._solver.faces
+
+    @property
+    def epsilon(self) -> Optional[float]:
+        """The bound that was asked for: `None` along edges, `0` for exact distances."""
+        return self._solver.epsilon
+
+    @property
+    def error_bound(self) -> float:
+        """The bound that holds: infinity along edges, and where face weights do not allow one."""
+        return self._solver.error_bound
+
+    @property
+    def memory(self) -> int:
+        """Bytes of the graph and of workspaces that are kept, beside about 100 per vertex."""
+        return self._solver.memory
+
+    def __repr__(self) -> str:
+        parts = [f"{self.number_of_vertices} vertices", f"{self.number_of_faces} faces"]
+        parts.append("along edges" if self.epsilon is None else f"epsilon={self.epsilon:g}")
+        if self._solver.has_face_weights:
+            parts.append("with face weights")
+        if self._solver.has_barriers:
+            parts.append("with barriers")
+        return f"<approximate_geodesics.Solver: {', '.join(parts)}>"
+
+    # Help
+
+    @classmethod
+    def _with(cls, native: _native.Solver) -> Solver:
+        result = cls.__new__(cls)
+        result._solver = native
+        return result
+
+    def _values(self, values: npt.ArrayLike) -> _arrays.Floats:
+        return _arrays.numbers(values, "values", (self.number_of_vertices,))
+
+
+def _number_of_threads(threads: Optional[int]) -> int:
+    if threads is None:
+        return 0  # one per core
+    if threads < 1:
+        raise ValueError(f"threads is {threads}; it must be at least 1")
+    return threads
+
+
+def _distance(max_distance: Optional[float]) -> float:
+    if max_distance is None:
+        return float("inf")
+    if not max_distance >= 0:
+        raise ValueError(f"max_distance is {max_distance}; it must not be negative")
+    return float(max_distance)
+
+
+def _compressed_rows(arrays: Any, shape: tuple[int, int]) -> Any:
+    import scipy.sparse  # only those who ask for it need SciPy
+
+    kind = getattr(scipy.sparse, "csr_array", scipy.sparse.csr_matrix)
+    result = kind(arrays, shape=shape, copy=False)
+    return result

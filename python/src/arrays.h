@@ -1,0 +1,73 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef APPROXIMATE_GEODESICS_PYTHON_ARRAYS_H
+#define APPROXIMATE_GEODESICS_PYTHON_ARRAYS_H
+
+// Between arrays of NumPy and those of C++, without copies: arguments are read where they are, and
+// results are owned by the arrays that are returned.
+
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_point.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace python {
+
+namespace py = pybind11;
+namespace AG = CGAL::Approximate_geodesics;
+
+// With `noconvert()`, only arrays of this type that are contiguous are accepted, and never copied.
+template <typename T>
+using Array = py::array_t<T, py::array::c_style>;
+
+// Hands the ownership of an object to arrays that show parts of it.
+template <typename T>
+py::capsule capsule(std::unique_ptr<T> owned)
+{
+  py::capsule result(owned.get(), [](void* const p) { delete static_cast<T*>(p); });
+  owned.release();
+  return result;
+}
+
+template <typename T>
+Array<T> moved(std::vector<T> values, std::vector<py::ssize_t> shape)
+{
+  auto owned = std::make_unique<std::vector<T>>(std::move(values));
+  const T* const data = owned->data();
+  return Array<T>(std::move(shape), data, capsule(std::move(owned)));
+}
+
+// coordinates, three in a row
+inline Array<double> moved_points(std::vector<double> coordinates)
+{
+  const auto rows = static_cast<py::ssize_t>(coordinates.size() / 3);
+  return moved(std::move(coordinates), {rows, 3});
+}
+
+// Vertices, or faces and barycentric coordinates in them.
+inline std::vector<AG::Solver_point> points(const Array<std::int64_t>& elements,
+                                            const std::optional<Array<double>>& coordinates)
+{
+  std::vector<AG::Solver_point> result;
+  result.reserve(static_cast<std::size_t>(elements.size()));
+  for(py::ssize_t i = 0; i < elements.size(); ++i)
+    if(coordinates)
+      result.push_back(AG::Solver_point::in_face(
+          elements.at(i), {coordinates->at(i, 0), coordinates->at(i, 1), coordinates->at(i, 2)}));
+    else
+      result.push_back(AG::Solver_point::at_vertex(elements.at(i)));
+  return result;
+}
+
+} // namespace python
+
+#endif // APPROXIMATE_GEODESICS_PYTHON_ARRAYS_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef APPROXIMATE_GEODESICS_PYTHON_FILES_H
+#define APPROXIMATE_GEODESICS_PYTHON_FILES_H
+
+// Solvers in files and as bytes, and meshes from files.
+
+#include "arrays.h"
+
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace python {
+
+[[noreturn]] inline void throw_error_of_file(const std::string& file)
+{
+  PyErr_SetFromErrnoWithFilename(PyExc_OSError, file.c_str());
+  throw py::error_already_set();
+}
+
+inline void save(const AG::Solver& solver, const std::string& file)
+{
+  std::ofstream out(file, std::ios::binary);
+  if(!out)
+    throw_error_of_file(file);
+  try
+  {
+    const py::gil_scoped_release unlock;
+    solver.save(out);
+  }
+  catch(const std::runtime_error&)
+  {
+    throw_error_of_file(file);
+  }
+}
+
+inline std::unique_ptr<AG::Solver> load(const std::string& file, const std::size_t threads)
+{
+  std::ifstream in(file, std::ios::binary);
+  if(!in)
+    throw_error_of_file(file);
+  const py::gil_scoped_release unlock;
+  return std::make_unique<AG::Solver>(in, threads);
+}
+
+inline py::bytes to_bytes(const AG::Solver& solver)
+{
+  std::ostringstream out(std::ios::binary);
+  solver.save(out);
+  return out.str();
+}
+
+inline std::unique_ptr<AG::Solver> from_bytes(const py::bytes& bytes, const std::size_t threads)
+{
+  std::istringstream in(std::string(bytes), std::ios::binary);
+  const py::gil_scoped_release unlock;
+  return std::make_unique<AG::Solver>(in, threads);
+}
+
+// The vertices and the faces of a mesh in one of the formats that CGAL reads.
+inline py::tuple read_mesh(const std::string& file)
+{
+  if(!std::ifstream(file))
+    throw_error_of_file(file);
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
+  std::vector<std::vector<std::size_t>> faces;
+  if(!CGAL::IO::read_polygon_soup(file, points, faces))
+    throw std::invalid_argument("no mesh could be read from " + file);
+  std::vector<double> coordinates;
+  for(const auto& p : points)
+    coordinates.insert(coordinates.end(), p.cartesian_begin(), p.cartesian_end());
+  std::vector<std::int32_t> corners;
+  for(std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if(faces[f].size() != 3)
+      throw std::invalid_argument("face " + std::to_string(f) + " of " + file + " has " +
+                                  std::to_string(faces[f].size()) + " vertices; it must have 3");
+    for(const std::size_t v : faces[f])
+      corners.push_back(static_cast<std::int32_t>(v));
+  }
+  const auto number_of_faces = static_cast<py::ssize_t>(faces.size());
+  return py::make_tuple(moved_points(std::move(coordinates)),
+                        moved(std::move(corners), {number_of_faces, 3}));
+}
+
+} // namespace python
+
+#endif // APPROXIMATE_GEODESICS_PYTHON_FILES_H

@@ -1,0 +1,231 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The module `_native`: `Solver` as it is, with arrays for pointers. What arguments can be beside
+// arrays of the right type is a matter of the package in Python, which is the only one to call
+// this.
+
+#include "arrays.h"
+#include "files.h"
+#include "matrices.h"
+#include "running.h"
+
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace python {
+
+using Numbers = Array<std::int64_t>;
+using Coordinates = std::optional<Array<double>>;
+
+template <typename Integer>
+std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
+                                        const Array<Integer>& faces,
+                                        const std::optional<double> epsilon,
+                                        const std::optional<Array<double>>& face_weights,
+                                        const std::optional<Numbers>& barriers,
+                                        const std::size_t threads)
+{
+  AG::Solver_options options;
+  options.epsilon = epsilon;
+  if(face_weights)
+    options.face_weights = face_weights->data();
+  if(barriers)
+  {
+    options.barriers = barriers->data();
+    options.number_of_barriers = static_cast<std::size_t>(barriers->shape(0));
+  }
+  options.number_of_threads = threads;
+  const py::gil_scoped_release unlock;
+  return std::make_unique<AG::Solver>(vertices.data(), static_cast<std::size_t>(vertices.shape(0)),
+                                      faces.data(), static_cast<std::size_t>(faces.shape(0)),
+                                      options);
+}
+
+template <typename Integer>
+void add_constructor(py::class_<AG::Solver>& solver)
+{
+  solver.def(py::init(&make_solver<Integer>), py::arg("vertices").noconvert(),
+             py::arg("faces").noconvert(), py::arg("epsilon"), py::arg("face_weights").noconvert(),
+             py::arg("barriers").noconvert(), py::arg("threads"));
+}
+
+py::tuple distances(const AG::Solver& solver,
+                    const Numbers& elements,
+                    const Coordinates& coordinates,
+                    const double maximum_distance,
+                    const bool wants_nearest,
+                    const py::object& progress)
+{
+  const auto sources = points(elements, coordinates);
+  const auto size = static_cast<py::ssize_t>(solver.number_of_vertices());
+  Array<double> result(size);
+  Numbers nearest(wants_nearest ? size : 0);
+  double* const data = result.mutable_data();
+  std::int64_t* const nearest_data = wants_nearest ? nearest.mutable_data() : nullptr;
+  run(progress, [&](const AG::Solver_watch& watch) {
+    solver.find_distances(sources, data, nearest_data, maximum_distance, watch);
+  });
+  return py::make_tuple(result, nearest);
+}
+
+py::tuple path(const AG::Solver& solver,
+               const Numbers& elements,
+               const Coordinates& coordinates,
+               const Numbers& target_elements,
+               const Coordinates& target_coordinates,
+               const bool straighten)
+{
+  const auto sources = points(elements, coordinates);
+  const auto targets = points(target_elements, target_coordinates);
+  std::vector<double> result;
+  double length = 0;
+  run(py::none(), [&](const AG::Solver_watch& watch) {
+    length = solver.find_path(sources.at(0), targets.at(0), straighten, result, watch);
+  });
+  return py::make_tuple(moved_points(std::move(result)), length);
+}
+
+// Dense if `k` is absent and the maximum distance infinite.
+py::object matrix(const AG::Solver& solver,
+                  const Numbers& elements,
+                  const Coordinates& coordinates,
+                  const std::optional<std::pair<Numbers, Coordinates>>& targets,
+                  const std::optional<double> maximum_distance,
+                  const std::optional<std::size_t> k,
+                  const std::size_t threads,
+                  const py::object& progress)
+{
+  Matrix_request request{points(elements, coordinates), std::nullopt,
+                         maximum_distance.value_or(std::numeric_limits<double>::infinity()),
+                         threads};
+  if(targets)
+    request.targets = points(targets->first, targets->second);
+  if(k)
+    return sparse_matrix(solver, std::make_unique<AG::Nearest_rows<double>>(*k), request, progress);
+  if(maximum_distance)
+    return sparse_matrix(solver, std::make_unique<AG::Radius_rows<double>>(), request, progress);
+  return dense_matrix(solver, request, progress);
+}
+
+Numbers voronoi(const AG::Solver& solver,
+                const Numbers& elements,
+                const Coordinates& coordinates,
+                const py::object& progress)
+{
+  const auto sources = points(elements, coordinates);
+  Numbers result(static_cast<py::ssize_t>(solver.number_of_faces()));
+  std::int64_t* const data = result.mutable_data();
+  run(progress,
+      [&](const AG::Solver_watch& watch) { solver.find_voronoi_partition(sources, data, watch); });
+  return result;
+}
+
+py::tuple farthest_points(const AG::Solver& solver,
+                          const std::size_t number,
+                          const Numbers& sources,
+                          const py::object& progress)
+{
+  const auto seeds = points(sources, std::nullopt);
+  std::vector<std::int64_t> result;
+  double radius = 0;
+  run(progress, [&](const AG::Solver_watch& watch) {
+    radius = solver.find_farthest_vertices(number, seeds, result, watch);
+  });
+  const auto size = static_cast<py::ssize_t>(result.size());
+  return py::make_tuple(moved(std::move(result), {size}), radius);
+}
+
+Array<double> gradient(const AG::Solver& solver, const Array<double>& values)
+{
+  Array<double> result({static_cast<py::ssize_t>(solver.number_of_faces()), py::ssize_t(3)});
+  solver.find_gradient(values.data(), result.mutable_data());
+  return result;
+}
+
+py::list isolines(const AG::Solver& solver, const Array<double>& values, const double level)
+{
+  py::list result;
+  for(auto& line : solver.find_isolines(values.data(), level))
+    result.append(moved_points(std::move(line)));
+  return result;
+}
+
+Array<double> vertices(const AG::Solver& solver)
+{
+  Array<double> result({static_cast<py::ssize_t>(solver.number_of_vertices()), py::ssize_t(3)});
+  solver.write_coordinates(result.mutable_data());
+  return result;
+}
+
+Numbers faces(const AG::Solver& solver)
+{
+  Numbers result({static_cast<py::ssize_t>(solver.number_of_faces()), py::ssize_t(3)});
+  solver.write_corners(result.mutable_data());
+  return result;
+}
+
+// Messages name the element; that it is this package which complains is known from the traceback.
+void translate(const std::exception_ptr error)
+{
+  try
+  {
+    std::rethrow_exception(error);
+  }
+  catch(const std::invalid_argument& e)
+  {
+    const std::string prefix = "Approximate_geodesics: ", text = e.what();
+    const bool has_prefix = text.compare(0, prefix.size(), prefix) == 0;
+    PyErr_SetString(PyExc_ValueError, text.substr(has_prefix ? prefix.size() : 0).c_str());
+  }
+}
+
+} // namespace python
+
+PYBIND11_MODULE(_native, module)
+{
+  namespace py = pybind11;
+  using CGAL::Approximate_geodesics::Solver;
+
+  py::register_local_exception_translator(&python::translate);
+  module.def("read_mesh", &python::read_mesh);
+
+  py::class_<Solver> solver(module, "Solver");
+  python::add_constructor<std::int32_t>(solver);
+  python::add_constructor<std::int64_t>(solver);
+  solver.def_static("load", &python::load)
+      .def_static("from_bytes", &python::from_bytes)
+      .def("save", &python::save)
+      .def("to_bytes", &python::to_bytes)
+      .def("distances", &python::distances)
+      .def("path", &python::path)
+      .def("matrix", &python::matrix)
+      .def("voronoi", &python::voronoi)
+      .def("farthest_points", &python::farthest_points)
+      .def("gradient", &python::gradient)
+      .def("isolines", &python::isolines)
+      .def_property_readonly("vertices", &python::vertices)
+      .def_property_readonly("faces", &python::faces)
+      .def_property_readonly("number_of_vertices", &Solver::number_of_vertices)
+      .def_property_readonly("number_of_faces", &Solver::number_of_faces)
+      .def_property_readonly("epsilon", &Solver::epsilon)
+      .def_property_readonly("error_bound", &Solver::error_bound)
+      .def_property_readonly("has_face_weights", &Solver::has_face_weights)
+      .def_property_readonly("has_barriers", &Solver::has_barriers)
+      .def_property_readonly("threads", &Solver::number_of_threads)
+      .def_property_readonly("memory", &Solver::memory);
+}

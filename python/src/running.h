@@ -1,0 +1,50 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef APPROXIMATE_GEODESICS_PYTHON_RUNNING_H
+#define APPROXIMATE_GEODESICS_PYTHON_RUNNING_H
+
+// Runs without the lock of the interpreter, which is taken only to ask for signals, and to tell of
+// progress.
+
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
+
+#include <pybind11/pybind11.h>
+
+#include <cstddef>
+
+namespace python {
+
+namespace py = pybind11;
+namespace AG = CGAL::Approximate_geodesics;
+
+// Calls `f(watch)`. `progress` is a callable, or None.
+template <typename F>
+void run(const py::object& progress, const F& f)
+{
+  AG::Solver_watch watch;
+  watch.go_further = [] {
+    const py::gil_scoped_acquire lock;
+    return PyErr_CheckSignals() == 0;
+  };
+  if(!progress.is_none())
+    watch.on_progress = [&progress](const std::size_t number_done, const std::size_t number) {
+      const py::gil_scoped_acquire lock;
+      progress(number_done, number);
+    };
+  try
+  {
+    const py::gil_scoped_release unlock;
+    f(watch);
+  }
+  catch(const AG::Solver_interrupted&)
+  {
+    throw py::error_already_set(); // what the handler of the signal has raised
+  }
+}
+
+} // namespace python
+
+#endif // APPROXIMATE_GEODESICS_PYTHON_RUNNING_H

@@ -1,0 +1,84 @@
+import inspect
+
+import numpy as np
+import pytest
+import scipy.sparse
+
+import approximate_geodesics as ag
+import approximate_geodesics.potpourri3d as pp3d
+from meshes import great_circles, sphere
+
+VERTICES, FACES = sphere(3)
+EXACT = ag.Solver(VERTICES, FACES, 0)
+
+
+def test_arguments_are_those_of_gdist():
+    def positional(function):
+        parameters = inspect.signature(function).parameters.values()
+        return [p.name for p in parameters if p.kind is p.POSITIONAL_OR_KEYWORD]
+
+    mesh, ends = ["vertices", "triangles"], ["max_distance", "is_one_indexed"]
+    assert positional(ag.local_gdist_matrix) == mesh + ends
+    assert positional(ag.compute_gdist) == mesh + ["source_indices", "target_indices"] + ends
+
+
+def test_distances_of_targets_are_exact():
+    sources, targets = np.array([1, 500], dtype=np.int32), np.array([3, 77, 3], dtype=np.int32)
+    distances = ag.compute_gdist(VERTICES, FACES, sources, targets)
+    np.testing.assert_array_equal(distances, EXACT.distances(sources)[targets])
+    np.testing.assert_array_equal(ag.compute_gdist(VERTICES, FACES), EXACT.distances(0))
+    np.testing.assert_array_equal(
+        ag.compute_gdist(VERTICES, FACES + 1, sources, targets, is_one_indexed=True), distances
+    )
+    assert np.isinf(ag.compute_gdist(VERTICES, FACES, [0], [3], max_distance=0.1)[0])
+
+
+@pytest.mark.parametrize("epsilon, error", [(0, 1e-12), (0.1, 0.1)])
+def test_distances_within_a_radius(epsilon, error):
+    matrix = ag.local_gdist_matrix(VERTICES, FACES, 0.5, epsilon=epsilon)
+    assert isinstance(matrix, scipy.sparse.csc_matrix) and matrix.dtype == np.float64
+    for v in (0, 100, 641):
+        exact = EXACT.distances(v)
+        row = matrix[:, v].toarray()[:, 0]
+        stored = row > 0
+        assert not stored[v]
+        np.testing.assert_allclose(row[stored], exact[stored], rtol=error)
+        others = exact * (1 + error) < 0.5
+        others[v] = False
+        assert np.all(stored[others]) and np.all(exact[stored] <= 0.5)
+
+
+def test_mean_error_by_default_is_small():
+    matrix = ag.local_gdist_matrix(VERTICES, FACES, 0.6)
+    exact = ag.local_gdist_matrix(VERTICES, FACES, 0.6, epsilon=0)
+    both = matrix.multiply(exact > 0)
+    errors = (both.data - exact.multiply(matrix > 0).data) / both.data
+    assert 0 <= errors.mean() < 0.001
+
+
+def test_names_are_those_of_potpourri3d():
+    solver = pp3d.MeshHeatMethodDistanceSolver(VERTICES, FACES)
+    np.testing.assert_allclose(
+        solver.compute_distance(7), great_circles(VERTICES, 7), rtol=0.1, atol=1e-7
+    )
+    np.testing.assert_array_equal(
+        solver.compute_distance_multisource([1, 2]),
+        np.minimum(solver.compute_distance(1), solver.compute_distance(2)),
+    )
+    np.testing.assert_array_equal(
+        pp3d.compute_distance(VERTICES, FACES, 7), solver.compute_distance(7)
+    )
+    np.testing.assert_array_equal(
+        pp3d.compute_distance_multisource(VERTICES, FACES, [1, 2]),
+        solver.compute_distance_multisource([1, 2]),
+    )
+
+
+def test_paths_between_two_vertices():
+    solver = pp3d.EdgeFlipGeodesicSolver(VERTICES, FACES)
+    points = solver.find_geodesic_path(v_start=14, v_end=300)
+    np.testing.assert_array_equal(points[[0, -1]], VERTICES[[14, 300]])
+    length = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+    np.testing.assert_allclose(length, EXACT.distances(14)[300], rtol=1e-3)
+    with pytest.raises(ValueError, match="no limit"):
+        solver.find_geodesic_path(14, 300, max_iterations=3)

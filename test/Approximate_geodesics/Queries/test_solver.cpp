@@ -1,0 +1,316 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
+
+#include "meshes/test_meshes.h"
+#include "meshes/test_soup.h"
+
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// The solver on plain arrays gives what the class gives on the same mesh, and names what is wrong.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+using namespace geodesics_test;
+using AG::Solver;
+using AG::Solver_options;
+using AG::Solver_point;
+using Values = std::vector<double>;
+
+struct Arrays
+{
+  Values coordinates;
+  std::vector<int> corners;
+
+  explicit Arrays(const Soup& soup)
+  {
+    for(const Point& p : soup.points)
+      coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+    for(const auto& t : soup.triangles)
+      for(const std::size_t v : t)
+        corners.push_back(static_cast<int>(v));
+  }
+
+  std::size_t number_of_vertices() const { return coordinates.size() / 3; }
+  std::size_t number_of_faces() const { return corners.size() / 3; }
+};
+
+// A solver stays where it is.
+struct Solver_of : Solver
+{
+  explicit Solver_of(const Arrays& a, const Solver_options& options = Solver_options())
+    : Solver(a.coordinates.data(),
+             a.number_of_vertices(),
+             a.corners.data(),
+             a.number_of_faces(),
+             options)
+  {
+  }
+};
+
+Solver_options bound(const std::optional<double> epsilon)
+{
+  Solver_options result;
+  result.epsilon = epsilon;
+  return result;
+}
+
+Values distances(const Solver& solver, const std::vector<Solver_point>& sources)
+{
+  Values result(solver.number_of_vertices());
+  solver.find_distances(sources, result.data());
+  return result;
+}
+
+Values distances(const Solver& solver) { return distances(solver, {Solver_point::at_vertex(3)}); }
+
+template <typename Graph, typename... NamedParameters>
+void expect_same_as_class(const Solver& solver, const Mesh& mesh, const NamedParameters&... np)
+{
+  AG::Surface_mesh_shortest_path<Mesh, Graph> paths(mesh, np...);
+  paths.add_source_point(Vertex(3));
+  Values expected(mesh.number_of_vertices());
+  paths.shortest_distances_to_source_points(
+      CGAL::make_property_map(expected)); // numbers are those of the arrays
+  EXPECT_EQ(distances(solver), expected);
+}
+
+TEST(Solver, finds_the_distances_of_the_class)
+{
+  const Soup soup = sphere(12, 9);
+  const Mesh mesh = to_mesh(soup);
+  const Arrays arrays(soup);
+  expect_same_as_class<AG::Edge_graph>(Solver_of(arrays), mesh);
+  expect_same_as_class<AG::Saddle_vertex_graph>(Solver_of(arrays, bound(0)), mesh);
+  expect_same_as_class<AG::Discrete_geodesic_graph>(Solver_of(arrays, bound(0.2)), mesh,
+                                                    CGAL::parameters::epsilon(0.2));
+}
+
+TEST(Solver, takes_points_of_faces_by_the_order_of_their_corners)
+{
+  const Soup soup = flat_grid(6, 5);
+  const Arrays arrays(soup);
+  const Solver_of solver(arrays, bound(0));
+  const std::array<double, 3> weights{0.2, 0.3, 0.5};
+  for(std::size_t f = 0; f < arrays.number_of_faces(); ++f)
+  {
+    const auto& t = soup.triangles[f];
+    const Point p = CGAL::barycenter(soup.points[t[0]], weights[0], soup.points[t[1]], weights[1],
+                                     soup.points[t[2]], weights[2]);
+    const auto found =
+        distances(solver, {Solver_point::in_face(static_cast<std::int64_t>(f), weights)});
+    for(std::size_t v = 0; v < found.size(); ++v)
+      EXPECT_NEAR(found[v], std::sqrt(CGAL::squared_distance(p, soup.points[v])), 1e-12);
+  }
+}
+
+TEST(Solver, finds_paths_from_the_source_to_the_target)
+{
+  const Soup soup = flat_grid(6, 5);
+  const Solver_of solver{Arrays(soup)};
+  for(const bool straighten : {false, true})
+  {
+    Values points;
+    const double length = solver.find_path(Solver_point::at_vertex(0), Solver_point::at_vertex(14),
+                                           straighten, points);
+    ASSERT_GE(points.size(), 6u);
+    EXPECT_EQ(Point(points[0], points[1], points[2]), soup.points[0]);
+    EXPECT_EQ(Point(points.end()[-3], points.end()[-2], points.end()[-1]), soup.points[14]);
+    double sum = 0;
+    for(std::size_t i = 3; i < points.size(); i += 3)
+      sum += std::hypot(points[i] - points[i - 3], points[i + 1] - points[i - 2],
+                        points[i + 2] - points[i - 1]);
+    EXPECT_NEAR(sum, length, 1e-12);
+    if(straighten)
+    {
+      EXPECT_NEAR(length, std::sqrt(CGAL::squared_distance(soup.points[0], soup.points[14])),
+                  1e-12);
+    }
+  }
+}
+
+TEST(Solver, fills_rows_of_matrices)
+{
+  const Solver_of solver(Arrays(sphere(12, 9)), bound(0.1));
+  const std::vector<Solver_point> sources{Solver_point::at_vertex(3), Solver_point::at_vertex(0)};
+  const Values expected = distances(solver);
+  Values dense(2 * solver.number_of_vertices());
+  solver.compute_matrix(dense.data(), sources);
+  EXPECT_EQ(Values(dense.begin(), dense.begin() + std::ptrdiff_t(expected.size())), expected);
+
+  AG::Nearest_rows<double> nearest(4);
+  solver.compute_matrix(nearest, sources);
+  EXPECT_EQ(nearest.number_of_entries(), 8u);
+  AG::Radius_rows<double> radius;
+  solver.compute_matrix(radius, sources, {nullptr, 0.5, 1});
+  std::size_t number = 0;
+  for(const double d : dense)
+    number += d <= 0.5 ? 1 : 0;
+  EXPECT_EQ(radius.number_of_entries(), number);
+}
+
+// A barrier and a weight, each where only it makes a difference.
+TEST(Solver, is_the_same_after_it_was_saved)
+{
+  const Arrays arrays(flat_grid(6, 5));
+  const Values weights(arrays.number_of_faces(), 2.5);
+  const std::vector<std::int64_t> barrier{arrays.corners[0], arrays.corners[1]};
+  for(const std::optional<double> epsilon :
+      {std::optional<double>(), std::optional(0.), std::optional(0.1)})
+    for(const int costs : {0, 1, 2, 3})
+    {
+      if(epsilon == 0 && costs > 0)
+        continue;
+      Solver_options options = bound(epsilon);
+      if(costs & 1)
+        options.face_weights = weights.data();
+      if(costs & 2)
+      {
+        options.barriers = barrier.data();
+        options.number_of_barriers = 1;
+      }
+      const Solver_of solver(arrays, options);
+      std::stringstream file;
+      solver.save(file);
+      const std::string contents = file.str();
+      const Solver copy(file);
+      EXPECT_EQ(distances(copy), distances(solver));
+      EXPECT_EQ(copy.epsilon(), epsilon);
+      EXPECT_EQ(copy.has_face_weights(), (costs & 1) != 0);
+      EXPECT_EQ(copy.has_barriers(), (costs & 2) != 0);
+
+      std::istringstream shorter(contents.substr(0, contents.size() - 1));
+      EXPECT_THROW(Solver{shorter}, std::invalid_argument);
+    }
+}
+
+TEST(Solver, can_be_interrupted_and_used_again)
+{
+  const Solver_of solver(Arrays(sphere(100, 50)), bound(0.1));
+  const Values expected = distances(solver);
+  AG::Solver_watch watch;
+  int number_of_calls = 0;
+  watch.go_further = [&] { return ++number_of_calls < 2; };
+  std::vector<Solver_point> all;
+  for(std::size_t v = 0; v < solver.number_of_vertices(); ++v)
+    all.push_back(Solver_point::at_vertex(static_cast<std::int64_t>(v)));
+  AG::Radius_rows<double> rows;
+  EXPECT_THROW(solver.compute_matrix(rows, all, {nullptr, 1, 2}, watch), AG::Solver_interrupted);
+  EXPECT_EQ(number_of_calls, 2);
+  EXPECT_EQ(distances(solver), expected);
+}
+
+TEST(Solver, tells_that_all_is_done)
+{
+  const Solver_of solver(Arrays(flat_grid(6, 5)), bound(0.1));
+  AG::Solver_watch watch;
+  std::size_t done = 0, number = 0;
+  watch.on_progress = [&](const std::size_t d, const std::size_t n) {
+    done = d;
+    number = n;
+  };
+  Values result(solver.number_of_vertices());
+  solver.find_distances({Solver_point::at_vertex(0)}, result.data(), nullptr, 1e9, watch);
+  EXPECT_EQ(done, solver.number_of_vertices());
+  EXPECT_EQ(number, solver.number_of_vertices());
+}
+
+// ----- errors
+
+void expect_refused(const std::string& message, const std::function<void()>& call)
+{
+  try
+  {
+    call();
+    ADD_FAILURE() << "not refused: " << message;
+  }
+  catch(const std::invalid_argument& e)
+  {
+    EXPECT_NE(std::string(e.what()).find(message), std::string::npos) << e.what();
+  }
+}
+
+void expect_refused(const std::string& message, const Soup& soup)
+{
+  expect_refused(message, [&] { Solver_of{Arrays(soup)}; });
+}
+
+TEST(Solver, names_what_is_wrong_with_a_mesh)
+{
+  const Soup right = flat_grid(3, 3);
+  Soup soup = right;
+  soup.points[5] = Point(0, std::numeric_limits<double>::infinity(), 0);
+  expect_refused("vertex 5 is not finite", soup);
+  soup = right;
+  soup.triangles[2][1] = 99;
+  expect_refused("face 2 has vertex 99", soup);
+  soup = right;
+  soup.triangles[4][0] = soup.triangles[4][2];
+  expect_refused("face 4 has vertex", soup);
+  soup = right;
+  std::swap(soup.triangles[3][0], soup.triangles[3][1]);
+  expect_refused("in the same direction", soup);
+  soup = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
+          {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
+  expect_refused("the edge between vertices 0 and 1 is not manifold: face 0, face 1 and face 2",
+                 soup);
+  soup.triangles = {{0, 1, 2}, {0, 3, 4}};
+  expect_refused("vertex 0 is not manifold", soup);
+}
+
+// Two closed surfaces that touch in a vertex, where no border tells of it.
+TEST(Solver, refuses_a_vertex_of_two_closed_fans)
+{
+  const Soup tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                         {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  Soup soup = tetrahedron;
+  soup.append(tetrahedron);
+  EXPECT_NO_THROW(Solver_of{Arrays(soup)});
+  for(std::size_t i = 4; i < 8; ++i)
+    for(std::size_t& v : soup.triangles[i])
+      v = v == 4 ? 0 : v;
+  expect_refused("vertex 0 is not manifold", soup);
+}
+
+TEST(Solver, names_what_is_wrong_with_a_question)
+{
+  const Arrays arrays(flat_grid(3, 3));
+  const Solver_of solver(arrays);
+  const auto number = static_cast<std::int64_t>(solver.number_of_vertices());
+  expect_refused("source 0 is vertex " + std::to_string(number),
+                 [&] { distances(solver, {Solver_point::at_vertex(number)}); });
+  expect_refused("source 1 is vertex -1", [&] {
+    distances(solver, {Solver_point::at_vertex(0), Solver_point::at_vertex(-1)});
+  });
+  expect_refused("source 0 is face 1000", [&] {
+    distances(solver, {Solver_point::in_face(1000, {1, 0, 0})});
+  });
+  expect_refused("barycentric", [&] { distances(solver, {Solver_point::in_face(0, {1, 1, 0})}); });
+  expect_refused("epsilon is -1", [&] { Solver_of(arrays, bound(-1)); });
+  const std::vector<std::int64_t> barrier{0, 0};
+  Solver_options options;
+  options.barriers = barrier.data();
+  options.number_of_barriers = 1;
+  expect_refused("barrier 0 is not an edge", [&] { Solver_of(arrays, options); });
+}
+
+} // namespace
