@@ -238,6 +238,37 @@ TEST(Directional_costs, ZigzagsOnASlope)
   }
 }
 
+// Costs that are not convex are looked at closely where zigzags begin to pay.
+template <typename Cost>
+void expect_close_to_zigzags(const Cost& cost, const double slope, const double sign)
+{
+  const double x = 1 / std::hypot(1, slope), z = sign * slope / std::hypot(1, slope);
+  const Mesh mesh = to_mesh(flat_grid(2, 2).transformed(
+      [&](const Point& p) { return Point(p.x(), x * p.y(), z * p.y()); }));
+  double expected = infinity;
+  for(double angle = 1e-3; angle < 1.57; angle += 1e-4) // there are several minima
+  {
+    const double up = std::sin(angle);
+    expected = (std::min)(expected, cost(Face(0), Vector(std::cos(angle), x * up, z * up)) / up);
+  }
+  const double epsilon = 0.05;
+  const Triangulation triangulation(mesh, with_cost(cost).epsilon(epsilon));
+  const Directional_graph<AG::Fixed_number_of_points> along_edges(triangulation,
+                                                                  AG::Fixed_number_of_points(0));
+  expect_within(distances(mesh, along_edges, Vertex(0))[Vertex(2)], expected, epsilon / 10);
+}
+
+TEST(Directional_costs, ZigzagsOnAWall)
+{
+  for(const double slope : {1., 3., 1e9})
+    for(const double sign : {1., -1.})
+    {
+      SCOPED_TRACE(sign * slope);
+      expect_close_to_zigzags(AG::Hiking_time(), slope, sign);
+      expect_close_to_zigzags(AG::Walking_energy(), slope, sign);
+    }
+}
+
 TEST(Directional_costs, ModelsHaveTheirPublishedValues)
 {
   const AG::Hiking_time time;

@@ -5,6 +5,7 @@
 
 #include "checks/test_random.h"
 #include "meshes/test_meshes.h"
+#include "meshes/test_weights.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
@@ -69,7 +70,7 @@ TEST(Extreme_weights, leave_no_arc_out_that_matters)
   const Mesh mesh = to_mesh(flat_grid(3, 3));
   for(const auto& weight : kinds_of_weights(random))
   {
-    const Graph graph(triangulation(mesh, weight), AG::Geometric_points(0.5));
+    const Graph graph(triangulation(mesh, weight), lenient_points(0.5));
     AG::Propagation<Graph> search(graph);
     search.run_from(Node(random.below(9)));
     const auto cost = [&](const Node n) { return search.distance(n) / graph.unit(); };
@@ -93,7 +94,7 @@ TEST(Extreme_weights, keep_the_number_of_arcs_small)
   const Mesh mesh = to_mesh(flat_grid(5, 5));
   for(const auto& weight : kinds_of_weights(random))
   {
-    const Graph graph(triangulation(mesh, weight), AG::Geometric_points(0.05));
+    const Graph graph(triangulation(mesh, weight), lenient_points(0.05));
     AG::Propagation<Graph> search(graph);
     search.collect_statistics(true);
     search.run_from(12);

@@ -173,6 +173,17 @@ TEST(Thin_faces, are_refused_by_name_if_they_take_too_many_points)
   EXPECT_LT(weak.epsilon(), infinity);
 }
 
+TEST(Weights, that_vanish_beside_others_have_no_bound)
+{
+  const Mesh mesh = to_mesh(flat_grid(3, 3));
+  std::vector<double> weights(mesh.number_of_faces(), 1e300);
+  weights[0] = 1e-10;
+  const Triangulation t(mesh, parameters::face_weight_map(weight_map(weights)));
+  expect_message<std::invalid_argument>([&] { Points_graph(t, Geometric_points(0.1)); },
+                                        "cannot be kept", "has a weight that is less than 1e-307");
+  EXPECT_EQ(infinity, Points_graph(t, lenient_points(0.1)).epsilon());
+}
+
 TEST(Thin_faces, have_the_weaker_bound_that_is_told)
 {
   bool is_weaker = false;
@@ -263,7 +274,7 @@ TEST(Weights_of_all_magnitudes, have_the_bound)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(7, 6, random));
-  const double values[] = {0, 1e-300, 1e-30, 1, 10, 1e30, 1e300, infinity};
+  const double values[] = {0, 1e-200, 1e-30, 1, 10, 1e30, 1e100, infinity};
   for(std::size_t i = 0; i < 3; ++i)
   {
     Weights weights(mesh.num_faces());

@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
 #include <CGAL/Approximate_geodesics/Mesh/Costs/One_way.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/distance_intervals.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/approximate_geodesic_distances.h>
@@ -296,6 +297,29 @@ TEST_F(Directional_queries, BoundsThatCannotBeKept)
   EXPECT_EQ(infinity, few.epsilon());
   EXPECT_GT(few.number_of_points(), 0);
   EXPECT_LE(few.number_of_points(), mesh.number_of_edges());
+}
+
+TEST_F(Directional_queries, IntervalsContainTheCosts)
+{
+  Random random(test_seed());
+  const auto intervals = mesh.add_property_map<Vertex, std::pair<double, double>>("v:i").first;
+  const auto np = with_cost(cost_everywhere(slant)).epsilon(0.1);
+  for(std::size_t i = 0; i < 20; ++i)
+  {
+    const double u = random.between(0, 1), v = random.between(0, 1 - u);
+    const Location source(Face(static_cast<Mesh::size_type>(random.below(mesh.number_of_faces()))),
+                          {u, v, 1 - u - v});
+    const auto expect_contained = [&](const Vertex w, const double exact) {
+      EXPECT_LE(intervals[w].first, exact * (1 + 1e-9));
+      EXPECT_GE(intervals[w].second, exact * (1 - 1e-9));
+    };
+    AG::distance_intervals(mesh, intervals, source, np);
+    for(const Vertex w : mesh.vertices())
+      expect_contained(w, cost(point(source), mesh.point(w)));
+    AG::distance_intervals(mesh, intervals, source, np.direction_to_source(true));
+    for(const Vertex w : mesh.vertices())
+      expect_contained(w, cost(mesh.point(w), point(source)));
+  }
 }
 
 TEST_F(Directional_queries, GraphsThatKnowNoDirections)

@@ -144,6 +144,25 @@ public:
   /// epsilon()` times as much as the cheapest ones on the surface. It is infinity if there is none.
   double epsilon() const { return m_placement.epsilon(m_triangulation); }
 
+  /// returns what the straight line from `point` to a corner of its face costs, or that from there
+  /// to `point`, whichever is more, for the corner where this is least; `0` for vertices. Paths
+  /// between points \f$p\f$ and \f$q\f$ cost at most \f$(1 + \varepsilon)\,d(p,q) + (2 +
+  /// \varepsilon)(c_p + c_q)\f$, where \f$d\f$ is the cost of the cheapest path on the surface,
+  /// \f$\varepsilon\f$ is `epsilon()`, and \f$c\f$ is this cost. It is in units of the graph, see
+  /// `unit()`, and infinity for points that no path leaves, or that none gets to.
+  double cost_to_corner(const Intrinsic_point& point) const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    attach(point).for_each_node([&](const Node corner, const double cost) {
+      if(!m_nodes.is_point(corner))
+        attach_target(point).for_each_node([&](const Node node, const double cost_back) {
+          if(node == corner)
+            result = (std::min)(result, (std::max)(cost, cost_back));
+        });
+    });
+    return result;
+  }
+
   /// returns how much too high costs may be, relatively, as they were asked for in some directions
   /// only; this is part of the bound. For cost functions that are not convex, costs are exact in
   /// the sense that they are those of zigzags in directions that were asked for.

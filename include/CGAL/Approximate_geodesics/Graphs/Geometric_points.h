@@ -130,6 +130,8 @@ public:
   /// Run time is \cgalBigO{n}.
   void prepare(const Intrinsic_triangulation& triangulation)
   {
+    if(!m_limit.is_soft)
+      reject_raised_weights(triangulation);
     const Index number_of_vertices = triangulation.number_of_vertices();
     std::vector<bool> is_uniform(number_of_vertices);
     for(Index v = 0; v < number_of_vertices; ++v)
@@ -176,6 +178,8 @@ public:
   double epsilon(const Intrinsic_triangulation& triangulation) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
+    if(raised_weight(triangulation) != Intrinsic_triangulation::null_index)
+      return infinity;
     double of_crossings = m_epsilon_of_crossings, of_vicinities = 0;
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     {
@@ -207,6 +211,24 @@ private:
   // If weights differ, what is left of epsilon is for passing vertices at some distance; this share
   // makes for about as few points as possible.
   static constexpr double SHARE_OF_CROSSINGS = 0.65;
+
+  // A halfedge of a face whose weight is not its own, as others are too large beside it.
+  static Index raised_weight(const Intrinsic_triangulation& triangulation)
+  {
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if(triangulation.weight(h) == Face_weights::SMALLEST_WEIGHT)
+        return h;
+    return Intrinsic_triangulation::null_index;
+  }
+
+  static void reject_raised_weights(const Intrinsic_triangulation& triangulation)
+  {
+    const Index h = raised_weight(triangulation);
+    if(h != Intrinsic_triangulation::null_index)
+      internal::reject("the bound epsilon cannot be kept, as " + triangulation.name_of_face(h) +
+                       " has a weight that is less than 1e-307 of the largest finite one; with "
+                       "accept_weaker_bound(true), there is none");
+  }
 
   // Where progressions start, in proportion to the radius of the star.
   double relative_start(const bool is_uniform) const

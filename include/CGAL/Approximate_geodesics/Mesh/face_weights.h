@@ -38,14 +38,13 @@ inline void normalize(Face_weights& weights, const double unit_of_lengths)
   if(largest == 0)
     return;
   constexpr int smallest_of_costs = -1000;
-  // not free yet, and not one of those numbers that processors take a hundred times as long for
-  constexpr double smallest = (std::numeric_limits<double>::min)();
   const int exponent =
       (std::max)(std::ilogb(largest), smallest_of_costs - std::ilogb(unit_of_lengths));
   weights.unit = std::ldexp(1., exponent);
   for(double& w : weights.of_halfedge)
     if(w > 0)
-      w = (std::max)(std::ldexp(w, -exponent), smallest);
+      // not free yet, and not one of those numbers that processors take a hundred times as long for
+      w = (std::max)(std::ldexp(w, -exponent), Face_weights::SMALLEST_WEIGHT);
 }
 
 // Upper bound of the cost of any path that revisits nothing, in units of the lengths and the

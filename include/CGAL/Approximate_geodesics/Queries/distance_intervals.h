@@ -9,10 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/smallest_distance.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
@@ -27,20 +27,27 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Of the sources, the one that is farthest from all vertices, if that matters to the bound.
+// What a graph says that a bound between vertices has to be extended by for another point.
 template <typename Graph>
-double largest_cost_to_corner(const Graph& /* graph */, const std::vector<Source_point>&)
+auto cost_to_corner(const Graph& graph, const Intrinsic_point& point, int /* preferred */)
+    -> decltype(graph.cost_to_corner(point))
+{
+  return graph.cost_to_corner(point);
+}
+template <typename Graph>
+double cost_to_corner(const Graph& /* graph */, const Intrinsic_point& /* point */, long)
 {
   return 0;
 }
-template <typename Placement>
-double largest_cost_to_corner(const Steiner_graph<Placement>& graph,
-                              const std::vector<Source_point>& sources)
+
+// Of the sources, the one that is farthest from all vertices, if that matters to the bound.
+template <typename Graph>
+double largest_cost_to_corner(const Graph& graph, const std::vector<Source_point>& sources)
 {
   double result = 0;
   for(const Source_point& source : sources)
   {
-    const double cost = graph.unit() * graph.cost_to_corner(source.point);
+    const double cost = graph.unit() * cost_to_corner(graph, source.point, 0);
     if(!std::isinf(cost))
       result = (std::max)(result, cost);
   }
@@ -60,8 +67,8 @@ double largest_cost_to_corner(const Steiner_graph<Placement>& graph,
  * give or take \f$10^{-12}\f$ of it, by which all intervals are extended for rounding. With weights
  * or barriers, and sources that are not vertices, the lower end is smaller by
  * \f$(2 + \varepsilon)/(1 + \varepsilon)\f$ times the largest cost from a source to the nearest
- * corner of its face: see `Steiner_graph::cost_to_corner()`. With `accept_weaker_bound`,
- * \f$\varepsilon\f$ is the bound that does hold.
+ * corner of its face: see `Steiner_graph::cost_to_corner()`, and that of `Directional_graph`. With
+ * `accept_weaker_bound`, \f$\varepsilon\f$ is the bound that does hold.
  *
  * A vertex that no path connects with a source has the distance infinity; so both ends are
  * infinity. One that was not reached within `maximum_distance` has an interval without upper end.
@@ -79,8 +86,8 @@ double largest_cost_to_corner(const Steiner_graph<Placement>& graph,
  * \param sources a vertex, another point of the surface, or a range of them
  * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which has to be
  *           given, and those among `vertex_point_map`, `edge_length_map`, `face_weight_map`,
- *           `edge_is_constrained_map`, `accept_weaker_bound`, `maximum_number_of_points_per_edge`,
- *           `initial_distances`, `maximum_distance`, `visitor`,
+ *           `direction_to_source`, `edge_is_constrained_map`, `accept_weaker_bound`,
+ * `maximum_number_of_points_per_edge`, `initial_distances`, `maximum_distance`, `visitor`,
  *           `concurrency_tag`, `vertex_index_map`, `halfedge_index_map`, and `geom_traits` that
  *           `approximate_geodesic_distances()` reads
  *
@@ -108,9 +115,9 @@ void distance_intervals(const TriangleMesh& tmesh,
       !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
                              internal_np::maximum_number_of_points_per_edge_t,
                              internal_np::accept_weaker_bound_t, internal_np::edge_length_t,
-                             internal_np::face_weight_t, internal_np::edge_is_constrained_t,
-                             internal_np::initial_distances_t, internal_np::maximum_distance_t,
-                             internal_np::visitor_t>,
+                             internal_np::face_weight_t, internal_np::direction_to_source_t,
+                             internal_np::edge_is_constrained_t, internal_np::initial_distances_t,
+                             internal_np::maximum_distance_t, internal_np::visitor_t>,
       "distance_intervals() does not read one of these named parameters: its documentation lists "
       "those that it does");
   using Interval = typename boost::property_traits<VertexIntervalMap>::value_type;

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -21,6 +22,9 @@ namespace Approximate_geodesics {
  */
 struct Face_weights
 {
+  /// weights that are smaller than this in the unit, but not zero, are raised to it.
+  static constexpr double SMALLEST_WEIGHT = (std::numeric_limits<double>::min)();
+
   /// for each halfedge, the weight of the face to its left, in units of `unit`: not negative;
   /// infinity if paths must not enter the face, or if there is none.
   std::vector<double> of_halfedge;

@@ -69,14 +69,17 @@ public:
             (m_costs[k] * a.x - m_costs[i] * b.x) / determinant};
   }
 
-  // How much too large the gauge can be in a sector, relatively, if the costs are those of a convex
-  // one: this is not below what the neighboring sectors continue to. Where a direction was given
-  // inside the sector, it is exact. It is taken to be so beside directions without end.
+  // How much too large the gauge can be in a sector, relatively: this is not below what the
+  // neighboring sectors continue to, if costs are those of a convex gauge. Where zigzags cost less,
+  // sectors are bridges, and nothing follows from them: costs beside and below their ends may
+  // continue as they come from outside. The gauge is taken to be right beside directions without
+  // end.
   double error(const std::size_t s) const
   {
-    const std::size_t number = m_directions.size();
-    if((m_corners[s] + 1) % number != m_corners[next(s)] || !is_finite(s) ||
-       !is_finite(previous(s)) || !is_finite(next(s)))
+    const bool looks_back = !is_bridge(previous(s)), looks_ahead = !is_bridge(next(s));
+    if(is_bridge(s) || !looks_back || !looks_ahead)
+      return (std::max)(looks_back ? error_at_start(s) : 0, looks_ahead ? error_at_end(s) : 0);
+    if(!is_finite(s) || !is_finite(previous(s)) || !is_finite(next(s)))
       return 0;
     const Plane_vector before = functional(previous(s)), behind = functional(next(s));
     const Plane_vector difference = behind - before;
@@ -86,13 +89,46 @@ public:
     Plane_vector d{-difference.y / scale, difference.x / scale}; // where both are the same
     if(dot(d, m_directions[m_corners[s]] + m_directions[m_corners[next(s)]]) < 0)
       d = -1 * d;
-    const double largest = dot(functional(s), d), smallest = dot(before, d);
+    return excess(s, before, d);
+  }
+
+  // Whether directions were given inside a sector, where zigzags between its corners cost less.
+  bool is_bridge(const std::size_t s) const
+  {
+    return (m_corners[s] + 1) % m_directions.size() != m_corners[next(s)];
+  }
+
+  // The same if costs continue from the first corner on as they come there, up to the next
+  // direction that was given.
+  double error_at_start(const std::size_t s) const
+  {
+    if(!is_finite(s) || !is_finite(previous(s)))
+      return 0;
+    return excess(s, functional(previous(s)),
+                  m_directions[(m_corners[s] + 1) % m_directions.size()]);
+  }
+
+  // ... in the opposite direction, from the other corner on
+  double error_at_end(const std::size_t s) const
+  {
+    if(!is_finite(s) || !is_finite(next(s)))
+      return 0;
+    return excess(s, functional(next(s)), m_directions[before(m_corners[next(s)])]);
+  }
+
+  // the direction before the one with the number `i`
+  std::size_t before(const std::size_t i) const { return (i == 0 ? m_directions.size() : i) - 1; }
+
+private:
+  // How much more the gauge of a sector is than another one, relatively.
+  double excess(const std::size_t s, const Plane_vector other, const Plane_vector d) const
+  {
+    const double largest = dot(functional(s), d), smallest = dot(other, d);
     if(!(largest > smallest))
       return 0;
     return smallest > 0 ? largest / smallest - 1 : std::numeric_limits<double>::infinity();
   }
 
-private:
   double sine(const std::size_t i, const std::size_t k) const
   {
     return cross(m_directions[i], m_directions[k]);

@@ -117,9 +117,12 @@ private:
     const Gauge_hull hull(m_directions, m_costs);
     for(std::size_t s = 0; s < hull.corners().size(); ++s)
     {
-      const std::size_t i = hull.corners()[s];
-      if(hull.error(s) > tolerance && sine_to_next(i) > SMALLEST_SINE)
-        is_wide[i % number] = true;
+      const std::size_t i = hull.corners()[s], k = hull.before(hull.corners()[hull.next(s)]);
+      const bool is_bridge = hull.is_bridge(s);
+      if((is_bridge ? hull.error_at_start(s) : hull.error(s)) > tolerance)
+        is_wide[i % number] = sine_to_next(i) > SMALLEST_SINE || is_wide[i % number];
+      if(is_bridge && hull.error_at_end(s) > tolerance)
+        is_wide[k % number] = sine_to_next(k) > SMALLEST_SINE || is_wide[k % number];
     }
     find_ends(hull, is_wide);
 
