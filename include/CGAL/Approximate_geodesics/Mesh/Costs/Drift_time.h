@@ -38,8 +38,9 @@ template <typename FaceVectorMap>
 class Drift_time
 {
 public:
-  /// takes the velocities of the drift, each in the plane of its face, and the speed of the boat,
-  /// in the same unit. \throws std::invalid_argument if `speed` is not a finite number above `0`.
+  /// takes the velocities of the drift and the speed of the boat, in the same unit.
+  /// \pre Each velocity is in the plane of its face; what is not makes ways longer.
+  /// \throws std::invalid_argument if `speed` is not a finite number above `0`.
   Drift_time(FaceVectorMap drift, const double speed) : m_drift(std::move(drift)), m_speed(speed)
   {
     if(!(speed > 0) || std::isinf(speed))

@@ -25,8 +25,8 @@ namespace Approximate_geodesics {
  * \f$d\f$, a path costs \f$\sqrt{d^T A\,d}\f$ per unit of length, with a symmetric matrix
  * \f$A\f$.
  *
- * A matrix that is not positive semidefinite in the plane of its face leads to costs that are not
- * numbers, and is refused when the mesh is read.
+ * A matrix that is not positive semidefinite in the plane of its face, beyond rounding, leads to
+ * costs that are not numbers, and is refused when the mesh is read.
  *
  * \tparam FaceTensorMap a model of `ReadablePropertyMap` with faces as key type and as value type
  *         `std::array<double, 6>`: the entries xx, xy, xz, yy, yz and zz of the matrix
