@@ -90,7 +90,7 @@ def local_gdist_matrix(
     Returns
     -------
     scipy.sparse.csc_matrix of shape (n, n) and type float64
-        Zeros are not stored, as in gdist; so nothing is on the diagonal.
+        It is symmetric. Zeros are not stored, as in gdist; so nothing is on the diagonal.
     """
     import scipy.sparse
 
@@ -98,8 +98,9 @@ def local_gdist_matrix(
     rows = solver.distance_matrix(
         np.arange(solver.number_of_vertices), max_distance=max_distance, progress=progress
     )
-    # columns are rows: a path leads both ways
-    result = scipy.sparse.csc_matrix(rows.T, copy=False)
+    # Searches from either end can find different paths within the bound, and one too long for the
+    # distance.
+    result = scipy.sparse.csc_matrix(rows if epsilon == 0 else rows.maximum(rows.T))
     result.eliminate_zeros()
     return result
 

@@ -8,7 +8,7 @@ from typing import Any, Callable, Iterator, Optional, Union
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native
+from . import _arrays, _files, _native
 
 File = Union[str, "os.PathLike[str]"]
 Progress = Callable[[int, int], object]
@@ -47,9 +47,10 @@ class Solver:
     coordinates. *Points* are a sequence of either, or a pair of an array of faces, (k,), and an
     array of barycentric coordinates, (k, 3).
 
-    Several threads can call all methods at the same time; the interpreter's lock is released while
-    they run. Ctrl-C ends a run, and the solver can be used afterwards. `progress` is called during
-    a run with two numbers: how much is done, and how much there is to do.
+    Several threads can call all methods at the same time; searches and matrices release the
+    interpreter's lock. Ctrl-C ends them, and the solver can be used afterwards; it does not end the
+    building of a graph. `progress` is called during a run with two numbers: how much is done, and
+    how much there is to do.
     """
 
     _solver: _native.Solver
@@ -277,7 +278,7 @@ class Solver:
 
         Raises `OSError` if it cannot be written.
         """
-        self._solver.save(os.fspath(file))
+        self._solver.save(_files.name_of(file))
 
     @classmethod
     def load(cls, file: File, *, threads: Optional[int] = None) -> Solver:
@@ -286,7 +287,7 @@ class Solver:
         Raises `OSError` if there is no such file, and `ValueError` if it is none of a solver, or
         damaged.
         """
-        return cls._with(_native.Solver.load(os.fspath(file), _number_of_threads(threads)))
+        return cls._with(_native.Solver.load(_files.name_of(file), _number_of_threads(threads)))
 
     def __getstate__(self) -> tuple[bytes, int]:
         return self._solver.to_bytes(), self._solver.threads
@@ -323,7 +324,10 @@ class Solver:
 
     @property
     def error_bound(self) -> float:
-        """The bound that holds: infinity along edges, and where face weights do not allow one."""
+        """The bound that holds: infinity along edges, and where face weights do not allow one.
+
+        It is for exact arithmetic: arcs are stored with a relative precision of 1.2e-7.
+        """
         return self._solver.error_bound
 
     @property

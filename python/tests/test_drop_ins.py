@@ -82,3 +82,20 @@ def test_paths_between_two_vertices():
     np.testing.assert_allclose(length, EXACT.distances(14)[300], rtol=1e-3)
     with pytest.raises(ValueError, match="no limit"):
         solver.find_geodesic_path(14, 300, max_iterations=3)
+
+
+def test_local_matrices_are_symmetric():
+    x, y = np.meshgrid(np.arange(30.0), np.arange(30.0))
+    vertices = np.stack([x, y, np.sin(x / 3) + np.cos(y / 2)], axis=-1).reshape(-1, 3)
+    corner = (np.arange(29)[:, None] * 30 + np.arange(29)).ravel()
+    faces = np.concatenate(
+        [
+            np.stack([corner, corner + 1, corner + 31], axis=-1),
+            np.stack([corner, corner + 31, corner + 30], axis=-1),
+        ]
+    )
+    for epsilon in (0.05, 0):
+        matrix = ag.local_gdist_matrix(vertices, faces, 4.5, epsilon=epsilon)
+        difference = abs(matrix - matrix.T)
+        assert matrix.nnz > 10 * len(vertices)
+        assert difference.max() <= (0 if epsilon > 0 else 1e-9)

@@ -110,3 +110,11 @@ def test_damaged_files(tmp_path):
         file.write_bytes(damaged)
         with pytest.raises(ValueError):
             ag.Solver.load(file)
+
+
+@pytest.mark.parametrize("name, message", [("a\0b", "null character"), ("\udcff", "not UTF-8")])
+def test_names_of_files_that_cannot_be(name, message):
+    solver = ag.Solver([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    for refuse in (solver.save, ag.Solver.load, ag.read_mesh):
+        with pytest.raises(ValueError, match=message):
+            refuse(name)

@@ -120,7 +120,7 @@ public:
   {
     if(m_is_stopped)
       throw Solver_interrupted();
-    m_number_done = m_number;
+    m_number_done = m_number.load();
     tell();
   }
 
@@ -136,8 +136,8 @@ private:
   std::thread::id m_caller = std::this_thread::get_id();
   Clock::time_point m_last_time = Clock::now();
   std::atomic<bool> m_is_stopped{false};
-  std::size_t m_number_done = 0; // threads that tell of it do so one after the other
-  std::size_t m_number = 0;
+  std::atomic<std::size_t> m_number_done{0}; // of other threads, too
+  std::atomic<std::size_t> m_number{0};
   std::size_t m_next_look = 0;
   bool m_looks_at_clock = true;
 };

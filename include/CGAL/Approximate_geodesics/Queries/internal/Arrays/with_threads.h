@@ -16,6 +16,7 @@
 #endif
 
 #include <cstddef>
+#include <map>
 #include <string>
 
 namespace CGAL {
@@ -32,8 +33,9 @@ inline bool is_loop_canceled()
 #endif
 }
 
-// Calls `f` where so many threads may take part in loops, this one among them; `0` stands for as
-// many as there are cores.
+// Calls `f` where at most so many threads may take part in loops, this one among them; `0` stands
+// for as many as there are cores. Each thread keeps its arenas, as some versions of TBB do not free
+// all of the memory of one.
 template <typename F>
 void with_threads([[maybe_unused]] const std::size_t number, const F& f)
 {
@@ -42,8 +44,10 @@ void with_threads([[maybe_unused]] const std::size_t number, const F& f)
   if(number > most)
     reject("the number of threads is " + std::to_string(number) + ", above " +
            std::to_string(most));
-  tbb::task_arena arena(number == 0 ? tbb::task_arena::automatic : static_cast<int>(number));
-  arena.execute(f);
+  if(number == 0 || number >= static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()))
+    return f();
+  thread_local std::map<std::size_t, tbb::task_arena> arenas;
+  arenas.try_emplace(number, static_cast<int>(number)).first->second.execute(f);
 #else
   f();
 #endif
