@@ -299,27 +299,78 @@ TEST_F(Directional_queries, BoundsThatCannotBeKept)
   EXPECT_LE(few.number_of_points(), mesh.number_of_edges());
 }
 
+// Along a corner's way, the cost matters in both directions.
+TEST_F(Directional_queries, CostsToCorners)
+{
+  const Slant steep{2, Vector(0.9, 0.3, 0)};
+  const auto np = with_cost(cost_everywhere(steep)).epsilon(0.5);
+  const Triangulation triangulation(mesh, np);
+  const Directional_graph<> graph(triangulation, np);
+  Random random(test_seed());
+  for(int i = 0; i < 50; ++i)
+  {
+    const double t = random.between(0, 1), s = random.between(0, 1 - t);
+    const auto h = static_cast<Triangulation::Index>(random.below(mesh.number_of_halfedges()));
+    if(triangulation.is_border(h))
+      continue;
+    const auto corner = [&](const Triangulation::Index g) {
+      return mesh.point(Vertex(triangulation.index(triangulation.target(g))));
+    };
+    const std::array<Point, 3> p = {corner(triangulation.next(triangulation.next(h))), corner(h),
+                                    corner(triangulation.next(h))};
+    const Point q = CGAL::barycenter(p[0], 1 - t - s, p[1], t, p[2], s);
+    double expected = infinity;
+    for(const Point& c : p)
+      expected = (std::min)(expected, (std::max)(steep.cost(c - q), steep.cost(q - c)));
+    const double found = graph.unit() * graph.cost_to_corner(AG::Intrinsic_point::in_face(h, t, s));
+    EXPECT_GE(found, (1 - 1e-9) * expected);
+    EXPECT_LE(found, (1 + graph.sampling_error()) * (1 + 1e-9) * expected);
+  }
+}
+
+// Going up costs little here, and to all corners much; so a source below the edge between two flat
+// triangles is much nearer to the top than to points on that edge.
 TEST_F(Directional_queries, IntervalsContainTheCosts)
 {
-  Random random(test_seed());
-  const auto intervals = mesh.add_property_map<Vertex, std::pair<double, double>>("v:i").first;
-  const auto np = with_cost(cost_everywhere(slant)).epsilon(0.1);
-  for(std::size_t i = 0; i < 20; ++i)
+  const double height = 0.4, epsilon_here = 0.5;
+  Mesh kite;
+  const Vertex left = kite.add_vertex(Point(0, 0, 0)), right = kite.add_vertex(Point(1, 0, 0)),
+               top = kite.add_vertex(Point(0.5, height, 0)),
+               bottom = kite.add_vertex(Point(0.5, -1, 0));
+  kite.add_face(left, right, top);
+  const Face lower_face = kite.add_face(right, left, bottom);
+  const auto intervals = kite.add_property_map<Vertex, std::pair<double, double>>("v:i").first;
+
+  std::size_t number_above_epsilon = 0;
+  for(const double sign : {-1., 1.})
   {
-    const double u = random.between(0, 1), v = random.between(0, 1 - u);
-    const Location source(Face(static_cast<Mesh::size_type>(random.below(mesh.number_of_faces()))),
-                          {u, v, 1 - u - v});
-    const auto expect_contained = [&](const Vertex w, const double exact) {
-      EXPECT_LE(intervals[w].first, exact * (1 + 1e-9));
-      EXPECT_GE(intervals[w].second, exact * (1 - 1e-9));
-    };
-    AG::distance_intervals(mesh, intervals, source, np);
-    for(const Vertex w : mesh.vertices())
-      expect_contained(w, cost(point(source), mesh.point(w)));
-    AG::distance_intervals(mesh, intervals, source, np.direction_to_source(true));
-    for(const Vertex w : mesh.vertices())
-      expect_contained(w, cost(mesh.point(w), point(source)));
+    const Slant steep{1, Vector(0, sign * 0.95, 0)};
+    const auto np = with_cost(cost_everywhere(steep)).epsilon(epsilon_here);
+    Random random(test_seed());
+    for(int i = 0; i < 100; ++i)
+    {
+      const double y = random.between(0.001, 0.05), x = random.between(y, 1 - y);
+      const Point p(x, -y, 0);
+      const double at_left = 1 - x - y / 2, at_right = x - y / 2;
+      const Halfedge h = kite.halfedge(lower_face);
+      std::array<double, 3> at{};
+      const std::array<Vertex, 3> corners = {kite.source(h), kite.target(h),
+                                             kite.target(kite.next(h))};
+      for(std::size_t k = 0; k < 3; ++k)
+        at[k] = corners[k] == left ? at_left : corners[k] == right ? at_right : y;
+      AG::distance_intervals(kite, intervals, Location(lower_face, at),
+                             np.direction_to_source(sign > 0));
+      for(const Vertex v : kite.vertices())
+      {
+        const double cost = steep.cost(-sign * (kite.point(v) - p));
+        EXPECT_LE(intervals[v].first, cost * (1 + 1e-9));
+        EXPECT_GE(intervals[v].second, cost * (1 - 1e-9));
+        if(intervals[v].second > (1 + epsilon_here) * cost)
+          ++number_above_epsilon;
+      }
+    }
   }
+  EXPECT_GT(number_above_epsilon, 0); // so that points in faces do matter
 }
 
 TEST_F(Directional_queries, GraphsThatKnowNoDirections)

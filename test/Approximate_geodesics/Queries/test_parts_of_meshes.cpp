@@ -574,6 +574,25 @@ TEST_F(Bad_part, is_refused_if_links_are_broken_where_it_is_read)
   expect_rejection(other_face);
 }
 
+// The walk around a vertex from one border of the part to the next enters a cycle outside of it.
+TEST_F(Bad_part, is_refused_if_its_border_leads_into_a_cycle)
+{
+  const auto halfedges = CGAL::halfedges_around_target(near, m_mesh);
+  const std::vector<Halfedge> incoming(halfedges.begin(), halfedges.end());
+  ASSERT_EQ(incoming.size(), 6u);
+  const auto is_part_of_one_face = [&](const Mesh& mesh) {
+    Part part(mesh);
+    return part.add_face(incoming[0]) && part.close();
+  };
+  EXPECT_TRUE(is_part_of_one_face(m_mesh));
+  for(const auto& [last, entry] : {std::make_pair(4, 2), std::make_pair(3, 1)})
+  {
+    Mesh mesh = m_mesh;
+    mesh.set_next(incoming[last], m_mesh.next(incoming[entry]));
+    EXPECT_FALSE(is_part_of_one_face(mesh));
+  }
+}
+
 // Every link around the path to every other value nearby: refused, or as if all were read.
 TEST_F(Bad_part, never_makes_it_hang)
 {
