@@ -52,6 +52,9 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
                                       const Placement& first_placement,
                                       const NamedParameters& np)
 {
+  static_assert(!has_directional_cost<NamedParameters>,
+                "directional_cost: selective refinement knows no directions; use "
+                "approximate_geodesic_path()");
   const double tolerance = relative_tolerance(np);
   const Intrinsic_triangulation triangulation(tmesh, np);
   Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), triangulation);
@@ -136,9 +139,6 @@ double refined_path(const TriangleMesh& tmesh,
 {
   static_assert(!internal::is_given<NamedParameters, internal_np::epsilon_t>,
                 "epsilon: selective refinement gives no bound; use refined_path_interval()");
-  static_assert(!internal::has_directional_cost<NamedParameters>,
-                "directional_cost: selective refinement knows no directions; use "
-                "approximate_geodesic_path()");
   static_assert(
       !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
                              internal_np::relative_tolerance_t,
@@ -197,9 +197,6 @@ refined_path_interval(const TriangleMesh& tmesh,
 {
   static_assert(internal::is_given<NamedParameters, internal_np::epsilon_t>,
                 "refined_path_interval() needs epsilon, the bound of the first path");
-  static_assert(!internal::has_directional_cost<NamedParameters>,
-                "directional_cost: selective refinement knows no directions; use "
-                "approximate_geodesic_path()");
   static_assert(
       !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
                              internal_np::maximum_number_of_points_per_edge_t,

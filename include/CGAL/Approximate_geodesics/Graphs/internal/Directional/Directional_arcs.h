@@ -14,6 +14,9 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -342,25 +345,19 @@ private:
                const Row& row,
                const Rival& self,
                const Rival& rival,
-               Index low,
+               const Index low,
                const bool is_nearer) const
   {
     // If costs are the same but for rounding, the one with the smaller label wins, or neither.
     constexpr double tolerance = 1e-12;
     const double factor =
         rival.label < (1 - tolerance) * self.label ? 1 - tolerance : 1 + tolerance;
-    Index high = row.size;
-    while(low < high)
-    {
-      const Index middle = low + (high - low) / 2;
-      const Plane_vector step = step_to(row, point(row, middle));
+    using Rank = boost::counting_iterator<Index>;
+    return *std::partition_point(Rank(low), Rank(row.size), [&](const Index rank) {
+      const Plane_vector step = step_to(row, point(row, rank));
       const double cost = rival.label + m_costs.across(h, step - rival.offset);
-      if((factor * cost < self.label + m_costs.across(h, step)) == is_nearer)
-        low = middle + 1;
-      else
-        high = middle;
-    }
-    return low;
+      return (factor * cost < self.label + m_costs.across(h, step)) == is_nearer;
+    });
   }
 
   const Intrinsic_triangulation& m_triangulation;

@@ -11,6 +11,8 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Point_row.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -101,16 +103,10 @@ private:
   template <typename F>
   Index search(const F& f) const
   {
-    Index low = 0, high = m_row.size();
-    while(low < high)
-    {
-      const Index middle = low + (high - low) / 2;
-      if(f(m_row.distance_from_corner(middle)))
-        low = middle + 1;
-      else
-        high = middle;
-    }
-    return low;
+    using Rank = boost::counting_iterator<Index>;
+    return *std::partition_point(Rank(0), Rank(m_row.size()), [&](const Index rank) {
+      return f(m_row.distance_from_corner(rank));
+    });
   }
 
   const Point_row& m_row;
