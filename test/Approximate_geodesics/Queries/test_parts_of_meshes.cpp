@@ -585,12 +585,8 @@ TEST_F(Bad_part, is_refused_if_its_border_leads_into_a_cycle)
     return part.add_face(incoming[0]) && part.close();
   };
   EXPECT_TRUE(is_part_of_one_face(m_mesh));
-  for(const auto& [last, entry] : {std::make_pair(4, 2), std::make_pair(3, 1)})
-  {
-    Mesh mesh = m_mesh;
-    mesh.set_next(incoming[last], m_mesh.next(incoming[entry]));
-    EXPECT_FALSE(is_part_of_one_face(mesh));
-  }
+  m_mesh.set_next(incoming[4], m_mesh.next(incoming[2]));
+  EXPECT_FALSE(is_part_of_one_face(m_mesh));
 }
 
 // Every link around the path to every other value nearby: refused, or as if all were read.
