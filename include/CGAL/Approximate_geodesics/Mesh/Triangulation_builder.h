@@ -373,6 +373,7 @@ private:
         read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, m_result, corners);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
+    m_result.m_lines_may_return = is_given<NamedParameters, internal_np::edge_length_t>;
     if(!lengths.points.empty())
       m_result.m_thin_faces = thin_faces(std::move(corners).faces(), lengths.points, m_result);
   }

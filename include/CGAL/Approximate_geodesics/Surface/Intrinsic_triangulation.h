@@ -377,6 +377,10 @@ public:
 #ifndef DOXYGEN_RUNNING
   const internal::Thin_faces& thin_faces() const { return m_thin_faces; }
 
+  // Whether a shortest path may come back to a face of the mesh, as lengths do not come from points
+  // in space.
+  bool lines_may_return() const { return m_lines_may_return; }
+
   // Whether the edge of `h` is none of the mesh, as in `Balanced_fans`. A shortest path may cross
   // such an edge more than once, and so the faces next to it.
   bool is_flipped(const Index h) const { return !m_is_flipped.empty() && m_is_flipped[h]; }
@@ -456,6 +460,7 @@ private:
   Index m_number_of_faces = 0;
   double m_unit = 1;
   double m_weight_unit = 1;
+  bool m_lines_may_return = false;
 };
 
 inline bool Intrinsic_triangulation::is_valid_halfedge(const Index h) const

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -71,7 +72,10 @@ public:
   Cone_expansion(const Intrinsic_triangulation& triangulation,
                  const Unfolding& unfolding,
                  const Cone_rules& rules)
-    : m_triangulation(triangulation), m_unfolding(unfolding), m_rules(rules)
+    : m_triangulation(triangulation),
+      m_unfolding(unfolding),
+      m_rules(rules),
+      m_winding(triangulation)
   {
   }
 
@@ -170,9 +174,9 @@ private:
                const Visitor& visitor) const
   {
     const Unfolded_face& face = m_unfolding.face(cone.window.halfedge);
-    if(has_ended(cone, face.is_edge_new))
+    if(has_ended(cone, face))
       return false;
-    if(face.apex == source && !face.is_face_new)
+    if(face.apex == source && !face.is_face_new && !m_winding.may_return())
       return false; // a shortest path does not come back to a face that it has left
     const Plane_vector apex =
         face.position_of_apex(cone.window.left_position, cone.window.right_position);
@@ -203,8 +207,9 @@ private:
     return split(cone, cones, face, apex, distance, visitor);
   }
 
-  // Whether nothing that lies behind the window is of interest.
-  static bool has_ended(Cone& cone, const bool is_edge_new)
+  // Whether nothing that lies behind the window is of interest. Lines may come back to new edges,
+  // which are not shortest paths.
+  bool has_ended(Cone& cone, const Unfolded_face& face) const
   {
     if(!cone.has_middle)
       cone.find_middle();
@@ -213,22 +218,9 @@ private:
     const double slope = cross(cone.middle, edge);
     if(!(area >= 0 && slope > 0))
       return true; // no more than rounding errors
-    return area >= cone.end_of_interest * slope || (!is_edge_new && is_back(cone));
-  }
-
-  // A shortest path meets a face only once. Straight lines may do so often, where they wind round a
-  // spike. To notice that they have come round again, they remember one halfedge that they met, a
-  // later one each time that the way is twice as long, as Brent does to find a cycle (R. P. Brent,
-  // An improved Monte Carlo factorization algorithm, 1980). New edges are not shortest paths, and
-  // do not count.
-  static bool is_back(Cone& cone)
-  {
-    if(cone.window.halfedge == cone.checkpoint)
-      return true;
-    if((cone.depth & (cone.depth + 1)) == 0)
-      cone.checkpoint = cone.window.halfedge;
-    ++cone.depth;
-    return false;
+    return area >= cone.end_of_interest * slope ||
+           (!face.is_edge_new &&
+            m_winding.ends_at(cone.window.halfedge, face.across, cone.depth, cone.checkpoint));
   }
 
   // The window becomes part of the edge between the apex and the right end.
@@ -301,6 +293,7 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   const Unfolding& m_unfolding;
   const Cone_rules m_rules;
+  Winding m_winding;
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
 
 #include <algorithm>
 #include <cmath>
@@ -115,6 +116,7 @@ public:
       m_unfolding(unfolding),
       m_labels(labels),
       m_arcs(arcs),
+      m_winding(triangulation),
       m_factor(1 + epsilon),
       m_part_saved(1 / (1 + Cone_rules::share_of_ends_beside_labels(epsilon) * epsilon)),
       m_part_lost((1 - m_part_saved * m_part_saved) / 2)
@@ -191,7 +193,9 @@ private:
     const double distance = length(position);
     const double label = m_labels.distance(cone.tip);
     const End apex{position, distance, m_labels.distance(face.apex) - label};
-    const bool is_open = is_worth_a_look(cone) & (face.apex != cone.tip);
+    const bool is_of_use = is_worth_a_look(cone, face.across);
+    const bool may_return = m_winding.may_return();
+    const bool is_open = is_of_use & (may_return | (face.apex != cone.tip));
     m_arcs.append(is_open & is_seen, cone.tip, label, face.apex, distance);
 
     // An apex where the tip is sees the same.
@@ -211,10 +215,10 @@ private:
               const Index halfedge,
               const bool is_open)
   {
-    const bool is_milestone = (before.depth & (before.depth + 1)) == 0;
-    *m_end = {
-        left,     right,      left_side,        right_side,
-        halfedge, before.tip, before.depth + 1, is_milestone ? before.halfedge : before.checkpoint};
+    const Index checkpoint =
+        Winding::is_milestone(before.depth) ? before.halfedge : before.checkpoint;
+    *m_end = {left,     right,      left_side,        right_side,
+              halfedge, before.tip, before.depth + 1, checkpoint};
     // a halfedge that there is, where there is none ahead
     const Index edge = halfedge == null_index ? before.halfedge : halfedge;
     m_unfolding.prefetch(edge);
@@ -237,7 +241,7 @@ private:
   // line in their middle. See `Cone_side`, whose vertices serve what is farther away by the way to
   // them, less the part that may be lost. In a triangle whose sides have an angle with the cosine
   // `cosine`, this comes to the two comparisons below.
-  bool is_worth_a_look(const Narrow_cone& cone) const
+  bool is_worth_a_look(const Narrow_cone& cone, const double height_of_face) const
   {
     const Side& left = cone.left_side;
     const Side& right = cone.right_side;
@@ -253,14 +257,16 @@ private:
     const bool both_serve = (gain > 0) & (area * gain >= m_part_lost * farther * slope);
 
     const bool is_plane = (area >= 0) & ((slope > 0) | (cosine < 0)); // up to rounding
-    const bool is_back = cone.halfedge == cone.checkpoint;            // see `Cone_expansion`
-    return is_plane & !(serves_other | both_serve | is_back);
+    const bool winds =
+        m_winding.is_too_long(cone.halfedge, height_of_face, cone.depth, cone.checkpoint);
+    return is_plane & !(serves_other | both_serve | winds);
   }
 
   const Intrinsic_triangulation& m_triangulation;
   const Unfolding& m_unfolding;
   const Labels& m_labels;
   Arcs& m_arcs;
+  const Winding m_winding;
   double m_factor;     // of what is left of the way, in comparisons
   double m_part_saved; // of the distance of a vertex, by going over it
   double m_part_lost;

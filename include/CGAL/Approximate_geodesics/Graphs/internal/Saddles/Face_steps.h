@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
 
 #include <cstddef>
 #include <vector>
@@ -70,11 +71,13 @@ public:
 
   // Throws if a face breaks the triangle inequality.
   explicit Face_steps(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
-    : m_steps(unfold_all<Face_step>(triangulation, loop, face_step))
+    : m_steps(unfold_all<Face_step>(triangulation, loop, face_step)), m_winding(triangulation)
   {
   }
 
   const Face_step& operator[](const Index h) const { return m_steps[h]; }
+
+  const Winding& winding() const { return m_winding; }
 
   // `h` may be null_index
   void prefetch(const Index h) const { internal::prefetch(m_steps.data(), h); }
@@ -83,6 +86,7 @@ public:
 
 private:
   std::vector<Face_step> m_steps;
+  Winding m_winding;
 };
 
 } // namespace internal

@@ -44,8 +44,10 @@ struct Sight_part
 // What closes a sight on one side: the direction of a vertex, or the boundary of a sector.
 struct Sight_ray
 {
-  // Vertices at smaller angles from a ray are on it. The way to one of them over the vertex on the
-  // ray is longer than the straight line by the square of this at most, which is nothing.
+  // Vertices at smaller angles from a ray are on it. Where the way over the vertex P on the ray is
+  // the real one, it is longer than the line from s to the other vertex C by the part
+  // angle^2 |sP| / (2 |PC|): less than 1e-12, unless the edge is a millionth of the way or shorter,
+  // and less than the angle in any case.
   static constexpr double TOLERANCE = 1e-9;
 
   Plane_vector direction = {0, 0};
@@ -98,20 +100,6 @@ struct Sight
     const double squared_length = dot(edge, edge);
     return (excess > 0 && excess * excess > factor * squared_length) ||
            !(squared_length > SHORTEST_EDGE * SHORTEST_EDGE);
-  }
-
-  // A shortest path meets a face only once. Straight lines may do so often, where they wind round a
-  // spike. To notice that they have come round again, they remember one halfedge that they met, a
-  // later one each time that the way is twice as long, as Brent does to find a cycle (R. P. Brent,
-  // An improved Monte Carlo factorization algorithm, 1980).
-  bool is_back()
-  {
-    if(halfedge == checkpoint)
-      return true;
-    if((depth & (depth + 1)) == 0)
-      checkpoint = halfedge;
-    ++depth;
-    return false;
   }
 };
 

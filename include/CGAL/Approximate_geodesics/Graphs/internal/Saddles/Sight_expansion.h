@@ -97,7 +97,7 @@ private:
     m_steps.prefetch(step.right);
     if constexpr(Visitor::wants_sights)
       m_visitor.on_sight(sight);
-    if(sight.is_back())
+    if(m_steps.winding().ends_at(sight.halfedge, step.across, sight.depth, sight.checkpoint))
       return false;
     const Plane_vector left_edge = step.left_edge(sight.edge);
     const Plane_vector apex = sight.left + left_edge;
