@@ -116,7 +116,7 @@ namespace CGAL {
  *   \cgalParamNBegin{straighten}
  *     \cgalParamDescription{whether the path is shortened to a locally shortest one on the surface:
  *                           one that gets longer if it is moved a little. It is never made longer,
- *                           but for roundings in caps (see section \ref AG_bad_meshes), and in most
+ *                           but for roundings in caps (see page \ref AG_bad_meshes), and in most
  *                           cases becomes the shortest one.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`}

@@ -37,8 +37,8 @@ namespace Approximate_geodesics {
  * distances are in proportion to \f$\sqrt\varepsilon\f$ divided by the root of their curvature, and
  * where they have corners, to \f$\varepsilon\f$. And progressions start at all vertices as if
  * weights were different, with the ratio of the largest cost of an edge there to the smallest cost
- * of any direction. The manual has the exact statement and its proof: see Section
- * \ref AG_directional_bound.
+ * of any direction. Section \ref AG_directional_bound of the manual states the theorem, and the
+ * report \cgalCite{ag-report} proves it.
  *
  * There is no bound where some directions in a face are free or forbidden, and others are not. Such
  * faces are refused, and so are those with an edge that takes more than

@@ -43,9 +43,9 @@ namespace Approximate_geodesics {
  * Its nodes are the vertices of the mesh, and its arcs are straight lines across the faces that lie
  * between them, laid out in the plane. From every vertex, all directions are followed for as long
  * as they lead to something that cannot be reached well enough over another vertex; section \ref
- * AG_discrete_geodesic_graph of the user manual describes how that is decided, and proves the
- * bound. On scanned models the mean error is below \f$\varepsilon / 50\f$, and the largest one
- * below \f$\varepsilon / 4\f$.
+ * AG_discrete_geodesic_graph of the user manual describes how that is decided, and the report
+ * \cgalCite{ag-report} proves the bound. On scanned models the mean error is below
+ * \f$\varepsilon / 50\f$, and the largest one below \f$\varepsilon / 4\f$.
  *
  * Lengths are stored in single precision and rounded up, which makes them too long by a factor of
  * at most \f$1 + 2^{-23}\f$, unless they are shorter than the longest edge by a factor of more than

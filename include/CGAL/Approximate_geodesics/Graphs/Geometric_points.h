@@ -36,8 +36,9 @@ namespace Approximate_geodesics {
  * sine is to be read as 1). The progression starts at a distance from the vertex that is in
  * proportion to the radius of its star: the radius times about \f$\sqrt{\varepsilon / 2}\f$ if all
  * faces around it have the same weight, and else times about \f$\varepsilon / 6\f$. There are no
- * points on edges at the border, nor on barriers, since no cheapest path needs them. The manual has
- * the exact statement and its proof: see Section \ref AG_geometric_points.
+ * points on edges at the border, nor on barriers, since no cheapest path needs them. Section
+ * \ref AG_geometric_points of the manual states the theorem, and the report \cgalCite{ag-report}
+ * proves it.
  *
  * So there are \cgalBigO{\log(1 / \varepsilon) / \sqrt\varepsilon} points on an edge, times a
  * factor that depends on the angles. The idea of progressions is that of Aleksandrov, Lanthier,

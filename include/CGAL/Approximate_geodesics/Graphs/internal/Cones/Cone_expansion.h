@@ -57,8 +57,7 @@ struct Leave_out_nothing_in_doubt : Leave_out_nothing
 
 /*
  * Finds the arcs of a vertex in a discrete geodesic graph: unfolds the faces around it outwards and
- * follows the cones of straight lines through them. See the user manual for why this gives the
- * error bound.
+ * follows the cones of straight lines through them. The technical report proves the error bound.
  */
 template <typename Unfolding>
 class Cone_expansion
