@@ -4,10 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What exact distances cost: the saddle vertex graph beside CGAL's exact class and beside graphs
-// with a bound, how its time grows with the mesh, and errors against time from edges to exact ones.
-// See --help.
+// with a bound, and how its time grows with the mesh. See --help.
 
-#include "measuring/Errors.h"
 #include "measuring/Sight_counting_graph.h"
 #include "measuring/child_process.h"
 #include "measuring/measure.h"
@@ -22,10 +20,8 @@
 #include "peers/Exact_search.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/approximate_geodesic_distances.h>
@@ -33,12 +29,10 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -412,106 +406,11 @@ static void measure_growth(const Options& options, const Report& report)
       benchmark.table());
 }
 
-// ----- errors against time
-
-class Error_benchmark
-{
-public:
-  Error_benchmark(const std::string& name, const std::size_t number_of_rounds)
-    : m_mesh(read_mesh(name)),
-      m_expected(name, m_mesh, random_sources(m_mesh, number_of_rounds)),
-      m_triangulation(m_mesh),
-      m_distances(m_mesh.add_property_map<Vertex, double>("v:distance").first)
-  {
-    add<AG::Edge_graph>("edges", parameters::default_values());
-    for(const unsigned number : {1u, 3u})
-      add<AG::Steiner_graph<AG::Fixed_number_of_points>>(
-          "points per edge: " + std::to_string(number),
-          parameters::number_of_points_per_edge(number));
-    for(const double epsilon : {1., 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001})
-      add<AG::Lazy_discrete_geodesic_graph>("epsilon " + text_of(epsilon),
-                                            parameters::epsilon(epsilon));
-    add<AG::Saddle_vertex_graph>("exact", parameters::epsilon(0));
-    m_first.run(number_of_rounds);
-    m_further.run(number_of_rounds);
-  }
-
-  Table table()
-  {
-    Table result({"method", "first source ms", "further source ms", "mean %", "largest %"});
-    for(std::size_t i = 0; i < m_methods.size(); ++i)
-    {
-      const Errors errors = this->errors(m_methods[i]);
-      result.add_row()
-          .add(m_methods[i].name)
-          .add(m_first.median_seconds(i) * 1e3, 2)
-          .add(m_further.median_seconds(i) * 1e3, 2)
-          .add(errors.mean() * 100, 5)
-          .add(errors.largest() * 100, 4);
-    }
-    return result;
-  }
-
-private:
-  struct Method
-  {
-    std::string name;
-    std::function<void(Vertex)> run;
-    std::function<double(Vertex)> distance; // in the last run
-  };
-
-  static std::string text_of(const double epsilon)
-  {
-    std::ostringstream text;
-    text << epsilon;
-    return text.str();
-  }
-
-  template <typename Graph, typename NamedParameters>
-  void add(const std::string& name, const NamedParameters& np)
-  {
-    const auto graph = std::make_shared<Graph>(m_triangulation, np);
-    const auto search = std::make_shared<AG::Propagation<Graph>>(*graph);
-    const auto node = [graph](const Vertex v) { return graph->triangulation().vertex(v.idx()); };
-    const auto run = [search, node](const Vertex source) { search->run_from(node(source)); };
-    m_methods.push_back({name, run, [=](const Vertex v) { return search->distance(node(v)); }});
-    m_first.add([this, np](const auto round) {
-      CGAL::approximate_geodesic_distances(m_mesh, m_distances, m_expected.sources()[round], np);
-    });
-    m_further.add([this, run](const auto round) { run(m_expected.sources()[round]); });
-  }
-
-  Errors errors(const Method& method) const
-  {
-    Errors result;
-    for(std::size_t i = 0; i < m_expected.sources().size(); ++i)
-    {
-      method.run(m_expected.sources()[i]);
-      for(const Vertex v : m_mesh.vertices())
-        result.add(method.distance(v), m_expected.distance(i, v));
-    }
-    return result;
-  }
-
-  Mesh m_mesh;
-  Exact_case m_expected;
-  AG::Intrinsic_triangulation m_triangulation;
-  Map m_distances;
-  std::vector<Method> m_methods;
-  Contest m_first, m_further;
-};
-
 int main(int argc, char* argv[])
 {
   const auto measure = [](const Options& options, const Report& report) {
     compare_on_scans(options, report);
     measure_growth(options, report);
-    const std::string& name = options.meshes.front();
-    report.print("exact_errors",
-                 "Errors against time on " + short_name(name) +
-                     ": a first source with everything included, and a further one (medians of " +
-                     std::to_string(options.number_of_rounds) + ")",
-                 Error_benchmark(name, options.number_of_rounds).table());
   };
   return run_benchmark(argc, argv, "bench_exact", {usual_meshes(), 5, ""}, measure);
 }

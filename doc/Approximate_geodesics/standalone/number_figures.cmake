@@ -1,0 +1,25 @@
+# Numbers the figures in the order of the page that they are on, pages by their names, and the main page
+# first. References and captions say "Figure fig__NAME" before. To be called with -D html=FOLDER.
+file(GLOB pages ${html}/*.html)
+list(REMOVE_ITEM pages ${html}/index.html)
+list(PREPEND pages ${html}/index.html)
+
+set(names)
+foreach(page IN LISTS pages)
+  file(READ ${page} content)
+  string(REGEX MATCHALL "<b>Figure fig__[a-z_0-9]+" captions "${content}")
+  list(APPEND names ${captions})
+endforeach()
+list(TRANSFORM names REPLACE "<b>Figure fig__" "")
+
+foreach(page IN LISTS pages)
+  file(READ ${page} content)
+  if(content MATCHES "Figure fig__")
+    set(number 0)
+    foreach(name IN LISTS names)
+      math(EXPR number "${number} + 1")
+      string(REGEX REPLACE "Figure fig__${name}([^a-z_0-9])" "Figure ${number}\\1" content "${content}")
+    endforeach()
+    file(WRITE ${page} "${content}")
+  endif()
+endforeach()
