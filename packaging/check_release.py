@@ -28,10 +28,10 @@ def check_versions():
 
 
 def check_placeholders():
-    for path in release.glob("v*/*"), release.glob("con*/**/*"):
-        for file in filter(pathlib.Path.is_file, path):
-            left = re.findall("@[A-Z0-9]+@", file.read_text())
-            expect(not left, f"{file}: {', '.join(left)} are not filled in")
+    files = [path for name in ("vcpkg", "conan", "conda") for path in (release / name).rglob("*.*")]
+    for file in filter(pathlib.Path.is_file, files):
+        left = re.findall("@[A-Z0-9]+@", file.read_text())
+        expect(not left, f"{file}: {', '.join(left)} are not filled in")
 
 
 def check_vcpkg():
