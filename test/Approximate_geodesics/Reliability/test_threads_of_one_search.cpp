@@ -105,7 +105,7 @@ protected:
   template <typename Find>
   auto same_from_all(const Find& find) const
   {
-    using Found = decltype(find(parameters::concurrency_tag(CGAL::Sequential_tag())));
+    using Found = decltype(find(with_concurrency(CGAL::Sequential_tag())));
     std::vector<Found> found;
     for_each_number_of_threads([&](const auto& np) { found.push_back(find(np)); });
     for(std::size_t i = 2; i < found.size(); ++i)
@@ -133,26 +133,23 @@ void expect_within_bound(const std::vector<double>& a,
 
 TEST_F(One_search_by_threads, gives_the_same_by_any_number)
 {
-  const auto [found, alone] = same_from_all([&](const auto& np) {
-    return written(parameters::combine(np, parameters::epsilon(epsilon)));
-  });
+  const auto [found, alone] =
+      same_from_all([&](const auto& np) { return written(np.epsilon(epsilon)); });
   expect_within_bound(found.distances, alone.distances, epsilon);
 }
 
 TEST_F(One_search_by_threads, ends_at_the_same_place)
 {
   const double largest = 4;
-  const auto [found, alone] = same_from_all([&](const auto& np) {
-    return written(parameters::combine(np, parameters::epsilon(epsilon).maximum_distance(largest)));
-  });
+  const auto [found, alone] = same_from_all(
+      [&](const auto& np) { return written(np.epsilon(epsilon).maximum_distance(largest)); });
   EXPECT_GT(std::count(found.distances.begin(), found.distances.end(), infinity), 100);
   for(std::size_t i = 0; i < found.distances.size(); ++i)
     EXPECT_TRUE(found.distances[i] <= largest || found.distances[i] == infinity);
 
   const std::vector<Vertex> targets = {Vertex(3000), Vertex(11)};
-  const auto [to_targets, alone_to_targets] = same_from_all([&](const auto& np) {
-    return written(parameters::combine(np, parameters::epsilon(epsilon).targets(targets)));
-  });
+  const auto [to_targets, alone_to_targets] =
+      same_from_all([&](const auto& np) { return written(np.epsilon(epsilon).targets(targets)); });
   for(const Vertex v : targets)
     EXPECT_LE(to_targets.distances[v], (1 + epsilon) * alone_to_targets.distances[v]);
 }
@@ -163,8 +160,7 @@ TEST_F(One_search_by_threads, finds_the_same_paths)
   const auto [found, alone] = same_from_all([&](const auto& np) {
     Path path;
     const double length = CGAL::approximate_geodesic_path(
-        m_mesh, std::back_inserter(path), m_sources.front(), Vertex(6000),
-        parameters::combine(np, parameters::epsilon(epsilon)));
+        m_mesh, std::back_inserter(path), m_sources.front(), Vertex(6000), np.epsilon(epsilon));
     EXPECT_NEAR(length_of(path), length, 1e-9 * length);
     return path;
   });
@@ -178,8 +174,7 @@ TEST_F(One_search_by_threads, finds_the_distances_of_the_built_graph)
   AG::Surface_mesh_shortest_path<Mesh, Discrete_geodesic_graph> expected(m_mesh, built);
   expected.add_source_points(m_sources.begin(), m_sources.end());
   for_each_number_of_threads([&](const auto& np) {
-    const Lazy_discrete_geodesic_graph graph(Triangulation(m_mesh, np),
-                                             parameters::combine(np, parameters::epsilon(epsilon)),
+    const Lazy_discrete_geodesic_graph graph(Triangulation(m_mesh, np), np.epsilon(epsilon),
                                              Arcs::KEPT);
     AG::Propagation<Lazy_discrete_geodesic_graph, Watched_queue> search(graph);
     std::vector<AG::Seed> seeds;
@@ -198,8 +193,7 @@ TEST_F(One_search_by_threads, counts_what_one_thread_counts)
 {
   std::vector<std::size_t> relaxations, pops;
   for_each_number_of_threads([&](const auto& np) {
-    const Lazy_discrete_geodesic_graph graph(Triangulation(m_mesh),
-                                             parameters::combine(np, parameters::epsilon(epsilon)));
+    const Lazy_discrete_geodesic_graph graph(Triangulation(m_mesh), np.epsilon(epsilon));
     AG::Propagation<Lazy_discrete_geodesic_graph> search(graph);
     search.collect_statistics(true);
     search.run_from(0);
@@ -218,7 +212,7 @@ TEST_F(One_search_by_threads, may_be_interrupted)
 {
   using Paths = AG::Surface_mesh_shortest_path<Mesh, Lazy_discrete_geodesic_graph>;
   for_each_number_of_threads([&](const auto& np) {
-    Paths paths(m_mesh, parameters::combine(np, parameters::epsilon(epsilon)));
+    Paths paths(m_mesh, np.epsilon(epsilon));
     paths.add_source_points(m_sources.begin(), m_sources.end());
     const auto distances = [&] {
       std::vector<double> result;
@@ -261,9 +255,8 @@ TEST_F(One_search_by_threads, refuses_the_same)
   for_each_number_of_threads([&](const auto& np) {
     expect_message<std::invalid_argument>(
         [&] {
-          CGAL::approximate_geodesic_distances(
-              m_mesh, distance_map, Vertex(0),
-              parameters::combine(np, parameters::epsilon(epsilon).edge_length_map(map)));
+          CGAL::approximate_geodesic_distances(m_mesh, distance_map, Vertex(0),
+                                               np.epsilon(epsilon).edge_length_map(map));
         },
         "triangle inequality");
     EXPECT_EQ(std::count(distances.begin(), distances.end(), -1),
