@@ -1,8 +1,3 @@
-// Copyright (c) 2026  The Approximate Geodesics authors.
-// All rights reserved.
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-
 // Distances and a path that are at most 5 % longer than the shortest ones on the surface.
 
 #include <CGAL/Simple_cartesian.h>

@@ -1,8 +1,3 @@
-// Copyright (c) 2026  The Approximate Geodesics authors.
-// All rights reserved.
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-
 // Cheapest paths through hills: what a kilometer costs depends on the ground, nobody crosses cliffs
 // and the lake, and the fence has to be passed at its gate. draw_terrain.py draws the result.
 

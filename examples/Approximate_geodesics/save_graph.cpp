@@ -1,8 +1,3 @@
-// Copyright (c) 2026  The Approximate Geodesics authors.
-// All rights reserved.
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-
 // A graph that is built once, by several threads if possible, and read from a file from then on.
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>

@@ -1,8 +1,3 @@
-// Copyright (c) 2026  The Approximate Geodesics authors.
-// All rights reserved.
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-
 // Costs that depend on the direction: a hiker goes up a mountain and comes down another way, and a
 // boat crosses a river with a current. draw_there_and_back.py draws the result.
 

@@ -23,7 +23,7 @@ COLORS = [  # near to far
     (0.75, (1.00, 0.84, 0.18)),
     (1.00, (0.90, 0.16, 0.12)),
 ]
-GREY, DARK, WHITE = (0.72, 0.72, 0.72), (0.10, 0.10, 0.12), (1.0, 1.0, 1.0)
+GRAY, DARK, WHITE = (0.72, 0.72, 0.72), (0.10, 0.10, 0.12), (1.0, 1.0, 1.0)
 
 
 def read(name):
@@ -44,7 +44,7 @@ def color_map(farthest):
     for i in range(1024):
         table.SetTableValue(i, *function.GetColor(farthest * i / 1023), 1)
     table.SetUseBelowRangeColor(True)
-    table.SetBelowRangeColor(*GREY, 1)
+    table.SetBelowRangeColor(*GRAY, 1)
     return table
 
 

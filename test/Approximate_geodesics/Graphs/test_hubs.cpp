@@ -173,7 +173,7 @@ TEST(Hubs, are_left_alone_if_they_are_small)
   EXPECT_EQ(&Cone_triangulation(mesh).get(mesh), &mesh);
 }
 
-// A chain that is bent towards the hub: its vertices can be connected to nothing else.
+// A chain that is bent toward the hub: its vertices can be connected to nothing else.
 TEST(Hubs, keep_edges_to_vertices_that_turn_inwards)
 {
   constexpr std::size_t size = 200;

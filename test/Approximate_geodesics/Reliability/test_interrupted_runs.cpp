@@ -62,7 +62,7 @@ typename Search::Stop_rule early_stop()
   return {infinity, {20, 30}, {{{25, 0.1}, {26, 0.2}}}};
 }
 
-// What else is reached depends on what the queue has learnt.
+// What else is reached depends on what the queue has learned.
 template <typename Search>
 Values distances_of_targets(const Search& search)
 {

@@ -154,31 +154,31 @@ TEST(Visitor_of_the_class, can_end_the_run_at_any_time)
 }
 
 // Waits for somebody else to cancel the run, once it has settled some vertices.
-struct Cancelled_visitor : Vertex_recorder
+struct Canceled_visitor : Vertex_recorder
 {
   bool go_further()
   {
     if(settled.size() < 20)
       return true;
     waits = true;
-    while(!is_cancelled)
+    while(!is_canceled)
       std::this_thread::yield();
     return false;
   }
 
   std::atomic<bool> waits = false;
-  std::atomic<bool> is_cancelled = false;
+  std::atomic<bool> is_canceled = false;
 };
 
 // Calls `run(visitor)`, and cancels it in another thread.
 template <typename Run>
 void cancel(Run run)
 {
-  Cancelled_visitor visitor;
+  Canceled_visitor visitor;
   std::thread other([&] {
     while(!visitor.waits)
       std::this_thread::yield();
-    visitor.is_cancelled = true;
+    visitor.is_canceled = true;
   });
   run(visitor);
   other.join();
@@ -187,7 +187,7 @@ void cancel(Run run)
 TEST(Visitor_of_the_class, can_be_told_to_by_another_thread)
 {
   for_each_class([](auto&& subject) {
-    cancel([&](Cancelled_visitor& visitor) {
+    cancel([&](Canceled_visitor& visitor) {
       subject.paths().build_sequence_tree(parameters::visitor(std::ref(visitor)));
       EXPECT_GE(visitor.settled.size(), 20u);
       subject.expect_part(visitor);
@@ -284,16 +284,16 @@ TEST_F(Watched_function, tells_what_is_certain_if_the_visitor_ends_the_run)
   }
 }
 
-TEST_F(Watched_function, can_be_cancelled_by_another_thread)
+TEST_F(Watched_function, can_be_canceled_by_another_thread)
 {
-  cancel([&](Cancelled_visitor& visitor) {
+  cancel([&](Canceled_visitor& visitor) {
     Values distances;
     CGAL::approximate_geodesic_distances(m_mesh, map(distances), Vertex(3),
                                          parameters::visitor(std::ref(visitor)));
     EXPECT_GE(visitor.settled.size(), 20u);
     expect_part(distances, m_expected, visitor);
   });
-  cancel([&](Cancelled_visitor& visitor) {
+  cancel([&](Canceled_visitor& visitor) {
     std::vector<Point> points;
     EXPECT_EQ(CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), Vertex(3),
                                               Vertex(107), parameters::visitor(std::ref(visitor))),

@@ -105,7 +105,7 @@ protected:
   template <typename Find>
   auto same_from_all(const Find& find) const
   {
-    using Found = decltype(find(parameters::concurrency_tag(CGAL::Sequential_tag())));
+    using Found = decltype(find(with_concurrency(CGAL::Sequential_tag())));
     std::vector<Found> found;
     for_each_number_of_threads([&](const auto& np) { found.push_back(find(np)); });
     for(std::size_t i = 2; i < found.size(); ++i)

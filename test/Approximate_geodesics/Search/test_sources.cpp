@@ -64,7 +64,7 @@ TEST(Sources, may_be_repeated_and_in_any_order)
 
 // The source that a vertex is said to be nearest to, alone, has the same distance; and a vertex has
 // the label of the one before it.
-TEST(Sources, are_labelled_consistently)
+TEST(Sources, are_labeled_consistently)
 {
   Random random(test_seed());
   for(const auto& [name, mesh] : generated_meshes(test_seed()))
@@ -99,7 +99,7 @@ TEST(Sources, are_labelled_consistently)
 }
 
 // A workspace is asked for labels in some runs and not in others.
-TEST(Sources, are_labelled_again_in_every_run)
+TEST(Sources, are_labeled_again_in_every_run)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(20, 20, random));

@@ -18,18 +18,27 @@
 
 namespace geodesics_test {
 
+// `concurrency_tag(Tag())` as a chain that goes on with names of this package. In CGAL 6, the
+// parameter is CGAL's, and so is a chain that starts with it.
+template <typename Tag>
+auto with_concurrency(Tag tag)
+{
+  using CGAL::Approximate_geodesics::internal::Named_parameters;
+  return Named_parameters<Tag, CGAL::internal_np::concurrency_tag_t>(tag);
+}
+
 // Calls `f(np)` for one thread, and for several numbers of them.
 template <typename F>
 void for_each_number_of_threads(F f)
 {
-  f(CGAL::parameters::concurrency_tag(CGAL::Sequential_tag()));
+  f(with_concurrency(CGAL::Sequential_tag()));
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control more_than_cores(tbb::global_control::max_allowed_parallelism, 7);
   for(const int number : {1, 2, 3, 7})
   {
     SCOPED_TRACE(testing::Message() << number << " threads");
     tbb::task_arena arena(number);
-    arena.execute([&] { f(CGAL::parameters::concurrency_tag(CGAL::Parallel_tag())); });
+    arena.execute([&] { f(with_concurrency(CGAL::Parallel_tag())); });
   }
 #endif
 }

@@ -103,8 +103,9 @@ public:
                         .concurrency_tag(Parallel_if_available_tag());
     if(targets == nullptr)
       approximate_geodesic_distance_matrix(m_graph, rows, sources, np);
-    else
-      approximate_geodesic_distance_matrix(m_graph, rows, sources, np.targets(*targets));
+    else // np starts with a name of CGAL 6, whose chains lack ours
+      approximate_geodesic_distance_matrix(m_graph, rows, sources,
+                                           parameters::combine(np, parameters::targets(*targets)));
     visitor.finish();
   }
 
