@@ -58,6 +58,18 @@ void call_wrongly(const Mesh& mesh,
   // approximate_geodesic_distances() does not read one of these named parameters
   CGAL::approximate_geodesic_distances(mesh, distances, Vertex(0), parameters::straighten(true));
 
+  // one of a std::vector is boost::make_iterator_property_map(
+  CGAL::approximate_geodesic_distances(mesh, std::vector<double>(), Vertex(0));
+
+  // distances are written to a property map with vertex descriptors as keys
+  AG::Surface_mesh_shortest_path<Mesh>(mesh).shortest_distances_to_source_points(isovalues);
+
+  // a source is a vertex descriptor, a Face_location or a Surface_point
+  CGAL::approximate_geodesic_distances(mesh, distances, 0);
+
+  // source, target: a vertex descriptor, Face_location, or Surface_point
+  CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), 0, Vertex(1));
+
   // approximate_geodesic_path() does not read one of these named parameters
   CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
                                   parameters::targets(vertices));
