@@ -2,6 +2,8 @@
 #define GEODESIC_DISTANCES_EXACT_COMPARISON_H
 
 #include "../command_line/Stopwatch.h"
+#include "../command_line/read_mesh.h"
+#include "Places.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
@@ -26,9 +28,11 @@ struct Exact_comparison
   std::size_t number_below = 0;
 };
 
-template <typename Mesh, typename Vertices>
-std::vector<double> exact_distances(const Mesh& mesh, const Vertices& sources)
+inline std::vector<double> exact_distances(const Mesh& mesh, const std::vector<Place>& places)
 {
+  std::vector<CGAL::Approximate_geodesics::Surface_point<Mesh>> sources;
+  for(const Place& place : places)
+    sources.push_back(place.point);
   std::vector<double> result(mesh.num_vertices());
   CGAL::approximate_geodesic_distances(
       mesh, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh)),
@@ -36,9 +40,11 @@ std::vector<double> exact_distances(const Mesh& mesh, const Vertices& sources)
   return result;
 }
 
-template <typename Mesh, typename Vertices>
+// `locations` are those of the sources in faces.
+template <typename Locations>
 Exact_comparison compare_with_exact_distances(const Mesh& mesh,
-                                              const Vertices& sources,
+                                              const std::vector<Place>& sources,
+                                              const Locations& locations,
                                               const std::vector<double>& distances)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -52,7 +58,8 @@ Exact_comparison compare_with_exact_distances(const Mesh& mesh,
 
   stopwatch.restart();
   CGAL::Surface_mesh_shortest_path<Traits> exact(mesh);
-  exact.add_source_points(sources.begin(), sources.end());
+  for(const auto& location : locations)
+    exact.add_source_point(location);
   exact.build_sequence_tree();
   result.seconds = stopwatch.seconds();
   result.smallest_error = std::numeric_limits<double>::infinity();
