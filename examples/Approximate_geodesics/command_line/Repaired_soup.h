@@ -41,15 +41,15 @@ public:
   {
     out << "The file had to be repaired:";
     std::string separator = " ";
-    const auto add = [&](const std::size_t number, const std::string& what) {
+    const auto add = [&](const std::string& what, const std::size_t number) {
       if(number > 0)
-        out << std::exchange(separator, "; ") << number << what;
+        out << std::exchange(separator, "; ") << what << ": " << number;
     };
-    add(m_merged, " points that others coincide with were merged");
-    add(m_isolated, " points without faces were removed");
-    add(m_removed, " faces were removed (without area, or there twice)");
-    add(m_edges_of_many, " edges with more than two faces were cut");
-    add(m_duplicated, " vertices were duplicated, where faces do not form a surface");
+    add("points merged with others in the same place", m_merged);
+    add("points removed that had no faces", m_isolated);
+    add("faces removed that were degenerate or duplicates", m_removed);
+    add("edges cut that had more than two faces", m_edges_of_many);
+    add("vertices duplicated where faces do not form a surface", m_duplicated);
     if(m_merged + m_isolated > 0)
       out << ". Indices of vertices are not those of the file";
     out << ".\n";

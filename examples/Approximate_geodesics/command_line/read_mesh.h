@@ -60,8 +60,9 @@ inline Mesh read_mesh(const std::string& file)
   {
     soup.describe(std::clog);
     std::clog << "The mesh has " << mesh.number_of_vertices() << " vertices, "
-              << mesh.number_of_faces() << " faces and " << number_of_components(mesh)
-              << " connected components now.\n";
+              << mesh.number_of_faces()
+              << " faces, and this number of connected components: " << number_of_components(mesh)
+              << ".\n";
   }
   if(!CGAL::is_triangle_mesh(mesh))
   {

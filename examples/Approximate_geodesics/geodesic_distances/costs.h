@@ -63,7 +63,7 @@ inline std::vector<double> weights_of_mesh_file(const std::string& file, const s
   Mesh mesh;
   std::string comments;
   std::ifstream in = open_to_read(file, std::ios::binary);
-  if(!CGAL::IO::read_PLY(in, mesh, comments))
+  if(in.get() != 'p' || in.unget().fail() || !CGAL::IO::read_PLY(in, mesh, comments))
     throw std::invalid_argument("--weights property:" + name + ": " + file +
                                 " is not a PLY file of a mesh that needs no repair");
   const std::string full_name = "f:" + name;

@@ -119,7 +119,7 @@ inline void print_help(const po::options_description& description)
          "time taken, the range of the distances, and the length of the path to each target.\n"
          "Written are\n"
          "  NAME.vtp             the mesh with distance and nearest source of every vertex, for\n"
-         "                       ParaView and f3d; NaN and -1 where no source reaches it,\n"
+         "                       ParaView and f3d --scalars; NaN and -1 where no source reaches,\n"
          "  NAME.ply             the same for MeshLab and others: distance, also as quality, and\n"
          "                       a color, from blue (near) over green to red (far),\n"
          "  NAME_paths.vtp       the sources as points, and the paths as lines with their "

@@ -21,6 +21,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,10 +42,17 @@ void answer_within_bound(const Question& question)
     return answer(
         question,
         [&] {
-          std::ifstream in = open_to_read(options.graph_to_load, std::ios::binary);
-          return Discrete_geodesic_graph::load(in, Intrinsic_triangulation(question.mesh));
+          return name_in_errors("--load-graph " + options.graph_to_load, [&] {
+            std::ifstream in = open_to_read(options.graph_to_load, std::ios::binary);
+            return Discrete_geodesic_graph::load(in, Intrinsic_triangulation(question.mesh));
+          });
         },
         [](const auto& graph, Report& report) { report.add_bound(graph.epsilon()); });
+  if(*options.epsilon < 0.001)
+    std::clog
+        << "--epsilon " << *options.epsilon
+        << ": a graph with so small a bound takes long, and much memory; --epsilon 0 is exact, "
+           "and takes less of both.\n";
   answer(
       question,
       [&] {
@@ -63,7 +71,19 @@ template <typename NamedParameters>
 void answer_with_costs(const Question& question, const NamedParameters& np)
 {
   answer(
-      question, [&] { return Steiner_graph<>(Intrinsic_triangulation(question.mesh, np), np); },
+      question,
+      [&] {
+        try
+        {
+          return Steiner_graph<>(Intrinsic_triangulation(question.mesh, np), np);
+        }
+        catch(const std::length_error& e)
+        {
+          throw std::invalid_argument("--epsilon " + std::to_string(*question.options.epsilon) +
+                                      ": " + e.what() +
+                                      " (on the command line: --accept-weaker-bound)");
+        }
+      },
       [&](const auto& graph, Report& report) {
         if(question.options.accepts_weaker_bound)
           report.add_bound(graph.epsilon());

@@ -1,4 +1,4 @@
-# What the tests of geodesic_matrix have in common: a folder of their own, and a small mesh.
+# What the tests of command-line programs have in common: a folder of their own, and a small mesh.
 cmake_minimum_required(VERSION 3.21)
 get_filename_component(folder ${CMAKE_SCRIPT_MODE_FILE} NAME_WE)
 file(REMOVE_RECURSE ${folder})
@@ -12,6 +12,14 @@ function(expect code text)
                   OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL code OR NOT output MATCHES "${text}")
     message(FATAL_ERROR "${ARGN}\nended with ${result} and wrote:\n${output}")
+  endif()
+endfunction()
+
+# Fails unless the regular expression matches what is in a file.
+function(expect_contents name text)
+  file(READ ${folder}/${name} contents)
+  if(NOT contents MATCHES "${text}")
+    message(FATAL_ERROR "${name} holds\n${contents}")
   endif()
 endfunction()
 
