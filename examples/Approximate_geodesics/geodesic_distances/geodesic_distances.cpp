@@ -52,7 +52,7 @@ void answer_within_bound(const Question& question)
     std::clog
         << "--epsilon " << *options.epsilon
         << ": a graph with so small a bound takes long, and much memory; --epsilon 0 is exact, "
-           "and takes less of both.\n";
+           "and mostly takes less of both.\n";
   answer(
       question,
       [&] {

@@ -65,7 +65,7 @@ inline void read_view(const po::variables_map& values, Options& options)
   }
   if(options.view.size() != 3)
     reject_option("view", "it takes an azimuth, an elevation, and an axis, such as 30 20 z");
-  for(const std::size_t i : {0, 1})
+  for(std::size_t i = 0; i < 2; ++i)
     if(!std::isfinite(number_of("view", options.view[i])))
       reject_option("view", options.view[i] + " is not an angle");
   const std::string& axis = options.view[2];
