@@ -67,18 +67,11 @@ void add_statistics(Shortest_paths& shortest_paths, const Options& options, Repo
   report.add_statistics(shortest_paths.search(), seconds);
 }
 
-template <typename Shortest_paths>
-void add_comparison(Shortest_paths& shortest_paths,
-                    const Question& question,
-                    const Results& results,
-                    Report& report)
+inline void add_comparison(const Question& question, const Results& results, Report& report)
 {
   const Progress progress("Computing the exact distances");
-  std::vector<typename Shortest_paths::Face_location> locations;
-  for(const Place& source : question.sources)
-    locations.push_back(shortest_paths.face_location(source.point));
   report.comparison =
-      compare_with_exact_distances(question.mesh, question.sources, locations, results.distances);
+      compare_with_exact_distances(question.mesh, question.sources, results.distances);
 }
 
 // Where there is no path, the table could be overlooked.
@@ -120,7 +113,7 @@ void answer(const Question& question, const MakeGraph make_graph, const UseGraph
   if(question.options.prints_statistics)
     add_statistics(shortest_paths, question.options, report);
   if(question.options.compares)
-    add_comparison(shortest_paths, question, results, report);
+    add_comparison(question, results, report);
   report.print(std::cout);
   Report::print_paths(results.paths, std::cout);
   tell_of_missing_paths(results);

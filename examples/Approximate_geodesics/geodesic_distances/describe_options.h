@@ -95,7 +95,8 @@ inline po::options_description describe_rest(Options& options)
   add("statistics", po::bool_switch(&options.prints_statistics),
       "print what the search did: pops, relaxations, buckets");
   add("compare,c", po::bool_switch(&options.compares),
-      "compute the exact distances too, with CGAL's Surface_mesh_shortest_path and with epsilon 0, "
+      "for sources that are vertices: compute the exact distances too, with CGAL's "
+      "Surface_mesh_shortest_path and with epsilon 0, "
       "and print the errors; the former takes some seconds and a gigabyte for 40,000 vertices, and "
       "grows fast");
   return result;

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <variant>
 #include <vector>
 
 // How distances differ from the exact ones, relative to these: from CGAL's, which those of the
@@ -40,12 +41,10 @@ inline std::vector<double> exact_distances(const Mesh& mesh, const std::vector<P
   return result;
 }
 
-// `locations` are those of the sources in faces.
-template <typename Locations>
-Exact_comparison compare_with_exact_distances(const Mesh& mesh,
-                                              const std::vector<Place>& sources,
-                                              const Locations& locations,
-                                              const std::vector<double>& distances)
+// The sources are vertices: from points on edges, CGAL's distances can be wrong.
+inline Exact_comparison compare_with_exact_distances(const Mesh& mesh,
+                                                     const std::vector<Place>& sources,
+                                                     const std::vector<double>& distances)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
@@ -58,8 +57,8 @@ Exact_comparison compare_with_exact_distances(const Mesh& mesh,
 
   stopwatch.restart();
   CGAL::Surface_mesh_shortest_path<Traits> exact(mesh);
-  for(const auto& location : locations)
-    exact.add_source_point(location);
+  for(const Place& source : sources)
+    exact.add_source_point(std::get<Mesh::Vertex_index>(source.point));
   exact.build_sequence_tree();
   result.seconds = stopwatch.seconds();
   result.smallest_error = std::numeric_limits<double>::infinity();

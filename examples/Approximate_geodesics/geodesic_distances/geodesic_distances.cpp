@@ -1,5 +1,6 @@
 // Distances and shortest paths on a mesh, from the command line: see --help.
 
+#include "../command_line/Progress.h"
 #include "../command_line/files.h"
 #include "../command_line/read_mesh.h"
 #include "Options.h"
@@ -133,11 +134,17 @@ void check(const Options& options)
     check_option_file("weights", options.weights);
 }
 
+Mesh read_mesh_of(const Options& options)
+{
+  const Progress progress("Reading the mesh");
+  return read_mesh(options.input);
+}
+
 void run(const Options& options)
 {
   check(options);
   const Output_files files(options);
-  Question question{options, files, read_mesh(options.input), {}, {}};
+  Question question{options, files, read_mesh_of(options), {}, {}};
   Place_finder finder(question.mesh, options.seed);
   question.sources = finder.find("--source", options.sources);
   question.targets = finder.find("--target", options.targets);

@@ -83,6 +83,10 @@ inline void check_costs(const Options& options)
       reject_option(name, "it needs --epsilon E with E above 0");
   if(options.has_costs() && options.compares)
     reject_option("compare", "exact distances know neither weights nor barriers");
+  for(const std::string& source : options.sources)
+    if(options.compares && source.find(',') != std::string::npos)
+      reject_option("compare", "the sources must be vertices: from points on edges, CGAL's "
+                               "Surface_mesh_shortest_path can be wrong");
   if(!options.weights.empty() && options.straightens)
     reject_option("straighten", "cheapest paths in faces with weights are not straight");
   if(options.accepts_weaker_bound && !options.has_costs())

@@ -15,6 +15,8 @@ answer("\n1 +3 +1.4142135" square.off -s 3 -t 1 --straighten)
 answer("\n0.75,0.25,0 +0.25,0.75,0 +0.7071067" square.off -s 0.25,0.75,0 -t 0.75,0.25,0 -e 0)
 answer("--source -3,0,0: the nearest point of the surface is 0 0 0, 3 away" square.off -s -3,0,0)
 answer("\n0 +1 +1\n3 +2 +1\n" square.off -s 1 2 -t 0 3 -s 2 -m 5 --statistics)
+answer("exact distances, by CGAL .*vertices below the exact distance +0\n" square.off -e 0.1
+       -s 3 --compare)
 
 # targets that no path leads to keep their lines
 answer("\n1 +0 +1\n4 +none +inf\n2 +0 +1\n" two_parts.off -t 1 4 2)

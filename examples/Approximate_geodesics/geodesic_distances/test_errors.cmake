@@ -63,6 +63,7 @@ refuse("--straighten: it is for the paths to --target" square.off --straighten)
 refuse("--straighten: cheapest paths" square.off -e 1 -w weights.txt -t 1 --straighten)
 refuse("--accept-weaker-bound: it is for" square.off -e 1 --accept-weaker-bound)
 refuse("--compare: exact distances know neither" square.off -e 1 -b edges.txt --compare)
+refuse("--compare: the sources must be vertices" square.off -s 0,0,0 --compare)
 refuse("--save-graph: it needs --epsilon" square.off -e 0 --save-graph graph)
 refuse("--load-graph: the graph has its own bound" square.off -e 1 --load-graph graph)
 

@@ -41,11 +41,12 @@ inline void write_ply(const std::string& file, Mesh mesh, const Results& results
   using Vertex = Mesh::Vertex_index;
   const std::vector<double> distances = with_nan(results.distances);
   auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
-  auto quality = mesh.add_property_map<Vertex, double>("v:quality").first;
+  auto quality = mesh.add_property_map<Vertex, float>("v:quality").first; // MeshLab reads no double
   auto color = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   for(const Vertex v : mesh.vertices())
   {
-    distance[v] = quality[v] = distances[v];
+    distance[v] = distances[v];
+    quality[v] = static_cast<float>(distances[v]);
     color[v] = color_of_distance(distances[v], results.largest);
   }
   std::ofstream out = open_to_write(file, std::ios::binary);
