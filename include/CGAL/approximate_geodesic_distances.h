@@ -14,6 +14,37 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/Vertex_search.h>
 
 namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// By the cheapest means that gives the answer.
+template <typename TriangleMesh,
+          typename VertexDistanceMap,
+          typename Sources,
+          typename NamedParameters>
+void write_distances(const TriangleMesh& tmesh,
+                     VertexDistanceMap vertex_distance_map,
+                     const Sources& sources,
+                     const NamedParameters& np)
+{
+  if(write_distances_of_part(tmesh, vertex_distance_map, sources, np))
+    return;
+  if constexpr(concerns_vertices_only<TriangleMesh, NamedParameters, Sources>())
+    if(search_vertices_once(tmesh, np, [&](auto& search) {
+         if(!search.run_from(sources, np))
+           return false;
+         search.write_results(vertex_distance_map, np);
+         return true;
+       }))
+      return;
+  search_once(tmesh, np, false, [&](auto& search) {
+    search.run_from(sources, np);
+    search.write_results(vertex_distance_map, np);
+  });
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
@@ -243,8 +274,16 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
                                     const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  constexpr bool is_map = AG::internal::takes_distances<VertexDistanceMap, vertex_descriptor>;
+  constexpr bool are_sources = AG::internal::is_source<TriangleMesh, Sources>;
   static_assert(
-      AG::internal::is_source<TriangleMesh, Sources>,
+      is_map,
+      "approximate_geodesic_distances(tmesh, vertex_distance_map, sources): distances are written "
+      "to a property map with vertex descriptors as keys; one of a std::vector is "
+      "boost::make_iterator_property_map(vector.begin(), get(boost::vertex_index, tmesh))");
+  static_assert(
+      are_sources,
       "approximate_geodesic_distances(tmesh, vertex_distance_map, sources): a source is a "
       "vertex descriptor, a Face_location or a Surface_point, and sources are one of them "
       "or a range");
@@ -260,20 +299,8 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
       "approximate_geodesic_distances() does not read one of these named parameters: its "
       "documentation lists those that it does; straighten is for paths");
 
-  if(AG::internal::write_distances_of_part(tmesh, vertex_distance_map, sources, np))
-    return;
-  if constexpr(AG::internal::concerns_vertices_only<TriangleMesh, NamedParameters, Sources>())
-    if(AG::internal::search_vertices_once(tmesh, np, [&](auto& search) {
-         if(!search.run_from(sources, np))
-           return false;
-         search.write_results(vertex_distance_map, np);
-         return true;
-       }))
-      return;
-  AG::internal::search_once(tmesh, np, false, [&](auto& search) {
-    search.run_from(sources, np);
-    search.write_results(vertex_distance_map, np);
-  });
+  if constexpr(is_map && are_sources) // or else there would be more errors
+    AG::internal::write_distances(tmesh, vertex_distance_map, sources, np);
 }
 
 } // namespace CGAL

@@ -17,6 +17,40 @@
 #include <limits>
 
 namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Returns the length.
+template <typename TriangleMesh,
+          typename OutputIterator,
+          typename Source,
+          typename Target,
+          typename NamedParameters>
+double write_path(const TriangleMesh& tmesh,
+                  OutputIterator points,
+                  const Source& source,
+                  const Target& target,
+                  const NamedParameters& np)
+{
+  double length = std::numeric_limits<double>::infinity();
+  const auto write = [&](auto& search) {
+    search.run_to(source, target, positions_for_one_run(search, np), np);
+    const Path path = search.find_path(search.translation().intrinsic_point(target), np);
+    for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
+      *points++ = search.point(*p, np);
+    length = path.points.empty() ? length : path.length;
+  };
+  if(search_part_between(tmesh, source, target, np, write))
+    return length;
+  if constexpr(concerns_vertices_only<TriangleMesh, NamedParameters, Source, Target>())
+    if(const auto result = write_path_once(tmesh, points, source, target, np))
+      return *result;
+  search_once(tmesh, np, true, write);
+  return length;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
@@ -197,8 +231,9 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
-  static_assert(AG::internal::is_source<TriangleMesh, Source> &&
-                    AG::internal::is_surface_point<TriangleMesh, Target>,
+  constexpr bool are_ends = AG::internal::is_source<TriangleMesh, Source> &&
+                            AG::internal::is_surface_point<TriangleMesh, Target>;
+  static_assert(are_ends,
                 "source, target: a vertex descriptor, Face_location, or Surface_point; or a range "
                 "of sources");
   static_assert(
@@ -210,22 +245,10 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
           internal_np::straighten_t, internal_np::visitor_t>,
       "approximate_geodesic_path() does not read one of these named parameters: see its manual");
 
-  double length = std::numeric_limits<double>::infinity();
-  const auto write_path = [&](auto& search) {
-    search.run_to(source, target, AG::internal::positions_for_one_run(search, np), np);
-    const AG::Path path = search.find_path(search.translation().intrinsic_point(target), np);
-    for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
-      *points++ = search.point(*p, np);
-    length = path.points.empty() ? length : path.length;
-  };
-  if(AG::internal::search_part_between(tmesh, source, target, np, write_path))
-    return length;
-  if constexpr(AG::internal::concerns_vertices_only<TriangleMesh, NamedParameters, Source,
-                                                    Target>())
-    if(const auto result = AG::internal::write_path_once(tmesh, points, source, target, np))
-      return *result;
-  AG::internal::search_once(tmesh, np, true, write_path);
-  return length;
+  if constexpr(are_ends) // or else there would be more errors
+    return AG::internal::write_path(tmesh, points, source, target, np);
+  else
+    return 0;
 }
 
 } // namespace CGAL

@@ -1,22 +1,69 @@
 #ifndef COMMAND_LINE_READ_MESH_H
 #define COMMAND_LINE_READ_MESH_H
 
+#include "Repaired_soup.h"
+#include "files.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
+inline std::size_t number_of_components(const Mesh& mesh)
+{
+  std::vector<std::size_t> component(mesh.num_faces());
+  return CGAL::Polygon_mesh_processing::connected_components(mesh,
+                                                             CGAL::make_property_map(component));
+}
+
+// Which points are the same could not be told if some are not numbers.
+inline void check_coordinates(const std::vector<Mesh::Point>& points, const std::string& file)
+{
+  for(std::size_t i = 0; i < points.size(); ++i)
+    for(const double x : {points[i].x(), points[i].y(), points[i].z()})
+      if(!std::isfinite(x))
+        throw std::runtime_error("vertex " + std::to_string(i) + " of " + file + " has " +
+                                 std::to_string(x) + " as a coordinate");
+}
+
+// Says what is done to a file that is not a triangle mesh as it is.
 inline Mesh read_mesh(const std::string& file)
 {
+  check_readable(file);
+  std::vector<Mesh::Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  if(!CGAL::IO::read_polygon_soup(file, points, polygons))
+    throw std::runtime_error(
+        "cannot read a mesh from " + file +
+        ": the end of its name must be that of its format (off, obj, stl, ply, "
+        "vtp, ts), and coordinates must be numbers");
+  check_coordinates(points, file);
+  if(polygons.empty())
+    throw std::runtime_error("the mesh in " + file + " has no faces");
   Mesh mesh;
-  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) || mesh.is_empty())
-    throw std::runtime_error("cannot read a mesh from " + file);
+  const Repaired_soup<Mesh::Point> soup(std::move(points), std::move(polygons));
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  if(soup.is_changed())
+  {
+    soup.describe(std::clog);
+    std::clog << "The mesh has " << mesh.number_of_vertices() << " vertices, "
+              << mesh.number_of_faces()
+              << " faces, and this number of connected components: " << number_of_components(mesh)
+              << ".\n";
+  }
   if(!CGAL::is_triangle_mesh(mesh))
   {
     std::clog << "Some faces are not triangles: they are triangulated.\n";

@@ -1,76 +1,61 @@
 #ifndef GEODESIC_DISTANCES_REPORT_H
 #define GEODESIC_DISTANCES_REPORT_H
 
-#include "../command_line/Stopwatch.h"
 #include "../command_line/Table.h"
 #include "exact_comparison.h"
-
-#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include "results.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iostream>
-#include <limits>
+#include <iomanip>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
-
-// Says how far a search is, if it takes more than a second.
-class Progress_bar : public CGAL::Approximate_geodesics::Geodesic_visitor_base
-{
-public:
-  void on_progress(const std::size_t number_settled, const std::size_t number_of_nodes)
-  {
-    if(m_stopwatch.seconds() < 1)
-      return;
-    m_stopwatch.restart();
-    std::cerr << "Searching: " << 100 * number_settled / number_of_nodes << " %\n";
-  }
-
-private:
-  Stopwatch m_stopwatch;
-};
 
 // What the program prints.
 class Report
 {
 public:
-  double seconds_to_build = 0;
-  double seconds_to_first_search = 0;
-  double seconds_to_search = 0;
   std::optional<Exact_comparison> comparison;
 
-  template <typename Mesh>
   void add_mesh(const Mesh& mesh)
   {
     m_table.add("vertices", mesh.number_of_vertices());
     m_table.add("edges", mesh.number_of_edges());
     m_table.add("faces", mesh.number_of_faces());
+    m_table.add("connected components", number_of_components(mesh));
   }
 
+  void add_times(const double seconds_to_build, const double seconds_to_search)
+  {
+    m_table.add_milliseconds("building the graph", seconds_to_build);
+    m_table.add_milliseconds("search", seconds_to_search);
+  }
+
+  void add_bound(const double epsilon) { m_table.add("bound that holds, epsilon", epsilon); }
+
+  // of a run that was counted, and one that was not
   template <typename Search>
-  void add_search(const Search& search)
+  void add_statistics(const Search& search, const double seconds_to_search_again)
   {
     const auto buckets = search.queue().statistics();
     const auto& counts = search.statistics();
-    const double unit = search.graph().triangulation().unit();
-    m_table.add_milliseconds("building the graph", seconds_to_build);
-    m_table.add_milliseconds("first search, progress watched", seconds_to_first_search);
-    m_table.add_milliseconds("second search", seconds_to_search);
-    m_table.add("vertices settled", counts.settled_nodes);
+    m_table.add_milliseconds("second search", seconds_to_search_again);
+    m_table.add("nodes settled", counts.settled_nodes);
     m_table.add("pops", counts.pops);
     m_table.add("  of them stale", counts.stale_pops);
     m_table.add("  of them repeated", counts.repeated_pops());
     m_table.add("relaxations", counts.relaxations);
     m_table.add("buckets visited", buckets.visited_buckets);
     m_table.add("  of them not empty", buckets.used_buckets);
-    m_table.add("bucket width", buckets.width * unit);
+    m_table.add("bucket width", buckets.width * search.graph().triangulation().unit());
     m_table.add("entries per bucket, mean", buckets.mean_occupancy());
     m_table.add("entries per bucket, deviation", buckets.standard_deviation_of_occupancy());
     const std::size_t bytes = search.graph().memory() + search.memory();
-    m_table.add("bytes per vertex",
-                static_cast<double>(bytes) / static_cast<double>(search.graph().number_of_nodes()));
+    const std::size_t number_of_vertices = search.graph().triangulation().number_of_vertices();
+    m_table.add("bytes per vertex", double(bytes) / double(number_of_vertices));
   }
 
   // infinite distances are those of vertices not reached
@@ -96,6 +81,20 @@ public:
     if(comparison)
       add_comparison();
     m_table.print(out);
+  }
+
+  // The length of each path that was asked for.
+  static void print_paths(const std::vector<Path_result>& paths, std::ostream& out)
+  {
+    if(paths.empty())
+      return;
+    const auto row = [&](const std::string& target, const std::string& source) -> std::ostream& {
+      return out << std::left << std::setw(24) << target << ' ' << std::setw(24) << source << ' ';
+    };
+    row("\ntarget", " nearest source") << " length\n";
+    for(const Path_result& path : paths)
+      row(path.target, path.source.empty() ? "none" : path.source)
+          << std::setprecision(12) << path.length << '\n';
   }
 
 private:

@@ -3,13 +3,14 @@
 
 Usage: draw_picture.py NAME [AZIMUTH ELEVATION UP]
 
-Reads NAME.vtk (triangles with a scalar "distance" per point, negative where there is none; lines are
-paths; single points are the sources), and writes NAME.png. The camera looks from AZIMUTH and
-ELEVATION, in degrees; UP is the axis that points up: x, y or z.
+Reads NAME.vtp (triangles with a scalar "distance" per point, NaN where there is none) and
+NAME_paths.vtp (lines are paths; single points are the sources), and writes NAME.png. The camera looks
+from AZIMUTH and ELEVATION, in degrees; UP is the axis that points up: x, y or z.
 
 Needs VTK (Debian: python3-vtk9), and a display or a substitute for one (Debian: xvfb).
 """
 
+import math
 import sys
 
 import vtk
@@ -27,10 +28,19 @@ GRAY, DARK, WHITE = (0.72, 0.72, 0.72), (0.10, 0.10, 0.12), (1.0, 1.0, 1.0)
 
 
 def read(name):
-    reader = vtk.vtkPolyDataReader()
+    reader = vtk.vtkXMLPolyDataReader()
     reader.SetFileName(name)
     reader.Update()
     return reader.GetOutput()
+
+
+def mark_unreached(surface):
+    """Replaces NaN by a negative number, which filters can compare."""
+    distances = surface.GetPointData().GetArray("distance")
+    for i in range(distances.GetNumberOfTuples()):
+        if math.isnan(distances.GetValue(i)):
+            distances.SetValue(i, -1)
+    surface.GetPointData().SetActiveScalars("distance")
 
 
 def color_map(farthest):
@@ -64,11 +74,7 @@ def actor_of(source, color=None):
     return actor
 
 
-def surface_actor(scene, colors):
-    surface = vtk.vtkPolyData()
-    surface.SetPoints(scene.GetPoints())
-    surface.SetPolys(scene.GetPolys())
-    surface.GetPointData().SetScalars(scene.GetPointData().GetScalars())
+def surface_actor(surface, colors):
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputData(surface)
     normals.SetFeatureAngle(60)
@@ -80,7 +86,7 @@ def surface_actor(scene, colors):
     actor.GetProperty().SetDiffuse(0.80)
     actor.GetProperty().SetSpecular(0.12)
     actor.GetProperty().SetSpecularPower(30)
-    return actor, surface
+    return actor
 
 
 def isoline_actor(surface, farthest, radius):
@@ -176,16 +182,16 @@ def place_camera(renderer, azimuth, elevation, up):
     renderer.ResetCameraClippingRange()
 
 
-def make_renderer(scene):
-    farthest = scene.GetPointData().GetScalars().GetRange()[1] or 1
+def make_renderer(surface, scene):
+    mark_unreached(surface)
+    farthest = max(surface.GetPointData().GetScalars().GetRange()[1], 0) or 1
     colors = color_map(farthest)
-    surface, data = surface_actor(scene, colors)
-    unit = scene.GetLength()
+    unit = surface.GetLength()
 
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(surface)
-    renderer.AddActor(isoline_actor(data, farthest, 0.0007 * unit))
+    renderer.AddActor(surface_actor(surface, colors))
+    renderer.AddActor(isoline_actor(surface, farthest, 0.0007 * unit))
     renderer.AddActor(path_actor(scene, 0.0035 * unit))
     ends = selected_points(scene, scene.GetLines(), lambda size: 0)
     renderer.AddActor(balls_actor(ends, 0.008 * unit, WHITE))
@@ -213,7 +219,7 @@ def save(renderer, size, filename, others=()):
 
 
 def main(name, azimuth="0", elevation="0", up="y"):
-    renderer = make_renderer(read(name + ".vtk"))
+    renderer = make_renderer(read(name + ".vtp"), read(name + "_paths.vtp"))
     place_camera(renderer, float(azimuth), float(elevation), up)
     save(renderer, SIZE, name + ".png")
 

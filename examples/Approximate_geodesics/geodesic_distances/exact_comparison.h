@@ -2,6 +2,8 @@
 #define GEODESIC_DISTANCES_EXACT_COMPARISON_H
 
 #include "../command_line/Stopwatch.h"
+#include "../command_line/read_mesh.h"
+#include "Places.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <variant>
 #include <vector>
 
 // How distances differ from the exact ones, relative to these: from CGAL's, which those of the
@@ -26,9 +29,11 @@ struct Exact_comparison
   std::size_t number_below = 0;
 };
 
-template <typename Mesh, typename Vertices>
-std::vector<double> exact_distances(const Mesh& mesh, const Vertices& sources)
+inline std::vector<double> exact_distances(const Mesh& mesh, const std::vector<Place>& places)
 {
+  std::vector<CGAL::Approximate_geodesics::Surface_point<Mesh>> sources;
+  for(const Place& place : places)
+    sources.push_back(place.point);
   std::vector<double> result(mesh.num_vertices());
   CGAL::approximate_geodesic_distances(
       mesh, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh)),
@@ -36,10 +41,10 @@ std::vector<double> exact_distances(const Mesh& mesh, const Vertices& sources)
   return result;
 }
 
-template <typename Mesh, typename Vertices>
-Exact_comparison compare_with_exact_distances(const Mesh& mesh,
-                                              const Vertices& sources,
-                                              const std::vector<double>& distances)
+// The sources are vertices: from points on edges, CGAL's distances can be wrong.
+inline Exact_comparison compare_with_exact_distances(const Mesh& mesh,
+                                                     const std::vector<Place>& sources,
+                                                     const std::vector<double>& distances)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
@@ -52,7 +57,8 @@ Exact_comparison compare_with_exact_distances(const Mesh& mesh,
 
   stopwatch.restart();
   CGAL::Surface_mesh_shortest_path<Traits> exact(mesh);
-  exact.add_source_points(sources.begin(), sources.end());
+  for(const Place& source : sources)
+    exact.add_source_point(std::get<Mesh::Vertex_index>(source.point));
   exact.build_sequence_tree();
   result.seconds = stopwatch.seconds();
   result.smallest_error = std::numeric_limits<double>::infinity();

@@ -1,99 +1,154 @@
 // Distances and shortest paths on a mesh, from the command line: see --help.
 
+#include "../command_line/Progress.h"
+#include "../command_line/files.h"
 #include "../command_line/read_mesh.h"
-#include "../command_line/vertex_numbers.h"
 #include "Options.h"
-#include "Report.h"
-#include "exact_comparison.h"
-#include "picture.h"
-#include "results.h"
+#include "Output_files.h"
+#include "Places.h"
+#include "answer.h"
+#include "costs.h"
+#include "parse_options.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <cstdlib>
 #include <exception>
-#include <functional>
+#include <fstream>
 #include <iostream>
-#include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-using Vertex = Mesh::Vertex_index;
 using CGAL::Approximate_geodesics::Discrete_geodesic_graph;
 using CGAL::Approximate_geodesics::Edge_graph;
+using CGAL::Approximate_geodesics::Intrinsic_triangulation;
 using CGAL::Approximate_geodesics::Saddle_vertex_graph;
-template <typename Graph>
-using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh, Graph>;
-
+using CGAL::Approximate_geodesics::Steiner_graph;
 namespace parameters = CGAL::parameters;
 
-// A vertex is given by its index; `random:K` stands for K of them.
-std::vector<Vertex>
-select_vertices(const std::vector<std::string>& names, const Mesh& mesh, std::mt19937_64& random)
+const auto no_use = [](const auto& /* graph */, Report&) {};
+
+void answer_within_bound(const Question& question)
 {
-  std::vector<Vertex> result;
-  for(const std::string& name : names)
-    if(const auto number = number_after("random", name))
-    {
-      for(std::size_t k = *number; k > 0; --k)
-        result.push_back(
-            Vertex(static_cast<Mesh::size_type>(random() % mesh.number_of_vertices())));
-    }
-    else
-    {
-      const std::size_t index = to_number(name);
-      check_vertex_index(index, mesh.number_of_vertices());
-      result.push_back(Vertex(static_cast<Mesh::size_type>(index)));
-    }
-  return result;
+  const Options& options = question.options;
+  if(!options.graph_to_load.empty())
+    return answer(
+        question,
+        [&] {
+          return name_in_errors("--load-graph " + options.graph_to_load, [&] {
+            std::ifstream in = open_to_read(options.graph_to_load, std::ios::binary);
+            return Discrete_geodesic_graph::load(in, Intrinsic_triangulation(question.mesh));
+          });
+        },
+        [](const auto& graph, Report& report) { report.add_bound(graph.epsilon()); });
+  if(*options.epsilon < 0.001)
+    std::clog
+        << "--epsilon " << *options.epsilon
+        << ": a graph with so small a bound takes long, and much memory; --epsilon 0 is exact, "
+           "and mostly takes less of both.\n";
+  answer(
+      question,
+      [&] {
+        return Discrete_geodesic_graph(Intrinsic_triangulation(question.mesh),
+                                       parameters::epsilon(*options.epsilon));
+      },
+      [&](const auto& graph, Report&) {
+        if(options.graph_to_save.empty())
+          return;
+        std::ofstream out = open_to_write(options.graph_to_save, std::ios::binary);
+        graph.save(out);
+      });
 }
 
-template <typename Graph, typename... NamedParameters>
-void run(const Options& options, const NamedParameters&... np)
+template <typename NamedParameters>
+void answer_with_costs(const Question& question, const NamedParameters& np)
 {
-  const Mesh mesh = read_mesh(options.input);
-  std::mt19937_64 random(options.seed);
-  const std::vector<Vertex> sources = select_vertices(options.sources, mesh, random);
-  const std::vector<Vertex> targets = select_vertices(options.targets, mesh, random);
-  Report report;
-  report.add_mesh(mesh);
+  answer(
+      question,
+      [&] {
+        try
+        {
+          return Steiner_graph<>(Intrinsic_triangulation(question.mesh, np), np);
+        }
+        catch(const std::length_error& e)
+        {
+          throw std::invalid_argument("--epsilon " + std::to_string(*question.options.epsilon) +
+                                      ": " + e.what() +
+                                      " (on the command line: --accept-weaker-bound)");
+        }
+      },
+      [&](const auto& graph, Report& report) {
+        if(question.options.accepts_weaker_bound)
+          report.add_bound(graph.epsilon());
+      });
+}
 
-  Stopwatch stopwatch;
-  Shortest_paths<Graph> shortest_paths(mesh, np...);
-  report.seconds_to_build = stopwatch.seconds();
+void answer_with_costs(const Question& question)
+{
+  const Mesh& mesh = question.mesh;
+  const std::vector<double> weights = read_weights(question.options, mesh);
+  const std::vector<bool> barriers = read_barriers(question.options, mesh);
+  const auto np = parameters::epsilon(*question.options.epsilon)
+                      .accept_weaker_bound(question.options.accepts_weaker_bound)
+                      .edge_is_constrained_map(boost::make_iterator_property_map(
+                          barriers.begin(), get(boost::edge_index, mesh)));
+  if(question.options.weights.empty()) // or else paths could not be straightened
+    answer_with_costs(question, np);
+  else
+    answer_with_costs(question, np.face_weight_map(boost::make_iterator_property_map(
+                                    weights.begin(), get(boost::face_index, mesh))));
+}
 
-  shortest_paths.add_source_points(sources.begin(), sources.end());
-  Progress_bar progress;
-  stopwatch.restart();
-  shortest_paths.build_sequence_tree(
-      parameters::maximum_distance(options.maximum_distance).visitor(std::ref(progress)));
-  report.seconds_to_first_search = stopwatch.seconds();
+void answer(const Question& question)
+{
+  const Options& options = question.options;
+  if(options.has_costs())
+    answer_with_costs(question);
+  else if(!options.graph_to_load.empty() || (options.epsilon && *options.epsilon > 0))
+    answer_within_bound(question);
+  else if(options.epsilon)
+    answer(
+        question, [&] { return Saddle_vertex_graph(Intrinsic_triangulation(question.mesh)); },
+        no_use);
+  else
+    answer(
+        question, [&] { return Edge_graph(Intrinsic_triangulation(question.mesh)); }, no_use);
+}
 
-  stopwatch.restart();
-  shortest_paths.build_sequence_tree(parameters::maximum_distance(options.maximum_distance));
-  report.seconds_to_search = stopwatch.seconds();
+// What would be refused after the mesh was read.
+void check(const Options& options)
+{
+  Place_finder::check("--source", options.sources);
+  Place_finder::check("--target", options.targets);
+  check_option_file("load-graph", options.graph_to_load);
+  check_option_file("barriers", options.barriers);
+  if(!names_property(options.weights))
+    check_option_file("weights", options.weights);
+}
 
-  shortest_paths.collect_statistics(true);
-  shortest_paths.build_sequence_tree(parameters::maximum_distance(options.maximum_distance));
-  report.add_search(shortest_paths.search());
+Mesh read_mesh_of(const Options& options)
+{
+  const Progress progress("Reading the mesh");
+  return read_mesh(options.input);
+}
 
-  const Results<Mesh> results(mesh, shortest_paths, targets);
-  report.add_distances(results.distances);
-  if(options.compares)
-  {
-    std::cerr << "Computing the exact distances ...\n";
-    report.comparison = compare_with_exact_distances(mesh, sources, results.distances);
-  }
-  report.print(std::cout);
-
-  write_distances(options.output + ".ply", mesh, results);
-  write_paths(options.output + ".polylines.txt", results.paths);
-  Scene_writer(mesh, sources, results).write(options.output + ".vtk");
-  if(options.draws)
-    draw_picture(options.output, options.view);
+void run(const Options& options)
+{
+  check(options);
+  const Output_files files(options);
+  Question question{options, files, read_mesh_of(options), {}, {}};
+  Place_finder finder(question.mesh, options.seed);
+  question.sources = finder.find("--source", options.sources);
+  question.targets = finder.find("--target", options.targets);
+  answer(question);
 }
 
 int main(int argc, char* argv[])
@@ -101,14 +156,8 @@ int main(int argc, char* argv[])
   try
   {
     const Options options = parse_options(argc, argv);
-    if(options.asks_for_help)
-      return EXIT_SUCCESS;
-    if(options.is_along_edges)
-      run<Edge_graph>(options);
-    else if(options.epsilon == 0)
-      run<Saddle_vertex_graph>(options);
-    else
-      run<Discrete_geodesic_graph>(options, parameters::epsilon(options.epsilon));
+    if(!options.asks_for_help)
+      run(options);
     return EXIT_SUCCESS;
   }
   catch(const std::exception& e)

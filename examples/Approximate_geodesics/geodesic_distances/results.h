@@ -1,105 +1,115 @@
 #ifndef GEODESIC_DISTANCES_RESULTS_H
 #define GEODESIC_DISTANCES_RESULTS_H
 
-#include "colors.h"
+#include "../command_line/read_mesh.h"
+#include "Options.h"
+#include "Places.h"
 
-#include <CGAL/IO/Color.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-// What is written to files.
-template <typename Mesh>
-struct Results
+// A path from a target to its nearest source.
+struct Path_result
 {
-  using Path = std::vector<typename Mesh::Point>;
-
-  template <typename Shortest_paths, typename Vertices>
-  Results(const Mesh& mesh, Shortest_paths& shortest_paths, const Vertices& targets)
-    : distances(mesh.num_vertices(), std::numeric_limits<double>::infinity())
-  {
-    for(const auto v : vertices(mesh))
-    {
-      const double distance = shortest_paths.shortest_distance_to_source_points(v).first;
-      if(distance < 0)
-        continue; // not reached
-      distances[v] = distance;
-      largest = (std::max)(largest, distance);
-    }
-    for(const auto target : targets)
-    {
-      Path path;
-      shortest_paths.shortest_path_points_to_source_points(target, std::back_inserter(path));
-      if(!path.empty())
-        paths.push_back(path);
-    }
-  }
-
-  // the distance of a vertex as a part of the largest one
-  template <typename Vertex>
-  double part(const Vertex v) const
-  {
-    return largest > 0 ? distances[v] / largest : 0;
-  }
-
-  std::vector<double> distances; // by vertex
-  double largest = 0;
-  std::vector<Path> paths;
+  std::string target;
+  std::string source; // none, if there is no path
+  double length = std::numeric_limits<double>::infinity();
+  std::vector<Mesh::Point> points;
 };
 
-inline std::ofstream open_file(const std::string& file,
-                               const std::ios::openmode mode = std::ios::out)
+struct Isoline
 {
-  std::ofstream out(file, mode);
-  if(!out)
-    throw std::runtime_error("cannot write to " + file);
-  out.precision(17);
-  return out;
+  double distance;
+  std::vector<Mesh::Point> points;
+};
+
+// What is printed, and written to files.
+struct Results
+{
+  std::vector<Mesh::Point> sources;
+  std::vector<double> distances;             // by vertex; infinity where no source reaches it
+  std::vector<std::int64_t> nearest_sources; // by vertex; positions, or -1
+  double largest = 0;                        // of the finite distances
+  std::vector<Path_result> paths;            // in the order of the targets
+  std::vector<Isoline> isolines;
+};
+
+template <typename Map>
+auto vertex_map(const Mesh& mesh, Map& values)
+{
+  return boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh));
 }
 
-template <typename Mesh>
-void write_distances(const std::string& file, Mesh mesh, const Results<Mesh>& results)
+template <typename Shortest_paths>
+Path_result find_path(Shortest_paths& shortest_paths,
+                      const Place& target,
+                      const std::vector<Place>& sources,
+                      const bool straightens)
 {
-  using Vertex = typename Mesh::Vertex_index;
-  auto distance = mesh.template add_property_map<Vertex, double>("v:distance", -1).first;
-  auto color = mesh.template add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
-  for(const Vertex v : vertices(mesh))
-  {
-    if(!std::isfinite(results.distances[v]))
-    {
-      color[v] = CGAL::IO::gray();
-      continue;
-    }
-    distance[v] = results.distances[v];
-    const Color c = color_of(results.part(v));
-    const auto byte = [](const double x) { return static_cast<unsigned char>(255 * x); };
-    color[v] = CGAL::IO::Color(byte(c[0]), byte(c[1]), byte(c[2]));
-  }
-  std::ofstream out = open_file(file, std::ios::binary);
-  CGAL::IO::set_binary_mode(out);
-  if(!CGAL::IO::write_PLY(out, mesh))
-    throw std::runtime_error("cannot write to " + file);
+  using Surface_point = typename Shortest_paths::Surface_point;
+  Path_result result;
+  result.target = target.name;
+  std::vector<Surface_point> points;
+  const auto answer = shortest_paths.shortest_path_surface_points_to_source_points(
+      target.point, std::back_inserter(points), CGAL::parameters::straighten(straightens));
+  if(answer.second == shortest_paths.source_points_end())
+    return result;
+  result.length = answer.first;
+  result.source =
+      sources[std::size_t(std::distance(shortest_paths.source_points_begin(), answer.second))].name;
+  for(const Surface_point& p : points)
+    result.points.push_back(shortest_paths.point(p));
+  return result;
 }
 
-template <typename Path>
-void write_paths(const std::string& file, const std::vector<Path>& paths)
+inline void find_isolines(const Mesh& mesh, const Options& options, Results& results)
 {
-  std::ofstream out = open_file(file);
-  for(const Path& path : paths)
+  std::vector<double> isovalues = options.isovalues;
+  if(options.number_of_isolines)
+    for(std::size_t i = 1; i <= *options.number_of_isolines; ++i)
+      isovalues.push_back(results.largest * double(i) / double(*options.number_of_isolines + 1));
+  for(const double isovalue : isovalues)
   {
-    out << path.size();
-    for(const auto& point : path)
-      out << ' ' << point;
-    out << '\n';
+    std::vector<std::vector<Mesh::Point>> lines;
+    CGAL::Approximate_geodesics::isolines(mesh, vertex_map(mesh, results.distances),
+                                          std::vector<double>{isovalue}, std::back_inserter(lines));
+    for(std::vector<Mesh::Point>& line : lines)
+      results.isolines.push_back({isovalue, std::move(line)});
   }
+}
+
+template <typename Shortest_paths>
+Results find_results(const Mesh& mesh,
+                     Shortest_paths& shortest_paths,
+                     const std::vector<Place>& sources,
+                     const std::vector<Place>& targets,
+                     const Options& options)
+{
+  Results results;
+  for(const Place& source : sources)
+    results.sources.push_back(shortest_paths.point(source.point));
+  results.distances.resize(mesh.num_vertices());
+  results.nearest_sources.resize(mesh.num_vertices());
+  shortest_paths.shortest_distances_to_source_points(
+      vertex_map(mesh, results.distances),
+      CGAL::parameters::nearest_source_map(vertex_map(mesh, results.nearest_sources)));
+  for(const double distance : results.distances)
+    if(std::isfinite(distance))
+      results.largest = (std::max)(results.largest, distance);
+  for(const Place& target : targets)
+    results.paths.push_back(find_path(shortest_paths, target, sources, options.straightens));
+  find_isolines(mesh, options, results);
+  return results;
 }
 
 #endif // GEODESIC_DISTANCES_RESULTS_H

@@ -36,11 +36,6 @@ struct Options
   bool is_sparse() const { return nearest > 0 || radius < std::numeric_limits<double>::infinity(); }
 };
 
-[[noreturn]] inline void reject_option(const std::string& option, const std::string& reason)
-{
-  throw std::invalid_argument("--" + option + ": " + reason);
-}
-
 inline boost::program_options::options_description describe_options(Options& options)
 {
   namespace po = boost::program_options;

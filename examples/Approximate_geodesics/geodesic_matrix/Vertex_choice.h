@@ -19,20 +19,6 @@
 #include <utility>
 #include <vector>
 
-// Returns `f()`; if that refuses its input, says which it is.
-template <typename F>
-auto name_in_errors(const std::string& name, F f)
-{
-  try
-  {
-    return f();
-  }
-  catch(const std::invalid_argument& e)
-  {
-    throw std::invalid_argument(name + ": " + e.what());
-  }
-}
-
 // Which vertices the rows or the columns belong to: `all`, `random:K`, `farthest:K`, or those that
 // a file lists. The same text chooses the same vertices.
 class Vertex_choice
@@ -47,8 +33,6 @@ public:
     name_in_errors(m_option + ' ' + m_text, [&] {
       m_random = number_after("random", m_text);
       m_farthest = number_after("farthest", m_text);
-      if(m_random == 0 || m_farthest == 0)
-        throw std::invalid_argument("no vertex is chosen");
       if(!is_all() && !m_random && !m_farthest)
         read_file();
     });
@@ -62,10 +46,12 @@ public:
   {
     const std::size_t size = mesh.number_of_vertices();
     return name_in_errors(m_option + ' ' + m_text, [&] {
-      if(m_random.value_or(0) > size || m_farthest.value_or(0) > size)
-        throw std::invalid_argument("the mesh has " + std::to_string(size) + " vertices");
+      check_number_of_vertices(m_farthest.value_or(0), size);
       if(m_random)
-        return random_vertices(size, *m_random, seed);
+      {
+        std::mt19937_64 random(seed);
+        return random_vertices(size, *m_random, random);
+      }
       if(m_farthest)
         return farthest_vertices(mesh, *m_farthest, epsilon);
       return is_all() ? all_vertices(size) : checked_vertices(size);
@@ -73,8 +59,6 @@ public:
   }
 
 private:
-  static std::string line(const std::size_t number) { return "line " + std::to_string(number); }
-
   // An index per line; the rest of a line after # is a comment.
   void read_file()
   {
@@ -88,7 +72,7 @@ private:
       std::istringstream words(text.substr(0, text.find('#')));
       for(std::string word; words >> word;)
       {
-        m_listed.push_back(name_in_errors(line(number), [&] { return to_number(word); }));
+        m_listed.push_back(name_in_errors(name_of_line(number), [&] { return to_number(word); }));
         m_lines.push_back(number);
       }
     }
@@ -106,20 +90,8 @@ private:
   Indices checked_vertices(const std::size_t size) const
   {
     for(std::size_t i = 0; i < m_listed.size(); ++i)
-      name_in_errors(line(m_lines[i]), [&] { check_vertex_index(m_listed[i], size); });
+      name_in_errors(name_of_line(m_lines[i]), [&] { check_vertex_index(m_listed[i], size); });
     return m_listed;
-  }
-
-  // All of them different, and the same with every standard library.
-  static Indices
-  random_vertices(const std::size_t size, const std::size_t number, const std::uint64_t seed)
-  {
-    std::mt19937_64 random(seed);
-    Indices result = all_vertices(size);
-    for(std::size_t i = 0; i < number; ++i)
-      std::swap(result[i], result[i + random() % (size - i)]);
-    result.resize(number);
-    return result;
   }
 
   static Indices

@@ -1,8 +1,9 @@
 # What the user gets wrong is refused before anything is computed, with the name of the option and
 # the reason.
-include(${CMAKE_CURRENT_LIST_DIR}/test_helpers.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../command_line/test_helpers.cmake)
 
 expect(1 "no mesh given" ${PROGRAM})
+expect(1 "unrecognised option .--eps" ${PROGRAM} ${mesh} --eps 0.1)
 expect(1 "--output: x.npz must end with .npy" ${PROGRAM} ${mesh} --output x.npz)
 expect(1 "--output: x.npy must end with .npz" ${PROGRAM} ${mesh} --output x.npy --nearest 3)
 expect(1 "there is no folder missing" ${PROGRAM} ${mesh} --output missing/x.npy)

@@ -1,6 +1,6 @@
 # The program writes the same file by one thread and by two, tells before what it will be, and leaves
 # nothing else.
-include(${CMAKE_CURRENT_LIST_DIR}/test_helpers.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../command_line/test_helpers.cmake)
 
 expect(0 "length of the file +397 kB" ${PROGRAM} ${mesh} --epsilon 0.1 --estimate)
 expect_files()

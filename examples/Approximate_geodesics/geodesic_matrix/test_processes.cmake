@@ -1,5 +1,5 @@
 # Two processes write the file that one writes. `LAUNCHER` starts as many as the next argument says.
-include(${CMAKE_CURRENT_LIST_DIR}/test_helpers.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../command_line/test_helpers.cmake)
 separate_arguments(LAUNCHER)
 
 foreach(kind "all.npy;--epsilon;0.1" "near.npz;--radius;0.5" "far.npy;--sources;farthest:20")

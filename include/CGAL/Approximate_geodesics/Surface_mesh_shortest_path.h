@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
@@ -207,11 +208,14 @@ public:
   template <typename InputIterator>
   Source_point_iterator add_source_points(InputIterator first, const InputIterator beyond)
   {
-    if(first == beyond)
-      return source_points_end();
-    const Source_point_iterator result = add_source_point(*first);
-    while(++first != beyond)
-      add_source_point(*first);
+    Source_point_iterator result = source_points_end();
+    for(std::size_t number = 0; first != beyond; ++first, ++number)
+    {
+      const auto added =
+          internal::name_in_message([&] { return internal::name_in_list("source", number); },
+                                    [&] { return add_source_point(*first); });
+      result = number == 0 ? added : result;
+    }
     return result;
   }
 
@@ -357,8 +361,12 @@ public:
                                          internal_np::geodesic_predecessor_t>,
                   "distances to sources read nearest_source_map and predecessor_map; "
                   "maximum_distance, targets and visitor are for build_sequence_tree()");
+    constexpr bool is_map = internal::takes_distances<VertexDistanceMap, vertex_descriptor>;
+    static_assert(is_map,
+                  "distances are written to a property map with vertex descriptors as keys");
     build_sequence_tree();
-    m_search.write_results(vertex_distance_map, np);
+    if constexpr(is_map)
+      m_search.write_results(vertex_distance_map, np);
   }
 
   /// @}

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <ios>
 #include <limits>
 #include <sstream>
@@ -128,6 +129,10 @@ TEST_F(Graph_file, is_refused_if_anything_is_changed)
 TEST_F(Graph_file, is_refused_if_it_is_something_else)
 {
   expect_refused("", m_mesh, "too early");
+  std::ifstream missing("no folder/no file");
+  expect_message<std::invalid_argument>(
+      [&] { Discrete_geodesic_graph::load(missing, Triangulation(m_mesh)); },
+      "the stream of the graph cannot be read");
   expect_refused("OFF\n8 12 0\n0 0 0\n", m_mesh, "not that of a discrete geodesic graph");
   for(const int version : {1, 7}) // an older one, and a newer one
   {

@@ -79,19 +79,20 @@ TEST_F(Bad_query, vertices_that_the_mesh_has_not)
   {
     const std::string message = message_about(bad);
     const std::vector<Vertex> list = {Vertex(0), bad};
-    expect_rejection([&] { distances(bad); }, message);
-    expect_rejection([&] { distances(list); }, message);
-    expect_rejection([&] { distances(Vertex(0), parameters::targets(list)); }, message);
+    expect_rejection([&] { distances(bad); }, "source: " + message);
+    expect_rejection([&] { distances(list); }, "source 1 (counted from 0): " + message);
+    expect_rejection([&] { distances(Vertex(0), parameters::targets(list)); },
+                     "target 1 (counted from 0): " + message);
     expect_rejection(
         [&] {
           CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), bad, Vertex(0));
         },
-        message);
+        "source: " + message);
     expect_rejection(
         [&] {
           CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), Vertex(0), bad);
         },
-        message);
+        "target: " + message);
   }
   EXPECT_TRUE(points.empty());
 }
@@ -104,13 +105,16 @@ TEST_F(Bad_query, vertices_given_to_the_class)
   for(const Vertex bad : {m_null, m_foreign, m_removed})
   {
     const std::string message = message_about(bad);
-    const std::vector<Vertex> list = {bad};
+    const std::vector<Vertex> list = {Vertex(3), bad};
     expect_rejection([&] { paths.add_source_point(bad); }, message);
+    expect_rejection([&] { Shortest_paths(m_mesh).add_source_points(list.begin(), list.end()); },
+                     "source 1 (counted from 0): " + message);
     expect_rejection([&] { paths.shortest_distance_to_source_points(bad); }, message);
     expect_rejection(
         [&] { paths.shortest_path_points_to_source_points(bad, std::back_inserter(points)); },
         message);
-    expect_rejection([&] { paths.build_sequence_tree(parameters::targets(list)); }, message);
+    expect_rejection([&] { paths.build_sequence_tree(parameters::targets(list)); },
+                     "target 1 (counted from 0): " + message);
     expect_rejection([&] { paths.node(bad); }, message);
   }
   EXPECT_EQ(paths.number_of_source_points(), 1u); // usable as if nothing had been tried

@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/intrinsic_points.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
@@ -97,10 +98,10 @@ std::vector<typename Search::Seed> seeds(const Sources& sources, const MeshTrans
 {
   std::vector<typename Search::Seed> result;
   if constexpr(std::is_convertible_v<Sources, typename MeshTranslation::vertex_descriptor>)
-    result.push_back({translation.node(sources)});
+    result.push_back({intrinsic_point(translation, sources, "source").vertex});
   else
-    for(const typename MeshTranslation::vertex_descriptor v : sources)
-      result.push_back({translation.node(v)});
+    for(const Intrinsic_point& point : intrinsic_points(translation, sources, "source"))
+      result.push_back({point.vertex});
   return result;
 }
 

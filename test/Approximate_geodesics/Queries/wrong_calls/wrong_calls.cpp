@@ -5,6 +5,7 @@
 
 // Calls that must not compile, each below the message that the compiler has to print for it.
 
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
@@ -33,6 +34,7 @@ using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
+using Edge = Mesh::Edge_index;
 
 struct Graph_that_attaches_nothing : AG::Edge_graph
 {
@@ -47,7 +49,9 @@ struct Graph_without_triangulation : AG::Edge_graph
 void call_wrongly(const Mesh& mesh,
                   const Mesh::Property_map<Vertex, double> distances,
                   const Mesh::Property_map<Face, int> cells,
-                  const Mesh::Property_map<Face, Vector> gradients)
+                  const Mesh::Property_map<Face, Vector> gradients,
+                  const Mesh::Property_map<Face, double> weights,
+                  const Mesh::Property_map<Edge, bool> barriers)
 {
   const std::vector<double> isovalues;
   const std::vector<Vertex> vertices;
@@ -57,6 +61,18 @@ void call_wrongly(const Mesh& mesh,
 
   // approximate_geodesic_distances() does not read one of these named parameters
   CGAL::approximate_geodesic_distances(mesh, distances, Vertex(0), parameters::straighten(true));
+
+  // one of a std::vector is boost::make_iterator_property_map(
+  CGAL::approximate_geodesic_distances(mesh, std::vector<double>(), Vertex(0));
+
+  // distances are written to a property map with vertex descriptors as keys
+  AG::Surface_mesh_shortest_path<Mesh>(mesh).shortest_distances_to_source_points(isovalues);
+
+  // a source is a vertex descriptor, a Face_location or a Surface_point
+  CGAL::approximate_geodesic_distances(mesh, distances, 0);
+
+  // source, target: a vertex descriptor, Face_location, or Surface_point
+  CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), 0, Vertex(1));
 
   // approximate_geodesic_path() does not read one of these named parameters
   CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
@@ -93,6 +109,23 @@ void call_wrongly(const Mesh& mesh,
   // direction_to_source: distances there and back are the same in this graph
   CGAL::approximate_geodesic_distances(mesh, distances, Vertex(0),
                                        parameters::direction_to_source(true));
+
+  // epsilon and number_of_points_per_edge: only one of them can be given
+  CGAL::approximate_geodesic_distances(mesh, distances, Vertex(0),
+                                       parameters::epsilon(0.1).number_of_points_per_edge(3));
+
+  // epsilon: the edge graph has no error bound
+  AG::Surface_mesh_shortest_path<Mesh>(mesh, parameters::epsilon(0.1));
+
+  // face_weight_map: this graph does not support weights
+  AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>(
+      mesh, parameters::face_weight_map(weights));
+
+  // edge_is_constrained_map: this graph does not support barriers
+  AG::Surface_mesh_shortest_path<Mesh>(mesh, parameters::edge_is_constrained_map(barriers));
+
+  // this graph has no points on edges
+  AG::Surface_mesh_shortest_path<Mesh>(mesh, parameters::number_of_points_per_edge(3));
 
   // build_sequence_tree() reads maximum_distance, targets and visitor
   AG::Surface_mesh_shortest_path<Mesh> shortest_paths(mesh);

@@ -485,8 +485,8 @@ private:
     const Mesh quiet = quiet_mesh();
     const std::string no_cycle = "do not form one cycle";
     refuse("a quadrangle among triangles", with_quadrangle(),
-           {"face 8", "not a triangle", "vertex 9"});
-    refuse("a face with two sides", with_lune(), {"face 0", "not a triangle"});
+           {"face 8", "not a triangle: it has 4 sides", "vertex 9"});
+    refuse("a face with two sides", with_lune(), {"face 0", "not a triangle: it has 2 sides"});
     refuse("a vertex with two fans", two_cycles(), {"vertex 4", no_cycle});
     refuse("a walk into a cycle", with_walk_into_a_cycle(),
            {"face 16", "not linked to its halfedges in both directions"});
@@ -499,7 +499,7 @@ private:
     refuse("a border in a face", with_border_in_a_face(),
            {"the halfedge from vertex 1 to vertex 0", "go round it"});
     refuse("a halfedge of another face", with_halfedge_of_another_face(),
-           {"face 1", "not a triangle"});
+           {"face 1", "not linked to its halfedges in both directions"});
     refuse("vertices that know no face", with_vertices_that_know_no_face(),
            {"face 0", "is not one of those around vertex 0"});
     refuse("a border in a detached face", with_border_in_a_detached_face(),

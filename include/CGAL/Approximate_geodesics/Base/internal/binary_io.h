@@ -132,7 +132,11 @@ private:
 class Binary_reader
 {
 public:
-  Binary_reader(std::istream& in, const std::string& contents) : m_in(in), m_contents(contents) {}
+  Binary_reader(std::istream& in, const std::string& contents) : m_in(in), m_contents(contents)
+  {
+    if(!m_in)
+      reject("the stream of " + m_contents + " cannot be read: its file may not exist");
+  }
 
   template <typename T>
   T read()

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <cstddef>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -26,10 +27,40 @@ inline std::string text_of(const double number)
   return text.str();
 }
 
+// what messages begin with
+inline const std::string& name_of_package()
+{
+  static const std::string result = "Approximate_geodesics: ";
+  return result;
+}
+
 // tells the caller what is wrong with the input
 [[noreturn]] inline void reject(const std::string& reason)
 {
-  throw std::invalid_argument("Approximate_geodesics: " + reason);
+  throw std::invalid_argument(name_of_package() + reason);
+}
+
+inline std::string name_in_list(const std::string& role, const std::size_t position)
+{
+  return role + ' ' + std::to_string(position) + " (counted from 0)";
+}
+
+// Returns `f()`. If that rejects its input, says what it was: `name()`. Other exceptions, such as
+// those of property maps, stay as they are.
+template <typename Name, typename F>
+auto name_in_message(const Name& name, const F& f)
+{
+  try
+  {
+    return f();
+  }
+  catch(const std::invalid_argument& e)
+  {
+    const std::string text = e.what();
+    if(text.rfind(name_of_package(), 0) != 0)
+      throw;
+    reject(name() + ": " + text.substr(name_of_package().size()));
+  }
 }
 
 } // namespace internal

@@ -40,6 +40,27 @@ bool is_linked_triangle(const typename boost::graph_traits<TriangleMesh>::face_d
   return true;
 }
 
+// Returns the number of sides of a face that a walk along its border finds, or 0 if links are
+// wrong.
+template <typename TriangleMesh>
+std::size_t number_of_sides(const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+                            const TriangleMesh& tmesh)
+{
+  const auto first = halfedge(f, tmesh);
+  auto h = first;
+  std::size_t result = 0;
+  do
+  {
+    const auto previous = h;
+    h = next(h, tmesh);
+    if(h == boost::graph_traits<TriangleMesh>::null_halfedge() || face(h, tmesh) != f ||
+       prev(h, tmesh) != previous) // without which the walk could miss its first halfedge for ever
+      return 0;
+    ++result;
+  } while(h != first);
+  return result;
+}
+
 inline std::string name_of_face(const std::size_t i)
 {
   return "face " + std::to_string(i) + " (in the order of faces())";
@@ -56,8 +77,12 @@ std::size_t number_of_triangles(const TriangleMesh& tmesh, const PlaceOf place_o
     if(halfedge(f, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
       reject(name_of_face(result) + " has no halfedge");
     if(!is_linked_triangle(f, tmesh))
+    {
+      const std::size_t sides = number_of_sides(f, tmesh);
       reject(name_of_face(result) + place_of(target(halfedge(f, tmesh), tmesh)) +
-             " is not a triangle, or not linked to its halfedges in both directions");
+             (sides == 0 ? " is not linked to its halfedges in both directions"
+                         : " is not a triangle: it has " + std::to_string(sides) + " sides"));
+    }
     ++result;
   }
   return result;

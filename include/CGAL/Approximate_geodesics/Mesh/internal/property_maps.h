@@ -14,6 +14,8 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <functional>
+#include <type_traits>
+#include <utility>
 
 // The property maps of a mesh: the one given, as it is, or else the mesh's own. CGAL's functions
 // assert that an index map that is given is right; here, it is checked when it is used, in all
@@ -49,6 +51,16 @@ auto vertex_point_map(const TriangleMesh& tmesh, const NamedParameters& np)
   else
     return get_const_property_map(CGAL::vertex_point, tmesh);
 }
+
+// Whether distances can be written to a property map.
+template <typename Map, typename Key, typename = void>
+constexpr bool takes_distances = false;
+
+template <typename Map, typename Key>
+constexpr bool takes_distances<
+    Map,
+    Key,
+    std::void_t<decltype(put(std::declval<Map&>(), std::declval<const Key&>(), double()))>> = true;
 
 // A readable property map whose type does not tell what is behind it: it keeps the types of the
 // maps that a constructor is given out of the class's template arguments.

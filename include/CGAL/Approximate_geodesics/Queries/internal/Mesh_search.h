@@ -12,7 +12,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/intrinsic_points.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -68,11 +68,8 @@ public:
   std::vector<Source_point> source_points(const Sources& sources) const
   {
     std::vector<Source_point> result;
-    if constexpr(is_surface_point<Triangle_mesh, Sources>)
-      result.push_back({m_translation.intrinsic_point(sources)});
-    else
-      for(const auto& source : sources)
-        result.push_back({m_translation.intrinsic_point(source)});
+    for(const Intrinsic_point& point : intrinsic_points(m_translation, sources, "source"))
+      result.push_back({point});
     return result;
   }
 
@@ -102,7 +99,7 @@ public:
               const NamedParameters& np)
   {
     std::vector<Source_point> points = source_points(sources);
-    const Intrinsic_point end = m_translation.intrinsic_point(target);
+    const Intrinsic_point end = intrinsic_point(m_translation, target, "target");
     auto stop = stop_rule(np);
     if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
     {

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/intrinsic_points.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -55,8 +56,8 @@ StopRule stop_rule(const Translation& translation, const NamedParameters& np)
   StopRule result;
   result.maximum_distance = maximum_distance(np);
   if constexpr(is_given<NamedParameters, internal_np::targets_t>)
-    for(const auto& target : parameters::get_parameter(np, internal_np::targets))
-      result.targets.push_back(translation.intrinsic_point(target));
+    result.targets = intrinsic_points(
+        translation, parameters::get_parameter(np, internal_np::targets), "target");
   return result;
 }
 

@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/intrinsic_points.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -39,19 +39,6 @@ struct Matrix_points
 
 // Of a mesh
 
-// one point, or a range of them
-template <typename Translation, typename Points>
-std::vector<Intrinsic_point> intrinsic_points(const Translation& translation, const Points& points)
-{
-  std::vector<Intrinsic_point> result;
-  if constexpr(is_surface_point<typename Translation::Triangle_mesh, Points>)
-    result.push_back(translation.intrinsic_point(points));
-  else
-    for(const auto& point : points)
-      result.push_back(translation.intrinsic_point(point));
-  return result;
-}
-
 template <typename TriangleMesh, typename Graph, typename Sources, typename NamedParameters>
 Matrix_points matrix_points_on_mesh(const TriangleMesh& tmesh,
                                     const Graph& graph,
@@ -60,13 +47,13 @@ Matrix_points matrix_points_on_mesh(const TriangleMesh& tmesh,
 {
   const Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
   Matrix_points result;
-  result.sources = intrinsic_points(translation, sources);
+  result.sources = intrinsic_points(translation, sources, "source");
   if constexpr(is_given<NamedParameters, internal_np::targets_t>)
-    result.targets =
-        intrinsic_points(translation, parameters::get_parameter(np, internal_np::targets));
+    result.targets = intrinsic_points(
+        translation, parameters::get_parameter(np, internal_np::targets), "target");
   else
   {
-    result.targets = intrinsic_points(translation, vertices(tmesh));
+    result.targets = intrinsic_points(translation, vertices(tmesh), "target");
     result.are_targets_given = false;
   }
   return result;

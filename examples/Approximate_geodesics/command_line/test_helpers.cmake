@@ -1,4 +1,4 @@
-# What the tests of geodesic_matrix have in common: a folder of their own, and a small mesh.
+# What the tests of command-line programs have in common: a folder of their own, and a small mesh.
 cmake_minimum_required(VERSION 3.21)
 get_filename_component(folder ${CMAKE_SCRIPT_MODE_FILE} NAME_WE)
 file(REMOVE_RECURSE ${folder})
@@ -15,6 +15,14 @@ function(expect code text)
   endif()
 endfunction()
 
+# Fails unless the regular expression matches what is in a file.
+function(expect_contents name text)
+  file(READ ${folder}/${name} contents)
+  if(NOT contents MATCHES "${text}")
+    message(FATAL_ERROR "${name} holds\n${contents}")
+  endif()
+endfunction()
+
 # Fails unless both files are there and have the same bytes.
 function(expect_same first second)
   execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${folder}/${first} ${folder}/${second}
@@ -24,8 +32,10 @@ endfunction()
 # Fails unless the folder has these files, and no others.
 function(expect_files)
   file(GLOB found RELATIVE ${CMAKE_CURRENT_BINARY_DIR}/${folder} ${folder}/*)
+  set(expected ${ARGN})
   list(SORT found)
-  if(NOT found STREQUAL "${ARGN}")
-    message(FATAL_ERROR "There are ${found}, in place of ${ARGN}.")
+  list(SORT expected)
+  if(NOT "${found}" STREQUAL "${expected}")
+    message(FATAL_ERROR "There are ${found}, in place of ${expected}.")
   endif()
 endfunction()

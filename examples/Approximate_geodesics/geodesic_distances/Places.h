@@ -1,0 +1,115 @@
+#ifndef GEODESIC_DISTANCES_PLACES_H
+#define GEODESIC_DISTANCES_PLACES_H
+
+#include "../command_line/read_mesh.h"
+#include "../command_line/vertex_numbers.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
+#include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <optional>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// A source or a target.
+struct Place
+{
+  std::string name; // as it was given, or the index of a random vertex
+  CGAL::Approximate_geodesics::Surface_point<Mesh> point;
+};
+
+// Finds the places that are given by vertex index, by `random:K`, or by x,y,z. The text is checked
+// before the mesh is there.
+class Place_finder
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Point = Mesh::Point;
+  using Locations = CGAL::Approximate_geodesics::Surface_locations<Mesh>;
+  using AABB_tree =
+      CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
+
+public:
+  // Refuses what cannot be a place on any mesh. `option` is named in errors.
+  static void check(const std::string& option, const std::vector<std::string>& names)
+  {
+    for(const std::string& name : names)
+      name_in_errors(option + ' ' + name, [&] {
+        if(!coordinates(name) && !number_after("random", name))
+          to_number(name);
+      });
+  }
+
+  // The mesh is referred to, not copied.
+  Place_finder(const Mesh& mesh, const std::uint64_t seed) : m_mesh(mesh), m_random(seed) {}
+
+  std::vector<Place> find(const std::string& option, const std::vector<std::string>& names)
+  {
+    std::vector<Place> result;
+    for(const std::string& name : names)
+      name_in_errors(option + ' ' + name, [&] {
+        if(const auto point = coordinates(name))
+          result.push_back({name, nearest(option + ' ' + name, *point)});
+        else if(const auto number = number_after("random", name))
+          for(const auto v : random_vertices(m_mesh.number_of_vertices(), *number, m_random))
+            result.push_back(vertex(v));
+        else
+          result.push_back(vertex(to_number(name)));
+      });
+    return result;
+  }
+
+private:
+  static std::optional<Point> coordinates(const std::string& text)
+  {
+    if(text.find(',') == std::string::npos)
+      return std::nullopt;
+    std::istringstream in(text);
+    double x = 0, y = 0, z = 0;
+    char first = ' ', second = ' ', rest = ' ';
+    if(!(in >> x >> first >> y >> second >> z) || first != ',' || second != ',' || in >> rest)
+      throw std::invalid_argument("three numbers are needed, as in 1,2.5,-3");
+    return Point(x, y, z);
+  }
+
+  Place vertex(const std::size_t index) const
+  {
+    check_vertex_index(index, m_mesh.number_of_vertices());
+    return {std::to_string(index), Mesh::Vertex_index(static_cast<Mesh::size_type>(index))};
+  }
+
+  // Tells if the point is not on the surface.
+  Locations::Face_location nearest(const std::string& name, const Point& point)
+  {
+    if(m_tree.empty())
+      Locations::build_aabb_tree(m_mesh, m_tree);
+    const Locations::Face_location result =
+        Locations::locate(point, m_tree, m_mesh, m_mesh.points());
+    const Point found = Locations::point(result.first, result.second, m_mesh);
+    const auto box = CGAL::Polygon_mesh_processing::bbox(m_mesh);
+    const double size =
+        (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+    const double distance = std::sqrt(CGAL::squared_distance(point, found));
+    if(distance > 1e-6 * size)
+      std::clog << name << ": the nearest point of the surface is " << found << ", " << distance
+                << " away.\n";
+    return result;
+  }
+
+  const Mesh& m_mesh;
+  std::mt19937_64 m_random;
+  AABB_tree m_tree;
+};
+
+#endif // GEODESIC_DISTANCES_PLACES_H

@@ -1,0 +1,146 @@
+#ifndef GEODESIC_DISTANCES_PARSE_OPTIONS_H
+#define GEODESIC_DISTANCES_PARSE_OPTIONS_H
+
+#include "../command_line/read_options.h"
+#include "../command_line/vertex_numbers.h"
+#include "Options.h"
+#include "describe_options.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+// Refuses options that are wrong, or that do not go together, before the mesh is read.
+
+inline double number_of(const std::string& option, const std::string& text)
+{
+  char* end = nullptr;
+  const double result = std::strtod(text.c_str(), &end);
+  if(text.empty() || *end != '\0' || std::isnan(result))
+    reject_option(option, '"' + text + "\" is not a number");
+  return result;
+}
+
+inline double
+number_from_0(const std::string& option, const std::string& text, const bool may_be_infinite)
+{
+  const double result = number_of(option, text);
+  if(result < 0 || (!may_be_infinite && std::isinf(result)))
+    reject_option(option, "it is " + text + ", and must be a number that is not negative" +
+                              (may_be_infinite ? "" : ", nor infinite"));
+  return result;
+}
+
+inline void read_isolines(const std::vector<std::string>& texts, Options& options)
+{
+  for(const std::string& text : texts)
+    if(text.rfind("count:", 0) == 0)
+    {
+      const double number = number_of("isolines", text.substr(6));
+      if(!(number >= 1 && number <= 100000 && number == std::floor(number)) || texts.size() > 1)
+        reject_option("isolines", text + ": a number from 1 to 100000 must follow, and no more");
+      options.number_of_isolines = static_cast<std::size_t>(number);
+    }
+    else
+      options.isovalues.push_back(number_from_0("isolines", text, false));
+}
+
+// The words may come as one, in quotes.
+inline void read_view(const po::variables_map& values, Options& options)
+{
+  options.view = {"0", "0", "y"};
+  if(values.count("view") == 0)
+    return;
+  if(!options.draws)
+    reject_option("view", "it is for --picture");
+  options.view.clear();
+  for(const std::string& text : values["view"].as<std::vector<std::string>>())
+  {
+    std::istringstream words(text);
+    for(std::string word; words >> word;)
+      options.view.push_back(word);
+  }
+  if(options.view.size() != 3)
+    reject_option("view", "it takes an azimuth, an elevation, and an axis, such as 30 20 z");
+  for(std::size_t i = 0; i < 2; ++i)
+    if(!std::isfinite(number_of("view", options.view[i])))
+      reject_option("view", options.view[i] + " is not an angle");
+  const std::string& axis = options.view[2];
+  if(axis != "x" && axis != "y" && axis != "z")
+    reject_option("view", "the axis that points up is \"" + axis + "\", and must be x, y or z");
+}
+
+// What goes with a bound only.
+inline void check_costs(const Options& options)
+{
+  for(const auto& [name, value] :
+      {std::pair<const char*, const std::string&>("weights", options.weights),
+       {"barriers", options.barriers}})
+    if(!value.empty() && !(options.epsilon && *options.epsilon > 0))
+      reject_option(name, "it needs --epsilon E with E above 0");
+  if(options.has_costs() && options.compares)
+    reject_option("compare", "exact distances know neither weights nor barriers");
+  for(const std::string& source : options.sources)
+    if(options.compares && source.find(',') != std::string::npos)
+      reject_option("compare", "the sources must be vertices: from points on edges, CGAL's "
+                               "Surface_mesh_shortest_path can be wrong");
+  if(!options.weights.empty() && options.straightens)
+    reject_option("straighten", "cheapest paths in faces with weights are not straight");
+  if(options.accepts_weaker_bound && !options.has_costs())
+    reject_option("accept-weaker-bound",
+                  "it is for --weights and --barriers; any other bound holds "
+                  "on every mesh");
+}
+
+inline void check_graph_files(const Options& options)
+{
+  if(!options.graph_to_load.empty() && options.epsilon)
+    reject_option("load-graph", "the graph has its own bound; leave out --epsilon");
+  for(const auto& [name, value] :
+      {std::pair<const char*, const std::string&>("load-graph", options.graph_to_load),
+       {"save-graph", options.graph_to_save}})
+    if(!value.empty() && options.has_costs())
+      reject_option(name, "graphs with weights or barriers have no files");
+  if(!options.graph_to_save.empty() && !options.graph_to_load.empty())
+    reject_option("save-graph", "the graph of --load-graph has a file");
+  if(!options.graph_to_save.empty() && !(options.epsilon && *options.epsilon > 0))
+    reject_option("save-graph",
+                  "it needs --epsilon E with E above 0; other graphs are quickly made");
+}
+
+inline void read_values(const po::variables_map& values, Options& options)
+{
+  const auto text = [&](const char* option) { return values[option].as<std::string>(); };
+  if(values.count("epsilon") > 0)
+    options.epsilon = number_from_0("epsilon", text("epsilon"), false);
+  if(values.count("maximum-distance") > 0)
+    options.maximum_distance = number_from_0("maximum-distance", text("maximum-distance"), true);
+  if(values.count("seed") > 0)
+    options.seed = name_in_errors("--seed", [&] { return to_number(text("seed")); });
+  if(values.count("isolines") > 0)
+    read_isolines(values["isolines"].as<std::vector<std::string>>(), options);
+  if(options.straightens && options.targets.empty())
+    reject_option("straighten", "it is for the paths to --target");
+  read_view(values, options);
+}
+
+inline Options parse_options(const int argc, char* argv[])
+{
+  Options options;
+  const po::options_description description = describe_options(options);
+  const auto values = read_options(argc, argv, description, options.input);
+  if(options.asks_for_help)
+    print_help(description);
+  else
+  {
+    read_values(values, options);
+    check_costs(options);
+    check_graph_files(options);
+  }
+  return options;
+}
+
+#endif // GEODESIC_DISTANCES_PARSE_OPTIONS_H

@@ -1,0 +1,67 @@
+# Answers are right, or say what is not as it was asked for.
+include(${CMAKE_CURRENT_LIST_DIR}/test_meshes.cmake)
+
+# Runs the program on `input`, and fails unless it ends well and prints what the regular expression
+# matches.
+function(answer text)
+  expect(0 "${text}" ${PROGRAM} ${ARGN} --force)
+endfunction()
+
+# lengths of paths: along the edges, and straight on
+answer("\n1 +3 +2\n" square.off -s 3 -t 1)
+answer("\n1 +3 +1.4142135" square.off -s 3 -t 1 -e 0)
+answer("\n1 +3 +1.4142135" square.off -s 3 -t 1 -e 0.1)
+answer("\n1 +3 +1.4142135" square.off -s 3 -t 1 --straighten)
+answer("\n0.75,0.25,0 +0.25,0.75,0 +0.7071067" square.off -s 0.25,0.75,0 -t 0.75,0.25,0 -e 0)
+answer("--source -3,0,0: the nearest point of the surface is 0 0 0, 3 away" square.off -s -3,0,0)
+answer("\n0 +1 +1\n3 +2 +1\n" square.off -s 1 2 -t 0 3 -s 2 -m 5 --statistics)
+answer("exact distances, by CGAL .*vertices below the exact distance +0\n" square.off -e 0.1
+       -s 3 --compare)
+
+# targets that no path leads to keep their lines
+answer("\n1 +0 +1\n4 +none +inf\n2 +0 +1\n" two_parts.off -t 1 4 2)
+answer("There is no path to target 4: " two_parts.off -t 1 4 2)
+expect_contents(geodesic_distances.polylines.txt "^2 [^\n]+\ninf\n2 [^\n]+\n$")
+answer("\n2 +none +inf\n" square.off -t 2 -m 0.5)
+
+# files that had to be repaired, and what was done
+answer("edges cut that had more than two faces: 1; vertices duplicated" fan_of_three.off)
+answer("connected components: 3\\." fan_of_three.off)
+answer("points merged with others in the same place: 2; points removed that had no faces: 1\\. Indices"
+       doubled_points.off)
+answer("Some faces are not triangles: they are triangulated" quadrangle.off)
+
+# a bound that takes longer than the exact answer
+answer("--epsilon 1e-09: .*--epsilon 0 is exact" square.off -e 1e-9)
+
+# costs
+file(WRITE ${folder}/weights.txt "3\n5 # the other face\n")
+answer("\n1 +0 +3\n" square.off -e 0.1 -w weights.txt -t 1)
+file(WRITE ${folder}/weights.ply
+     "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+     "property double z\nelement face 1\nproperty list uchar int vertex_indices\n"
+     "property float cost\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n")
+answer("\n1 +0 +7\n" weights.ply -e 0.1 -w property:cost -t 1 -o from_weights)
+file(WRITE ${folder}/edges.txt "0 2\n")
+answer("\n1 +none +inf\n2 +3 +1\n" square.off -e 0.1 -b edges.txt -s 3 -t 1 2)
+file(WRITE ${folder}/one.txt "1\n")
+answer("bound that holds, epsilon" needle.off -e 0.01 -w one.txt --accept-weaker-bound)
+
+# graphs in files
+answer("Written: .* graph\n" square.off -e 0.1 --save-graph graph)
+answer("bound that holds, epsilon +0.1\n.*\n1 +3 +1.4142135" square.off --load-graph graph -s 3 -t 1)
+expect(1 "--load-graph graph: .* 4 vertices, this one has 6" ${PROGRAM} two_parts.off --load-graph graph --force)
+
+# files
+answer("Written: all.ply all.vtp all_paths.vtp all.polylines.txt all_isolines.vtp all.csv\n"
+       square.off -o all -t 2 --csv -i 0.5 1)
+expect_contents(all.csv "^vertex,x,y,z,distance,nearest_source\n0,0,0,0,0,0\n1,1,0,0,1,0\n2,1,1,0,")
+expect_contents(all_isolines.vtp "NumberOfLines=\"2\"")
+answer("_isolines.vtp" square.off -i count:3)
+expect_contents(geodesic_distances_isolines.vtp "NumberOfLines=\"3\"")
+expect(1 "exists; --force overwrites it" ${PROGRAM} square.off -o all)
+expect(1 "--output: weights.ply is the mesh that is read" ${PROGRAM} weights.ply -o weights --force)
+
+# a device that is full
+file(CREATE_LINK /dev/full ${folder}/full.csv SYMBOLIC)
+expect(1 "cannot write full.csv: No space left on device" ${PROGRAM} square.off -o full --csv --force)

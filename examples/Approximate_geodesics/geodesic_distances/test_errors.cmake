@@ -1,0 +1,101 @@
+# What the user gets wrong is refused with the name of the argument and the reason, before anything is
+# written; or is told, where it does not make an answer wrong.
+include(${CMAKE_CURRENT_LIST_DIR}/test_meshes.cmake)
+file(GLOB meshes RELATIVE ${CMAKE_CURRENT_BINARY_DIR}/${folder} ${folder}/*)
+
+# Fails unless the program refuses its arguments with one line, which begins with the regular
+# expression.
+function(refuse text)
+  expect(1 "^geodesic_distances: ${text}[^\n]*\n$" ${PROGRAM} ${ARGN})
+endfunction()
+
+# options that are not there, or have no value
+refuse("unrecognised option '--nonsense'" square.off --nonsense)
+refuse("unrecognised option '--eps'" square.off --eps 0.1) # abbreviations
+refuse("no mesh given")
+refuse("more than one mesh is given" square.off square.off)
+refuse("the required argument for option '--output' is missing" square.off --output)
+refuse("option '--epsilon' cannot be specified more than once" square.off -e 1 -e 2)
+
+# files
+refuse("cannot read missing.off: No such file or directory" missing.off)
+refuse("cannot read .: it is a folder" .)
+refuse("cannot read a mesh from text.off: " text.off)
+refuse("cannot read a mesh from empty.off: " empty.off)
+refuse("cannot read a mesh from not_a_number.off: .*coordinates must be numbers" not_a_number.off)
+refuse("the mesh in no_faces.off has no faces" no_faces.off)
+refuse("cannot read a mesh from wrong_index.off: " wrong_index.off)
+
+# places
+refuse("--source 4: there is no vertex 4: the mesh has 4 vertices" square.off -s 4)
+refuse("--target 9: there is no vertex 9" square.off -t 0 9)
+refuse("--source -1: " square.off -s -1)
+refuse("--source one: " square.off -s one)
+refuse("--source 1.5: " square.off -s 1.5)
+refuse("--source random:5: the mesh has 4 vertices" square.off -s random:5)
+refuse("--source random:0: no vertex is chosen" square.off -s random:0)
+refuse("--target 0,0: three numbers are needed" square.off -t 0,0)
+refuse("--target 0,0,nan: three numbers are needed" square.off -t 0,0,nan)
+refuse("--seed: " square.off -s random:2 --seed -1)
+
+# numbers
+refuse("--epsilon: .abc. is not a number" square.off -e abc)
+refuse("--epsilon: .nan. is not a number" square.off -e nan)
+refuse("--epsilon: it is -1, and must be" square.off -e -1)
+refuse("--epsilon: it is inf, and must be" square.off -e inf)
+refuse("--maximum-distance: it is -2, and must be" square.off -m -2)
+refuse("--maximum-distance: .nan. is not a number" square.off -m nan)
+refuse("--isolines: .nan. is not a number" square.off -i nan)
+refuse("--isolines: count:0: " square.off -i count:0)
+
+# pictures
+refuse("--view: it is for --picture" square.off --view 0 0 y)
+refuse("--view: it takes an azimuth" square.off --picture --view foo)
+refuse("--view: .foo. is not a number" square.off --picture --view foo 0 y)
+refuse("--view: the axis that points up is .w." square.off --picture --view 0 0 w)
+expect(1 "--picture: the program xvfb-run is needed" ${CMAKE_COMMAND} -E env PATH=/nowhere ${PROGRAM}
+       square.off --picture)
+
+# what does not go together
+refuse("--weights: it needs --epsilon E with E above 0" square.off -w weights.txt)
+refuse("--barriers: it needs --epsilon E with E above 0" square.off -e 0 -b edges.txt)
+refuse("--straighten: it is for the paths to --target" square.off --straighten)
+refuse("--straighten: cheapest paths" square.off -e 1 -w weights.txt -t 1 --straighten)
+refuse("--accept-weaker-bound: it is for" square.off -e 1 --accept-weaker-bound)
+refuse("--compare: exact distances know neither" square.off -e 1 -b edges.txt --compare)
+refuse("--compare: the sources must be vertices" square.off -s 0,0,0 --compare)
+refuse("--save-graph: it needs --epsilon" square.off -e 0 --save-graph graph)
+refuse("--load-graph: the graph has its own bound" square.off -e 1 --load-graph graph)
+
+# costs
+refuse("--weights: cannot read weights.txt: No such file" square.off -e 1 -w weights.txt)
+refuse("--weights property:cost: square.off is not a PLY file" square.off -e 1 -w property:cost)
+file(WRITE ${folder}/weights.txt "1\n-2 # a comment\n")
+refuse("--weights weights.txt: line 2: \"-2\" is not a weight" square.off -e 1 -w weights.txt)
+file(WRITE ${folder}/weights.txt "1 2 3\n")
+refuse("--weights weights.txt: there are 3 weights, and the mesh has 2 faces" square.off -e 1 -w
+       weights.txt)
+file(WRITE ${folder}/edges.txt "# a comment\n0 2\n1 3\n")
+refuse("--barriers edges.txt: line 3: there is no edge between the vertices 1 and 3" square.off -e 1
+       -b edges.txt)
+file(WRITE ${folder}/edges.txt "0\n")
+refuse("--barriers edges.txt: line 1: the indices of two vertices" square.off -e 1 -b edges.txt)
+file(WRITE ${folder}/weights.txt "1\n")
+refuse("--epsilon 0.01[0-9]*: .*the face with vertices .*--accept-weaker-bound" needle.off -e 0.01 -w
+       weights.txt)
+
+# graphs
+refuse("--load-graph: cannot read graph: No such file" square.off --load-graph graph)
+refuse("--load-graph text.off: .*is not that of a discrete geodesic graph" square.off --load-graph text.off)
+
+# output
+refuse("cannot write nowhere/x.ply: No such file or directory" square.off -o nowhere/x)
+file(MAKE_DIRECTORY ${folder}/folder.csv)
+refuse("cannot write folder.csv: Is a directory" square.off -o folder --csv --force)
+refuse("--output: folder.csv exists; --force overwrites it" square.off -o folder --csv)
+file(WRITE ${folder}/square.ply "of somebody else")
+refuse("--output: square.ply exists; --force overwrites it" square.off -o square)
+expect_contents(square.ply "^of somebody else$")
+file(REMOVE ${folder}/square.ply)
+file(REMOVE_RECURSE ${folder}/folder.csv)
+expect_files(edges.txt ${meshes} weights.txt)

@@ -1,0 +1,23 @@
+# Small meshes that the tests of geodesic_distances write into their folder.
+include(${CMAKE_CURRENT_LIST_DIR}/../command_line/test_helpers.cmake)
+
+# Writes an OFF file: points and faces are lists of texts.
+function(write_mesh name points faces)
+  list(LENGTH points number_of_points)
+  list(LENGTH faces number_of_faces)
+  string(REPLACE ";" "\n" lines "OFF\n${number_of_points} ${number_of_faces} 0;${points};${faces}")
+  file(WRITE ${folder}/${name} "${lines}\n")
+endfunction()
+
+set(square "0 0 0;1 0 0;1 1 0;0 1 0")
+write_mesh(square.off "${square}" "3 0 1 2;3 0 2 3")
+write_mesh(two_parts.off "0 0 0;1 0 0;0 1 0;5 0 0;6 0 0;5 1 0" "3 0 1 2;3 3 4 5")
+write_mesh(fan_of_three.off "0 0 0;1 0 0;0 1 0;0 -1 0;0 0 1" "3 0 1 2;3 0 1 3;3 0 1 4")
+write_mesh(doubled_points.off "0 0 0;1 0 0;1 1 0;0 0 0;1 1 0;0 1 0;7 7 7" "3 0 1 2;3 3 4 5")
+write_mesh(quadrangle.off "${square}" "4 0 1 2 3")
+write_mesh(needle.off "0 0 0;1 0 0;0.5 1e-30 0" "3 0 1 2")
+write_mesh(not_a_number.off "0 0 nan;1 0 0;0 1 0" "3 0 1 2")
+write_mesh(no_faces.off "${square}" "")
+write_mesh(wrong_index.off "${square}" "3 0 1 7")
+file(WRITE ${folder}/empty.off "")
+file(WRITE ${folder}/text.off "This is no mesh.\n")

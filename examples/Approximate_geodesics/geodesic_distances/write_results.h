@@ -1,0 +1,143 @@
+#ifndef GEODESIC_DISTANCES_WRITE_RESULTS_H
+#define GEODESIC_DISTANCES_WRITE_RESULTS_H
+
+#include "../command_line/files.h"
+#include "Vtp_file.h"
+#include "colors.h"
+#include "results.h"
+
+#include <CGAL/IO/Color.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <ios>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What viewers show in a color of its own, in place of infinity.
+inline std::vector<double> with_nan(std::vector<double> numbers)
+{
+  for(double& number : numbers)
+    number = std::isfinite(number) ? number : std::numeric_limits<double>::quiet_NaN();
+  return numbers;
+}
+
+inline CGAL::IO::Color color_of_distance(const double distance, const double largest)
+{
+  if(!std::isfinite(distance))
+    return CGAL::IO::gray();
+  const Color c = color_of(largest > 0 ? distance / largest : 0);
+  const auto byte = [](const double x) { return static_cast<unsigned char>(255 * x); };
+  return CGAL::IO::Color(byte(c[0]), byte(c[1]), byte(c[2]));
+}
+
+inline void write_ply(const std::string& file, Mesh mesh, const Results& results)
+{
+  using Vertex = Mesh::Vertex_index;
+  const std::vector<double> distances = with_nan(results.distances);
+  auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
+  auto quality = mesh.add_property_map<Vertex, float>("v:quality").first; // MeshLab reads no double
+  auto color = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
+  for(const Vertex v : mesh.vertices())
+  {
+    distance[v] = distances[v];
+    quality[v] = static_cast<float>(distances[v]);
+    color[v] = color_of_distance(distances[v], results.largest);
+  }
+  std::ofstream out = open_to_write(file, std::ios::binary);
+  CGAL::IO::set_binary_mode(out);
+  CGAL::IO::write_PLY(out, mesh);
+  finish(out, file);
+}
+
+inline void write_vtp(const std::string& file, const Mesh& mesh, const Results& results)
+{
+  Vtp_file vtp;
+  for(const auto v : mesh.vertices())
+    vtp.add_point(mesh.point(v));
+  for(const auto f : mesh.faces())
+  {
+    std::vector<std::int64_t> corners;
+    for(const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      corners.push_back(std::int64_t(v));
+    vtp.polygons.add(corners);
+  }
+  vtp.add_array_of_points("distance", with_nan(results.distances));
+  vtp.add_array_of_points("nearest_source", results.nearest_sources);
+  vtp.write(file);
+}
+
+// The sources as points, and the paths as lines: `target` is the position of that among all
+// targets, or -1 for sources.
+inline void write_paths_vtp(const std::string& file, const Results& results)
+{
+  Vtp_file vtp;
+  std::vector<double> lengths;
+  std::vector<std::int64_t> targets;
+  for(const Mesh::Point& source : results.sources)
+  {
+    vtp.vertices.add(std::vector<std::int64_t>{vtp.add_point(source)});
+    lengths.push_back(0);
+    targets.push_back(-1);
+  }
+  for(std::size_t i = 0; i < results.paths.size(); ++i)
+    if(!results.paths[i].points.empty())
+    {
+      vtp.add_line(results.paths[i].points);
+      lengths.push_back(results.paths[i].length);
+      targets.push_back(std::int64_t(i));
+    }
+  vtp.add_array_of_cells("length", lengths);
+  vtp.add_array_of_cells("target", targets);
+  vtp.write(file);
+}
+
+inline void write_isolines_vtp(const std::string& file, const Results& results)
+{
+  Vtp_file vtp;
+  std::vector<double> distances;
+  for(const Isoline& isoline : results.isolines)
+  {
+    vtp.add_line(isoline.points);
+    distances.push_back(isoline.distance);
+  }
+  vtp.add_array_of_cells("distance", distances);
+  vtp.write(file);
+}
+
+// A line per target, whether there is a path or not.
+inline void write_polylines(const std::string& file, const Results& results)
+{
+  std::ofstream out = open_to_write(file);
+  for(const Path_result& path : results.paths)
+  {
+    if(path.points.empty())
+      out << "inf";
+    else
+      out << path.points.size();
+    for(const Mesh::Point& point : path.points)
+      out << ' ' << point;
+    out << '\n';
+  }
+  finish(out, file);
+}
+
+inline void write_csv(const std::string& file, const Mesh& mesh, const Results& results)
+{
+  std::ofstream out = open_to_write(file);
+  out << "vertex,x,y,z,distance,nearest_source\n";
+  for(const auto v : mesh.vertices())
+  {
+    const Mesh::Point& p = mesh.point(v);
+    out << std::size_t(v) << ',' << p.x() << ',' << p.y() << ',' << p.z() << ','
+        << results.distances[v] << ',' << results.nearest_sources[v] << '\n';
+  }
+  finish(out, file);
+}
+
+#endif // GEODESIC_DISTANCES_WRITE_RESULTS_H
