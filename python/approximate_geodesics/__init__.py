@@ -10,9 +10,21 @@ Lengths are in the unit of the vertices. Input that cannot be right raises `Valu
 message that names the vertex or the face.
 """
 
+from ._costs import DirectionalCost, DriftTime, HikingTime, OneWay, TensorCost, WalkingEnergy
 from ._drop_ins import compute_gdist, local_gdist_matrix
 from ._files import read_mesh
 from ._solver import Solver
 
-__all__ = ["Solver", "compute_gdist", "local_gdist_matrix", "read_mesh"]
+__all__ = [
+    "DirectionalCost",
+    "DriftTime",
+    "HikingTime",
+    "OneWay",
+    "Solver",
+    "TensorCost",
+    "WalkingEnergy",
+    "compute_gdist",
+    "local_gdist_matrix",
+    "read_mesh",
+]
 __version__ = "0.1.0"

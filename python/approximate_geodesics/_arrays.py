@@ -11,14 +11,16 @@ import numpy.typing as npt
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int64]
 
+_LARGEST = int(np.iinfo(np.int64).max)
+
 #: Numbers of vertices; or numbers of faces, and barycentric coordinates in them.
 Points = Tuple[Integers, Optional[Floats]]
 
 
 def numbers(values: Any, name: str, shape: tuple[int, ...]) -> Floats:
-    """The values as contiguous `float64`, not copied if they are. `-1` in `shape` fits any size."""
+    """The values as `float64`, not copied if C++ can read them. `-1` in `shape` fits any size."""
     try:
-        result = np.ascontiguousarray(values, dtype=np.float64)
+        result = _readable(values, np.dtype(np.float64))
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} cannot be read as numbers: {error}") from None
     _check_shape(result, name, shape)
@@ -26,16 +28,21 @@ def numbers(values: Any, name: str, shape: tuple[int, ...]) -> Floats:
 
 
 def integers(values: Any, name: str, shape: tuple[int, ...]) -> npt.NDArray[Any]:
-    """The values as contiguous `int32` or `int64`, not copied if they are."""
-    result = np.asarray(values)
-    if result.size == 0 and result.dtype.kind == "f":
-        result = result.astype(np.int64)  # an empty list
+    """The values as `int32` or `int64`, not copied if C++ can read them. An empty list fits."""
+    try:
+        result = np.asarray(values)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name} cannot be read as integers: {error}") from None
+    if result.shape == (0,) and result.dtype.kind == "f":
+        result = np.empty([max(size, 0) for size in shape], dtype=np.int64)
+    if result.dtype.kind == "O":
+        _check_sizes(result, name)
     if result.dtype.kind not in "iu":
         raise ValueError(f"{name} must be integers, and are {result.dtype}")
-    if result.dtype.kind == "u" and result.size > 0 and int(result.max()) > np.iinfo(np.int64).max:
-        raise ValueError(f"{name} contain {result.max()}, which is too large")
+    if result.dtype.kind == "u":
+        _check_sizes(result, name)
     is_fitting = result.dtype in (np.dtype(np.int32), np.dtype(np.int64))
-    result = np.ascontiguousarray(result, dtype=result.dtype if is_fitting else np.int64)
+    result = _readable(result, result.dtype if is_fitting else np.dtype(np.int64))
     _check_shape(result, name, shape)
     return result
 
@@ -44,13 +51,13 @@ def points(values: Any, name: str) -> tuple[Points, bool]:
     """The points, and whether it is one, and not a sequence of them."""
     if _is_point_of_face(values):
         return _points_of_faces([values], name), True
-    if isinstance(values, tuple) and [getattr(v, "ndim", None) for v in values] == [1, 2]:
+    if isinstance(values, tuple) and list(map(_number_of_dimensions, values)) == [1, 2]:
         return _arrays_of_faces(values, name), False
     if isinstance(values, Iterable) and not isinstance(values, (np.ndarray, list, tuple)):
         values = list(values)  # as that of a range
     if _has_point_of_face(values):
         return _points_of_faces(values, name), False
-    if np.ndim(values) == 0:
+    if _number_of_dimensions(values) == 0:
         return (np.array([_vertex(values, name)], dtype=np.int64), None), True
     vertices = integers(values, f"the {name} vertices", (-1,))
     return (vertices.astype(np.int64, copy=False), None), False
@@ -63,20 +70,44 @@ def one_point(values: Any, name: str) -> Points:
     return result
 
 
+def _readable(values: Any, dtype: np.dtype[Any]) -> npt.NDArray[Any]:
+    """An array that C++ can read: the given one if it is."""
+    return np.require(values, dtype, ["C_CONTIGUOUS", "ALIGNED", "ENSUREARRAY"])
+
+
 def _check_shape(array: npt.NDArray[Any], name: str, shape: tuple[int, ...]) -> None:
     fits = array.ndim == len(shape) and all(
         wanted in (-1, size) for wanted, size in zip(shape, array.shape)
     )
     if not fits:
-        wanted = ", ".join("any" if size == -1 else str(size) for size in shape)
-        raise ValueError(f"{name} must have the shape ({wanted}), and have {array.shape}")
+        wanted = str(shape).replace("-1", "any")
+        raise ValueError(f"{name} must have the shape {wanted}, and have {array.shape}")
+
+
+def _check_sizes(values: npt.NDArray[Any], name: str) -> None:
+    """Refuses integers that are too large for NumPy."""
+    suspects = values if values.dtype.kind == "O" else np.max(values, initial=0, keepdims=True)
+    for value in suspects.flat:
+        if isinstance(value, (int, np.integer)) and abs(int(value)) > _LARGEST:
+            raise ValueError(f"{name} contain {value}, which is too large")
 
 
 def _vertex(value: Any, name: str) -> int:
     try:
-        return operator.index(value)
+        result = operator.index(value)
     except TypeError:
         raise ValueError(f"the {name} {value!r} is not a vertex, which is an integer") from None
+    if abs(result) > _LARGEST:
+        raise ValueError(f"the {name} is vertex {result}, which is too large")
+    return result
+
+
+def _number_of_dimensions(values: Any) -> int:
+    """That of an array or of what NumPy makes one of, or else -1."""
+    try:
+        return np.ndim(values)
+    except ValueError:
+        return -1
 
 
 def _is_point_of_face(value: Any) -> bool:

@@ -44,7 +44,8 @@ def compute_gdist(
     -------
     (l,) array of float64
     """
-    solver = Solver(vertices, _from_zero(triangles, is_one_indexed), epsilon)
+    vertices = _arrays.numbers(vertices, "vertices", (-1, 3))
+    solver = Solver(vertices, _from_zero(triangles, is_one_indexed, len(vertices)), epsilon)
     sources = [0] if source_indices is None else source_indices
     distances: _arrays.Floats = solver.distances(sources, max_distance=max_distance)
     if target_indices is None:
@@ -85,7 +86,7 @@ def local_gdist_matrix(
     threads : int, optional
         One per core by default. gdist has one.
     progress : callable, optional
-        Is told of rows.
+        Called with the number of rows that are done, and of all.
 
     Returns
     -------
@@ -94,17 +95,33 @@ def local_gdist_matrix(
     """
     import scipy.sparse
 
-    solver = Solver(vertices, _from_zero(triangles, is_one_indexed), epsilon, threads=threads)
+    vertices = _arrays.numbers(vertices, "vertices", (-1, 3))
+    corners = _from_zero(triangles, is_one_indexed, len(vertices))
+    solver = Solver(vertices, corners, epsilon, threads=threads)
+    everything = np.arange(solver.number_of_vertices)
     rows = solver.distance_matrix(
-        np.arange(solver.number_of_vertices), max_distance=max_distance, progress=progress
+        everything,
+        everything,
+        max_distance=max_distance,
+        symmetric=epsilon != 0,  # searches from either end can find different paths then
+        progress=progress,
     )
-    # Searches from either end can find different paths within the bound, and one too long for the
-    # distance.
-    result = scipy.sparse.csc_matrix(rows if epsilon == 0 else rows.maximum(rows.T))
+    result = scipy.sparse.csc_matrix(rows)
     result.eliminate_zeros()
     return result
 
 
-def _from_zero(triangles: npt.ArrayLike, is_one_indexed: bool) -> npt.NDArray[Any]:
+def _from_zero(
+    triangles: npt.ArrayLike, is_one_indexed: bool, number_of_vertices: int
+) -> npt.NDArray[Any]:
     result = _arrays.integers(triangles, "triangles", (-1, 3))
-    return result - 1 if is_one_indexed else result
+    if not is_one_indexed:
+        return result
+    wrong = np.flatnonzero(np.any((result < 1) | (result > number_of_vertices), axis=1))
+    if len(wrong) > 0:
+        vertices = [v for v in result[wrong[0]].tolist() if not 1 <= v <= number_of_vertices]
+        raise ValueError(
+            f"face {wrong[0]} has vertex {vertices[0]}; the vertices are numbered from 1, and there "
+            f"are {number_of_vertices}"
+        )
+    return result - 1

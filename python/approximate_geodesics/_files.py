@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from typing import Union
 
@@ -34,4 +35,6 @@ def name_of(file: Union[str, "os.PathLike[str]"]) -> str:
         result.encode()
     except UnicodeEncodeError:
         raise ValueError(f"the name of the file {result!r} is not UTF-8") from None
+    if os.path.isdir(result):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), result)
     return result

@@ -1,4 +1,4 @@
-from typing import Any, Callable, Optional, Tuple, Union
+from typing import Any, Callable, List, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +16,8 @@ class Solver:
         faces: npt.NDArray[Any],
         epsilon: Optional[float],
         face_weights: Optional[_Floats],
+        costs: Optional[Tuple[int, List[float], _Floats]],
+        accept_weaker_bound: bool,
         barriers: Optional[_Integers],
         threads: int,
     ) -> None: ...
@@ -30,6 +32,7 @@ class Solver:
         elements: _Integers,
         coordinates: Optional[_Floats],
         maximum_distance: float,
+        direction_to_source: bool,
         wants_nearest: bool,
         progress: _Progress,
     ) -> Tuple[_Floats, _Integers]: ...
@@ -48,11 +51,17 @@ class Solver:
         targets: Optional[Tuple[_Integers, Optional[_Floats]]],
         maximum_distance: Optional[float],
         k: Optional[int],
+        direction_to_source: bool,
+        symmetric: bool,
         threads: int,
         progress: _Progress,
     ) -> Union[_Floats, Tuple[_Floats, npt.NDArray[np.int32], npt.NDArray[Any]]]: ...
     def voronoi(
-        self, elements: _Integers, coordinates: Optional[_Floats], progress: _Progress
+        self,
+        elements: _Integers,
+        coordinates: Optional[_Floats],
+        direction_to_source: bool,
+        progress: _Progress,
     ) -> _Integers: ...
     def farthest_points(
         self, number: int, sources: _Integers, progress: _Progress
@@ -73,6 +82,8 @@ class Solver:
     def error_bound(self) -> float: ...
     @property
     def has_face_weights(self) -> bool: ...
+    @property
+    def cost_model(self) -> Optional[int]: ...
     @property
     def has_barriers(self) -> bool: ...
     @property

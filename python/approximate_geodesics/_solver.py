@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _files, _native
+from ._costs import NAMES, DirectionalCost
 
 File = Union[str, "os.PathLike[str]"]
 Progress = Callable[[int, int], object]
@@ -25,12 +26,19 @@ class Solver:
         Vertices of each face, counterclockwise seen from one side of the surface.
     epsilon : float, optional
         Paths are at most `1 + epsilon` times as long as the shortest ones; `0` asks for exact ones.
-        Without it, paths run along edges, which is the fastest, and has no bound.
+        Without it, paths run along edges, which is the fastest, and has no bound. `0` is refused
+        with face weights, directional costs and barriers, which there are no exact distances with.
     threads : int, optional
         How many threads build the graph and compute matrices; by default, one per core.
     face_weights : (m,) array of float, optional
         Cost of a unit of length in each face: not negative; infinity forbids a face. "Distance" and
         "length" mean costs then.
+    costs : DirectionalCost, optional
+        Cost of a unit of length in each face and direction: a `HikingTime`, `WalkingEnergy`,
+        `DriftTime`, `OneWay` or `TensorCost`; not with face weights.
+    accept_weaker_bound : bool
+        Whether meshes are accepted that the bound cannot be kept on, because of their faces or of
+        forbidden directions. `error_bound` tells what is left of it.
     barriers : (k, 2) array of int, optional
         Edges that paths must not cross, by their two vertices.
 
@@ -47,10 +55,9 @@ class Solver:
     coordinates. *Points* are a sequence of either, or a pair of an array of faces, (k,), and an
     array of barycentric coordinates, (k, 3).
 
-    Several threads can call all methods at the same time; searches and matrices release the
-    interpreter's lock. Ctrl-C ends them, and the solver can be used afterwards; it does not end the
-    building of a graph. `progress` is called during a run with two numbers: how much is done, and
-    how much there is to do.
+    Several threads can call all methods at the same time; all that takes long releases the
+    interpreter's lock. Ctrl-C ends it, and the solver can be used afterwards. `progress` is called
+    during a run with two numbers: how much is done, and how much there is to do.
     """
 
     _solver: _native.Solver
@@ -63,6 +70,8 @@ class Solver:
         *,
         threads: Optional[int] = None,
         face_weights: Optional[npt.ArrayLike] = None,
+        costs: Optional[DirectionalCost] = None,
+        accept_weaker_bound: bool = False,
         barriers: Optional[npt.ArrayLike] = None,
     ) -> None:
         coordinates = _arrays.numbers(vertices, "vertices", (-1, 3))
@@ -73,7 +82,14 @@ class Solver:
         if barriers is not None:
             ends = _arrays.integers(barriers, "barriers", (-1, 2)).astype(np.int64, copy=False)
         self._solver = _native.Solver(
-            coordinates, corners, epsilon, weights, ends, _number_of_threads(threads)
+            coordinates,
+            corners,
+            epsilon,
+            weights,
+            _native_costs(costs, len(corners)),
+            accept_weaker_bound,
+            ends,
+            _number_of_threads(threads),
         )
 
     @classmethod
@@ -91,6 +107,7 @@ class Solver:
         *,
         return_nearest: bool = False,
         max_distance: Optional[float] = None,
+        direction_to_source: bool = False,
         progress: Optional[Progress] = None,
     ) -> Any:
         """Distances of all vertices from the nearest source.
@@ -102,6 +119,9 @@ class Solver:
             Whether the nearest sources are returned, too.
         max_distance : float, optional
             Vertices that are farther are not reached; the run ends there.
+        direction_to_source : bool
+            Whether the distances are those to the sources, which differ with directional costs. The
+            first time, the graph is copied for that.
         progress : callable, optional
 
         Returns
@@ -113,7 +133,12 @@ class Solver:
         """
         (elements, coordinates), _ = _arrays.points(sources, "source")
         result, nearest = self._solver.distances(
-            elements, coordinates, _distance(max_distance), return_nearest, progress
+            elements,
+            coordinates,
+            _distance(max_distance),
+            direction_to_source,
+            return_nearest,
+            _checked(progress),
         )
         return (result, nearest) if return_nearest else result
 
@@ -126,7 +151,8 @@ class Solver:
         ----------
         source, target : point
         straighten : bool
-            Whether the path is shortened to a locally shortest one; not with face weights.
+            Whether the path is shortened to a locally shortest one. With face weights or
+            directional costs, this raises `ValueError`, as cheapest paths are not straight.
         return_length : bool
             Whether its length is returned, too.
 
@@ -151,6 +177,8 @@ class Solver:
         *,
         max_distance: Optional[float] = None,
         k: Optional[int] = None,
+        direction_to_source: bool = False,
+        symmetric: bool = False,
         threads: Optional[int] = None,
         progress: Optional[Progress] = None,
     ) -> Any:
@@ -166,10 +194,16 @@ class Solver:
         k : int, optional
             Only the k smallest distances of each row are found, the nearest first. The matrix is
             sparse.
+        direction_to_source : bool
+            Whether the distances are those from the targets to the sources.
+        symmetric : bool
+            Whether each distance is replaced by the smaller one of both directions, which can
+            differ within the bound. Targets must be the same as sources; not with `k`, nor with
+            directional costs.
         threads : int, optional
             As many as the solver has by default. Their number changes no result.
         progress : callable, optional
-            Is told of rows.
+            Called with the number of rows that are done, and of all.
 
         Returns
         -------
@@ -183,7 +217,9 @@ class Solver:
             raise ValueError(f"k is {k}; it must be at least 1")
         limit = None if max_distance is None else _distance(max_distance)
         number = 0 if threads is None else _number_of_threads(threads)
-        result = self._solver.matrix(*request, columns, limit, k, number, progress)
+        result = self._solver.matrix(
+            *request, columns, limit, k, direction_to_source, symmetric, number, _checked(progress)
+        )
         if not isinstance(result, tuple):
             return result
         width = self.number_of_vertices if columns is None else len(columns[0])
@@ -207,12 +243,21 @@ class Solver:
 
     # What follows from distances
 
-    def voronoi(self, sources: Any, *, progress: Optional[Progress] = None) -> _arrays.Integers:
+    def voronoi(
+        self,
+        sources: Any,
+        *,
+        direction_to_source: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> _arrays.Integers:
         """The nearest source of each face: that of most of its vertices.
 
         Returns an (m,) array of int64: positions among the sources, or -1 if none reaches the face.
         """
-        return self._solver.voronoi(*_arrays.points(sources, "source")[0], progress)
+        (elements, coordinates), _ = _arrays.points(sources, "source")
+        return self._solver.voronoi(
+            elements, coordinates, direction_to_source, _checked(progress)
+        )
 
     def farthest_points(
         self,
@@ -244,7 +289,7 @@ class Solver:
         (elements, coordinates), _ = _arrays.points(sources, "source")
         if coordinates is not None:
             raise ValueError("sources of farthest points must be vertices")
-        points, radius = self._solver.farthest_points(number, elements, progress)
+        points, radius = self._solver.farthest_points(number, elements, _checked(progress))
         return (points, radius) if return_radius else points
 
     def gradient(self, values: npt.ArrayLike) -> _arrays.Floats:
@@ -284,16 +329,23 @@ class Solver:
     def load(cls, file: File, *, threads: Optional[int] = None) -> Solver:
         """Read what `save` has written.
 
-        Raises `OSError` if there is no such file, and `ValueError` if it is none of a solver, or
-        damaged.
+        Raises `OSError` if there is no such file, and `ValueError` if it is none of a solver,
+        damaged, or longer.
         """
         return cls._with(_native.Solver.load(_files.name_of(file), _number_of_threads(threads)))
 
-    def __getstate__(self) -> tuple[bytes, int]:
-        return self._solver.to_bytes(), self._solver.threads
+    def __getstate__(self) -> tuple[bytes, int, dict[str, Any]]:
+        return self._solver.to_bytes(), self._solver.threads, self._attributes()
 
-    def __setstate__(self, state: tuple[bytes, int]) -> None:
-        self._solver = _native.Solver.from_bytes(*state)
+    def __setstate__(self, state: tuple[bytes, int, dict[str, Any]]) -> None:
+        contents, threads, attributes = state
+        self._solver = _native.Solver.from_bytes(contents, threads)
+        self.__dict__.update(attributes)
+
+    def __copy__(self) -> Solver:
+        result = self._with(self._solver)  # which does not change
+        result.__dict__.update(self._attributes())
+        return result
 
     # Properties
 
@@ -324,7 +376,7 @@ class Solver:
 
     @property
     def error_bound(self) -> float:
-        """The bound that holds: infinity along edges, and where face weights do not allow one.
+        """The bound that holds: infinity along edges, and where costs do not allow one.
 
         It is for exact arithmetic: arcs are stored with a relative precision of 1.2e-7.
         """
@@ -340,6 +392,8 @@ class Solver:
         parts.append("along edges" if self.epsilon is None else f"epsilon={self.epsilon:g}")
         if self._solver.has_face_weights:
             parts.append("with face weights")
+        if self._solver.cost_model is not None:
+            parts.append(f"with {NAMES[self._solver.cost_model]}")
         if self._solver.has_barriers:
             parts.append("with barriers")
         return f"<approximate_geodesics.Solver: {', '.join(parts)}>"
@@ -352,8 +406,28 @@ class Solver:
         result._solver = native
         return result
 
+    def _attributes(self) -> dict[str, Any]:
+        """Those that a derived class has added."""
+        return {name: value for name, value in self.__dict__.items() if name != "_solver"}
+
     def _values(self, values: npt.ArrayLike) -> _arrays.Floats:
         return _arrays.numbers(values, "values", (self.number_of_vertices,))
+
+
+def _native_costs(
+    costs: Optional[DirectionalCost], number_of_faces: int
+) -> Optional[tuple[int, list[float], _arrays.Floats]]:
+    if costs is None:
+        return None
+    if not isinstance(costs, DirectionalCost):
+        raise TypeError(f"costs are of type {type(costs).__name__}; they must be a DirectionalCost")
+    return costs._native(number_of_faces)
+
+
+def _checked(progress: Optional[Progress]) -> Optional[Progress]:
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress is {progress!r}; it must be callable, or None")
+    return progress
 
 
 def _number_of_threads(threads: Optional[int]) -> int:

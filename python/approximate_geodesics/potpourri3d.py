@@ -10,7 +10,7 @@ bound. What only the heat method needs is accepted, and ignored.
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Optional, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -54,9 +54,9 @@ class MeshHeatMethodDistanceSolver:
         """Distances of all vertices from one, (n,) float64; infinity where there is no path."""
         return self.compute_distance_multisource([v_ind])
 
-    def compute_distance_multisource(self, v_ind_list: npt.ArrayLike) -> _arrays.Floats:
+    def compute_distance_multisource(self, v_inds: npt.ArrayLike) -> _arrays.Floats:
         """Distances of all vertices from the nearest of several, (n,) float64."""
-        result: _arrays.Floats = self._solver.distances(np.asarray(v_ind_list))
+        result: _arrays.Floats = self._solver.distances(np.asarray(v_inds))
         return result
 
 
@@ -66,10 +66,10 @@ def compute_distance(V: npt.ArrayLike, F: npt.ArrayLike, v_ind: int) -> _arrays.
 
 
 def compute_distance_multisource(
-    V: npt.ArrayLike, F: npt.ArrayLike, v_ind_list: npt.ArrayLike
+    V: npt.ArrayLike, F: npt.ArrayLike, v_inds: npt.ArrayLike
 ) -> _arrays.Floats:
     """Distances of all vertices from the nearest of several, (n,) float64."""
-    return MeshHeatMethodDistanceSolver(V, F).compute_distance_multisource(v_ind_list)
+    return MeshHeatMethodDistanceSolver(V, F).compute_distance_multisource(v_inds)
 
 
 class EdgeFlipGeodesicSolver:
@@ -81,12 +81,19 @@ class EdgeFlipGeodesicSolver:
     ----------
     V : (n, 3) array of float
     F : (m, 3) array of int
+    t_coef
+        Ignored.
     epsilon : float, optional
         The bound, as for `Solver`.
     """
 
     def __init__(
-        self, V: npt.ArrayLike, F: npt.ArrayLike, *, epsilon: Optional[float] = 0.1
+        self,
+        V: npt.ArrayLike,
+        F: npt.ArrayLike,
+        t_coef: float = 1.0,
+        *,
+        epsilon: Optional[float] = 0.1,
     ) -> None:
         self._solver = Solver(V, F, epsilon)
 
@@ -94,15 +101,31 @@ class EdgeFlipGeodesicSolver:
         self,
         v_start: int,
         v_end: int,
-        max_iterations: Any = None,
-        max_relative_length_decrease: Any = None,
+        max_iterations: Optional[int] = None,
+        max_relative_length_decrease: Optional[float] = None,
     ) -> _arrays.Floats:
-        """The points of a path from one vertex to another, (k, 3) float64.
+        """The points of a path from one vertex to another, (k, 3) float64; (0, 3) if there is none.
 
-        `max_iterations` and `max_relative_length_decrease` must be `None`: paths are straightened
-        to the end.
+        `max_iterations` and `max_relative_length_decrease` are ignored: paths are straightened to
+        the end, which is as short as more iterations would make them.
         """
-        if max_iterations is not None or max_relative_length_decrease is not None:
-            raise ValueError("paths are straightened to the end: no limit can be given")
         result: _arrays.Floats = self._solver.path(v_start, v_end, straighten=True)
         return result
+
+    def find_geodesic_path_poly(
+        self,
+        v_list: Sequence[int],
+        max_iterations: Optional[int] = None,
+        max_relative_length_decrease: Optional[float] = None,
+    ) -> _arrays.Floats:
+        """The points of a path through several vertices, (k, 3) float64.
+
+        It is a shortest one between each two of them, so that it may turn there; potpourri3d's
+        also gets straight at the vertices between the ends. It is (0, 3) if there is none.
+        """
+        if len(v_list) < 2:
+            raise ValueError(f"there are {len(v_list)} vertices; a path has at least 2")
+        parts = [self.find_geodesic_path(a, b) for a, b in zip(v_list[:-1], v_list[1:])]
+        if any(len(part) == 0 for part in parts):
+            return np.empty((0, 3))
+        return np.concatenate([parts[0], *(part[1:] for part in parts[1:])])

@@ -9,6 +9,8 @@
 // Solvers in files and as bytes, and meshes from files.
 
 #include "arrays.h"
+#include "interpreter_lock.h"
+#include "running.h"
 
 #include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
 #include <CGAL/IO/polygon_soup_io.h>
@@ -18,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <istream>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -39,7 +42,7 @@ inline void save(const AG::Solver& solver, const std::string& file)
     throw_error_of_file(file);
   try
   {
-    const py::gil_scoped_release unlock;
+    const Unlocked unlocked;
     solver.save(out);
   }
   catch(const std::runtime_error&)
@@ -48,13 +51,23 @@ inline void save(const AG::Solver& solver, const std::string& file)
   }
 }
 
+// Reads a solver, which must be all that there is.
+inline std::unique_ptr<AG::Solver> read_solver(std::istream& in, const std::size_t threads)
+{
+  return run(py::none(), [&](const AG::Solver_watch& watch) {
+    auto result = std::make_unique<AG::Solver>(in, threads, watch);
+    if(in.peek() != std::istream::traits_type::eof())
+      throw std::invalid_argument("there are more bytes after those of the solver");
+    return result;
+  });
+}
+
 inline std::unique_ptr<AG::Solver> load(const std::string& file, const std::size_t threads)
 {
   std::ifstream in(file, std::ios::binary);
   if(!in)
     throw_error_of_file(file);
-  const py::gil_scoped_release unlock;
-  return std::make_unique<AG::Solver>(in, threads);
+  return read_solver(in, threads);
 }
 
 inline py::bytes to_bytes(const AG::Solver& solver)
@@ -67,8 +80,7 @@ inline py::bytes to_bytes(const AG::Solver& solver)
 inline std::unique_ptr<AG::Solver> from_bytes(const py::bytes& bytes, const std::size_t threads)
 {
   std::istringstream in(std::string(bytes), std::ios::binary);
-  const py::gil_scoped_release unlock;
-  return std::make_unique<AG::Solver>(in, threads);
+  return read_solver(in, threads);
 }
 
 // The vertices and the faces of a mesh in one of the formats that CGAL reads.

@@ -31,12 +31,13 @@ struct Matrix_request
 {
   std::vector<AG::Solver_point> sources;
   std::optional<std::vector<AG::Solver_point>> targets;
-  double maximum_distance;
-  std::size_t number_of_threads;
+  AG::Solver_row_options limits;
 
   AG::Solver_row_options options() const
   {
-    return {targets ? &*targets : nullptr, maximum_distance, number_of_threads};
+    AG::Solver_row_options result = limits;
+    result.targets = targets ? &*targets : nullptr;
+    return result;
   }
 
   std::size_t number_of_columns(const AG::Solver& solver) const

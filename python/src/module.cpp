@@ -24,6 +24,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,11 +33,23 @@ namespace python {
 using Numbers = Array<std::int64_t>;
 using Coordinates = std::optional<Array<double>>;
 
+// The number of a model, its parameters, and the numbers of faces.
+using Cost = std::tuple<std::uint8_t, std::vector<double>, Array<double>>;
+
+AG::Solver_cost solver_cost(const Cost& cost)
+{
+  const auto& [model, parameters, of_faces] = cost;
+  return {static_cast<AG::Solver_cost::Model>(model), parameters,
+          std::vector<double>(of_faces.data(), of_faces.data() + of_faces.size())};
+}
+
 template <typename Integer>
 std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
                                         const Array<Integer>& faces,
                                         const std::optional<double> epsilon,
                                         const std::optional<Array<double>>& face_weights,
+                                        const std::optional<Cost>& costs,
+                                        const bool accept_weaker_bound,
                                         const std::optional<Numbers>& barriers,
                                         const std::size_t threads)
 {
@@ -44,16 +57,20 @@ std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
   options.epsilon = epsilon;
   if(face_weights)
     options.face_weights = face_weights->data();
+  if(costs)
+    options.directional_cost = solver_cost(*costs);
+  options.accept_weaker_bound = accept_weaker_bound;
   if(barriers)
   {
     options.barriers = barriers->data();
     options.number_of_barriers = static_cast<std::size_t>(barriers->shape(0));
   }
   options.number_of_threads = threads;
-  const py::gil_scoped_release unlock;
-  return std::make_unique<AG::Solver>(vertices.data(), static_cast<std::size_t>(vertices.shape(0)),
-                                      faces.data(), static_cast<std::size_t>(faces.shape(0)),
-                                      options);
+  return run(py::none(), [&](const AG::Solver_watch& watch) {
+    return std::make_unique<AG::Solver>(vertices.data(),
+                                        static_cast<std::size_t>(vertices.shape(0)), faces.data(),
+                                        static_cast<std::size_t>(faces.shape(0)), options, watch);
+  });
 }
 
 template <typename Integer>
@@ -61,13 +78,15 @@ void add_constructor(py::class_<AG::Solver>& solver)
 {
   solver.def(py::init(&make_solver<Integer>), py::arg("vertices").noconvert(),
              py::arg("faces").noconvert(), py::arg("epsilon"), py::arg("face_weights").noconvert(),
-             py::arg("barriers").noconvert(), py::arg("threads"));
+             py::arg("costs"), py::arg("accept_weaker_bound"), py::arg("barriers").noconvert(),
+             py::arg("threads"));
 }
 
 py::tuple distances(const AG::Solver& solver,
                     const Numbers& elements,
                     const Coordinates& coordinates,
                     const double maximum_distance,
+                    const bool direction_to_source,
                     const bool wants_nearest,
                     const py::object& progress)
 {
@@ -78,7 +97,8 @@ py::tuple distances(const AG::Solver& solver,
   double* const data = result.mutable_data();
   std::int64_t* const nearest_data = wants_nearest ? nearest.mutable_data() : nullptr;
   run(progress, [&](const AG::Solver_watch& watch) {
-    solver.find_distances(sources, data, nearest_data, maximum_distance, watch);
+    solver.find_distances(sources, data, nearest_data, {maximum_distance, direction_to_source},
+                          watch);
   });
   return py::make_tuple(result, nearest);
 }
@@ -107,12 +127,17 @@ py::object matrix(const AG::Solver& solver,
                   const std::optional<std::pair<Numbers, Coordinates>>& targets,
                   const std::optional<double> maximum_distance,
                   const std::optional<std::size_t> k,
+                  const bool direction_to_source,
+                  const bool symmetric,
                   const std::size_t threads,
                   const py::object& progress)
 {
-  Matrix_request request{points(elements, coordinates), std::nullopt,
-                         maximum_distance.value_or(std::numeric_limits<double>::infinity()),
-                         threads};
+  Matrix_request request{points(elements, coordinates), std::nullopt, {}};
+  request.limits.maximum_distance =
+      maximum_distance.value_or(std::numeric_limits<double>::infinity());
+  request.limits.direction_to_source = direction_to_source;
+  request.limits.symmetric = symmetric;
+  request.limits.number_of_threads = threads;
   if(targets)
     request.targets = points(targets->first, targets->second);
   if(k)
@@ -125,13 +150,17 @@ py::object matrix(const AG::Solver& solver,
 Numbers voronoi(const AG::Solver& solver,
                 const Numbers& elements,
                 const Coordinates& coordinates,
+                const bool direction_to_source,
                 const py::object& progress)
 {
   const auto sources = points(elements, coordinates);
   Numbers result(static_cast<py::ssize_t>(solver.number_of_faces()));
   std::int64_t* const data = result.mutable_data();
-  run(progress,
-      [&](const AG::Solver_watch& watch) { solver.find_voronoi_partition(sources, data, watch); });
+  AG::Solver_search_options options;
+  options.direction_to_source = direction_to_source;
+  run(progress, [&](const AG::Solver_watch& watch) {
+    solver.find_voronoi_partition(sources, data, options, watch);
+  });
   return result;
 }
 
@@ -177,6 +206,13 @@ Numbers faces(const AG::Solver& solver)
   Numbers result({static_cast<py::ssize_t>(solver.number_of_faces()), py::ssize_t(3)});
   solver.write_corners(result.mutable_data());
   return result;
+}
+
+// The number of the model of directional costs, if there are any.
+std::optional<int> cost_model(const AG::Solver& solver)
+{
+  const auto& cost = solver.directional_cost();
+  return cost ? std::optional<int>(cost->model) : std::nullopt;
 }
 
 // Messages name the element; that it is this package which complains is known from the traceback.
@@ -225,6 +261,7 @@ PYBIND11_MODULE(_native, module)
       .def_property_readonly("epsilon", &Solver::epsilon)
       .def_property_readonly("error_bound", &Solver::error_bound)
       .def_property_readonly("has_face_weights", &Solver::has_face_weights)
+      .def_property_readonly("cost_model", &python::cost_model)
       .def_property_readonly("has_barriers", &Solver::has_barriers)
       .def_property_readonly("threads", &Solver::number_of_threads)
       .def_property_readonly("memory", &Solver::memory);

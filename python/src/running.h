@@ -9,6 +9,8 @@
 // Runs without the lock of the interpreter, which is taken only to ask for signals, and to tell of
 // progress.
 
+#include "interpreter_lock.h"
+
 #include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
 
 #include <pybind11/pybind11.h>
@@ -20,24 +22,20 @@ namespace python {
 namespace py = pybind11;
 namespace AG = CGAL::Approximate_geodesics;
 
-// Calls `f(watch)`. `progress` is a callable, or None.
+// Calls `f(watch)`, and returns what it returns. `progress` is a callable, or None.
 template <typename F>
-void run(const py::object& progress, const F& f)
+auto run(const py::object& progress, const F& f)
 {
-  AG::Solver_watch watch;
-  watch.go_further = [] {
-    const py::gil_scoped_acquire lock;
-    return PyErr_CheckSignals() == 0;
-  };
-  if(!progress.is_none())
-    watch.on_progress = [&progress](const std::size_t number_done, const std::size_t number) {
-      const py::gil_scoped_acquire lock;
-      progress(number_done, number);
-    };
   try
   {
-    const py::gil_scoped_release unlock;
-    f(watch);
+    Unlocked unlocked;
+    AG::Solver_watch watch;
+    watch.go_further = [&] { return unlocked.with_lock([] { return PyErr_CheckSignals() == 0; }); };
+    if(!progress.is_none())
+      watch.on_progress = [&](const std::size_t number_done, const std::size_t number) {
+        unlocked.with_lock([&] { progress(number_done, number); });
+      };
+    return f(watch);
   }
   catch(const AG::Solver_interrupted&)
   {

@@ -53,7 +53,9 @@ def test_points_of_faces():
         np.testing.assert_allclose(solver.distances((face, weights)), expected, atol=1e-12)
     points = [(7, (0.2, 0.3, 0.5)), (30, (0.5, 0.5, 0))]
     as_arrays = (np.array([7, 30]), np.array([(0.2, 0.3, 0.5), (0.5, 0.5, 0)]))
-    np.testing.assert_array_equal(solver.distances(points), solver.distances(as_arrays))
+    as_lists = tuple(part.tolist() for part in as_arrays)
+    for same in (as_arrays, as_lists):
+        np.testing.assert_array_equal(solver.distances(points), solver.distances(same))
 
 
 def test_maximum_distance(ball):
@@ -105,6 +107,13 @@ def test_barriers():
     detour = np.hypot(1, 3) * 2  # over the upper end of the wall
     assert free.distances(1)[3] == pytest.approx(2, rel=0.05)
     assert detour <= closed.distances(1)[3] <= detour * 1.05
+
+
+def test_no_barriers():
+    vertices, faces = grid(5)
+    for none in ([], np.empty((0, 2), dtype=int)):
+        solver = ag.Solver(vertices, faces, 0, barriers=none)  # which barriers would not allow
+        assert solver.distances(0)[24] == pytest.approx(np.hypot(4, 4))
 
 
 def test_repeated_searches_give_the_same(ball):

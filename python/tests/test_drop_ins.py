@@ -62,7 +62,7 @@ def test_names_are_those_of_potpourri3d():
         solver.compute_distance(7), great_circles(VERTICES, 7), rtol=0.1, atol=1e-7
     )
     np.testing.assert_array_equal(
-        solver.compute_distance_multisource([1, 2]),
+        solver.compute_distance_multisource(v_inds=[1, 2]),
         np.minimum(solver.compute_distance(1), solver.compute_distance(2)),
     )
     np.testing.assert_array_equal(
@@ -80,8 +80,26 @@ def test_paths_between_two_vertices():
     np.testing.assert_array_equal(points[[0, -1]], VERTICES[[14, 300]])
     length = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
     np.testing.assert_allclose(length, EXACT.distances(14)[300], rtol=1e-3)
-    with pytest.raises(ValueError, match="no limit"):
-        solver.find_geodesic_path(14, 300, max_iterations=3)
+    same = pp3d.EdgeFlipGeodesicSolver(VERTICES, FACES, t_coef=2.0)
+    np.testing.assert_array_equal(same.find_geodesic_path(14, 300, max_iterations=3), points)
+
+
+def test_paths_through_several_vertices():
+    solver = pp3d.EdgeFlipGeodesicSolver(VERTICES, FACES)
+    points = solver.find_geodesic_path_poly(v_list=[14, 300, 7])
+    there, further = solver.find_geodesic_path(14, 300), solver.find_geodesic_path(300, 7)
+    np.testing.assert_array_equal(points[: len(there)], there)
+    np.testing.assert_array_equal(points[len(there) - 1 :], further)
+    with pytest.raises(ValueError, match="1 vertices"):
+        solver.find_geodesic_path_poly([14])
+
+
+def test_faces_are_named_as_they_are_numbered():
+    for wrong in (0, 643):
+        faces = FACES + 1
+        faces[7, 2] = wrong
+        with pytest.raises(ValueError, match=f"face 7 has vertex {wrong}; .* from 1, .* are 642"):
+            ag.local_gdist_matrix(VERTICES, faces, 0.5, is_one_indexed=True)
 
 
 def test_local_matrices_are_symmetric():

@@ -46,6 +46,7 @@ def test_meshes_that_cannot_be_right(vertices, faces, message):
         ({"face_weights": np.ones(18), "epsilon": 0}, "no exact distances with face weights"),
         ({"barriers": [(0, 1), (0, 15)]}, "barrier 1 is not an edge"),
         ({"barriers": [(0, 99)]}, "barrier 0 has vertex 99"),
+        ({"barriers": [(0, 1, 2)]}, r"barriers must have the shape \(any, 2\)"),
     ],
 )
 def test_parameters_that_cannot_be_right(options, message):
@@ -64,6 +65,12 @@ def test_parameters_that_cannot_be_right(options, message):
         ((0, (1, 1, 0)), "barycentric coordinates are 1, 1, 0"),
         ([(0, (1, 0, 0)), 3], "source 1 is not a face and three"),
         ((np.array([1, 2]), np.ones((3, 3)) / 3), "2 source faces, and coordinates of 3"),
+        (([0, 1], [[1, 0, 0]]), "2 source faces, and coordinates of 1"),
+        (2**70, f"the source is vertex {2**70}, which is too large"),
+        (-(2**70), "too large"),
+        ([0, 2**70], f"the source vertices contain {2**70}, which is too large"),
+        ([[0], [1, 2]], "the source vertices cannot be read as integers"),
+        ([[0, 1]], r"the source vertices must have the shape \(any,\)"),
     ],
 )
 def test_sources_that_cannot_be_right(sources, message):
@@ -79,6 +86,8 @@ def test_sources_that_cannot_be_right(sources, message):
         (lambda: SOLVER.path([0, 1], 2), "source must be one point"),
         (lambda: SOLVER.distance_matrix([0], k=0), "k is 0"),
         (lambda: SOLVER.distance_matrix([0], [99]), "target 0 is vertex 99"),
+        (lambda: SOLVER.distance_matrix([0, 1], [1, 0], symmetric=True), "not the same points"),
+        (lambda: SOLVER.distance_matrix([0], [0], k=1, symmetric=True), "nearest columns"),
         (lambda: SOLVER.gradient(np.ones(3)), "values must have the shape"),
         (lambda: SOLVER.isolines(np.ones(16), np.nan), "not a number"),
         (lambda: SOLVER.farthest_points(-1), "number of points is -1"),
@@ -90,6 +99,26 @@ def test_calls_that_cannot_be_right(call, message):
     with pytest.raises(ValueError, match=message):
         call()
     assert SOLVER.distances(0)[0] == 0  # it can still be used
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda progress: SOLVER.distances(0, progress=progress),
+        lambda progress: SOLVER.distance_matrix([0], progress=progress),
+        lambda progress: SOLVER.voronoi(0, progress=progress),
+        lambda progress: SOLVER.farthest_points(1, progress=progress),
+    ],
+)
+def test_progress_that_cannot_be_called(call):
+    with pytest.raises(TypeError, match="progress is 5; it must be callable"):
+        call(5)
+
+
+def test_folders_are_not_files(tmp_path):
+    for call in (SOLVER.save, ag.Solver.load, ag.read_mesh):
+        with pytest.raises(IsADirectoryError, match=tmp_path.name):
+            call(tmp_path)
 
 
 def test_files_that_are_not_there(tmp_path):
@@ -106,7 +135,7 @@ def test_damaged_files(tmp_path):
     SOLVER.save(file)
     contents = file.read_bytes()
     for damaged in (b"", contents[:100], contents[:-1], b"x" + contents[1:],
-                    contents[:200] + b"\x7f" + contents[201:]):
+                    contents[:200] + b"\x7f" + contents[201:], contents + b"x"):
         file.write_bytes(damaged)
         with pytest.raises(ValueError):
             ag.Solver.load(file)

@@ -54,6 +54,18 @@ def test_nearest_columns(solver):
     np.testing.assert_array_equal(sparse.data.reshape(2, 7), np.sort(dense, axis=1)[:, :7])
 
 
+def test_symmetric_matrices():
+    solver = ag.Solver(*sphere(3), epsilon=0.5)
+    points = np.arange(200)
+    any_, symmetric = (
+        solver.distance_matrix(points, points, symmetric=wanted) for wanted in (False, True)
+    )
+    assert np.any(any_ != any_.T)
+    np.testing.assert_array_equal(symmetric, np.minimum(any_, any_.T))
+    near = solver.distance_matrix(points, points, max_distance=0.5, symmetric=True)
+    assert near.nnz > 200 and abs(near - near.T).max() == 0
+
+
 def test_no_rows(solver):
     assert solver.distance_matrix([]).shape == (0, 642)
     assert solver.distance_matrix([], max_distance=1).shape == (0, 642)

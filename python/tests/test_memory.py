@@ -20,7 +20,7 @@ def test_fitting_arrays_are_read_where_they_are(kind):
     assert address(_arrays.numbers(VERTICES, "vertices", (-1, 3))) == address(VERTICES)
     assert address(_arrays.integers(faces, "faces", (-1, 3))) == address(faces)
     # the module underneath refuses what it would have to convert
-    _native.Solver(VERTICES, faces, 0.1, None, None, 0)
+    _native.Solver(VERTICES, faces, 0.1, None, None, False, None, 0)
     for vertices, corners in [
         (VERTICES.astype(np.float32), faces),
         (np.asfortranarray(VERTICES), faces),
@@ -28,7 +28,7 @@ def test_fitting_arrays_are_read_where_they_are(kind):
         (VERTICES, faces[::2]),
     ]:
         with pytest.raises(TypeError):
-            _native.Solver(vertices, corners, 0.1, None, None, 0)
+            _native.Solver(vertices, corners, 0.1, None, None, False, None, 0)
 
 
 def test_other_arrays_are_converted():
@@ -43,6 +43,21 @@ def test_other_arrays_are_converted():
         (VERTICES.astype(">f8"), FACES.astype(">i4")),
     ]:
         np.testing.assert_array_equal(ag.Solver(vertices, faces, 0.1).distances(0), expected)
+
+
+def test_unaligned_arrays_are_copied():
+    def unaligned(array):
+        bytes_ = np.zeros(array.nbytes + 1, dtype=np.uint8)
+        result = bytes_[1:].view(array.dtype).reshape(array.shape)
+        result[:] = array
+        assert not result.flags.aligned
+        return result
+
+    vertices, faces = unaligned(VERTICES), unaligned(FACES)
+    assert address(_arrays.numbers(vertices, "vertices", (-1, 3))) != address(vertices)
+    expected = ag.Solver(VERTICES, FACES, 0.1).distances([0, 3])
+    solver = ag.Solver(vertices, faces, 0.1)
+    np.testing.assert_array_equal(solver.distances(unaligned(np.array([0, 3]))), expected)
 
 
 def test_arrays_that_cannot_be_written_are_read():
@@ -64,7 +79,7 @@ def test_the_solver_does_not_need_the_arrays_any_more():
 
 def test_sparse_rows_are_those_of_the_sink():
     solver = ag.Solver(*sphere(3), epsilon=0.1)
-    request = (np.arange(50), None, None, 0.5, None, 0, None)
+    request = (np.arange(50), None, None, 0.5, None, False, False, 0, None)
     distances, columns, starts = solver._solver.matrix(*request)
     assert distances.base is not None and columns.base is distances.base
     from approximate_geodesics._solver import _compressed_rows

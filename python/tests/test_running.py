@@ -1,8 +1,11 @@
 """Threads, signals and progress."""
 
+import copy
 import os
 import pickle
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -51,6 +54,62 @@ def test_an_interrupt_ends_exact_searches_amid_a_row():
         with pytest.raises(KeyboardInterrupt):
             solver.distance_matrix(range(1000), threads=threads)  # which would take minutes
     assert solver.distances(0, max_distance=0.1)[0] == 0
+
+
+def interrupt_after(seconds, call):
+    """How long it takes an interrupt to end a call."""
+    sent = []
+
+    def send():
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(seconds, send)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        call()
+    return time.monotonic() - sent[0]
+
+
+def test_an_interrupt_ends_rows_and_graphs_that_take_long(solver):
+    vertices, faces = sphere(6)
+    slow = ag.Solver(vertices, faces, 0.05, face_weights=np.ones(len(faces)))
+    hiking = ag.HikingTime()
+    for call in (
+        lambda: slow.distance_matrix([0, 1, 2]),
+        lambda: slow.distance_matrix([0, 1, 2], k=40000),
+        lambda: ag.Solver(vertices, faces, 0.0005),
+        lambda: ag.Solver(vertices, faces, 0.0001, costs=hiking),
+    ):
+        assert interrupt_after(0.3, call) < 1  # and not many seconds
+
+
+PROGRAMS = {
+    "amid a run": "solver.distance_matrix(range(40000), [1])",
+    "amid the construction": "ag.Solver(*sphere(6), epsilon=0.0005)",
+    "amid calls": "while True: solver.distances(0)",
+    "with progress": "solver.distance_matrix(range(40000), [1], progress=lambda *numbers: None)",
+}
+
+
+@pytest.mark.parametrize("work", PROGRAMS.values(), ids=PROGRAMS)
+def test_the_interpreter_can_end_while_a_daemon_thread_runs(work):
+    program = f"""
+import threading, time
+import approximate_geodesics as ag
+from meshes import sphere
+solver = ag.Solver(*sphere(6), epsilon=0.1)
+def run():
+    {work}
+for _ in range(3):
+    threading.Thread(target=run, daemon=True).start()
+time.sleep(0.3)
+"""
+    end = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60,
+        cwd=os.path.dirname(__file__),
+    )
+    assert (end.returncode, end.stderr) == (0, "")
 
 
 def test_other_threads_run_meanwhile(solver):
@@ -127,12 +186,27 @@ def test_copies_of_solvers_are_the_same(options, tmp_path):
         options = {**options, "barriers": faces[:1, :2]}
     solver = ag.Solver(vertices, faces, **options)
     solver.save(tmp_path / "solver.bin")
-    for copy in (pickle.loads(pickle.dumps(solver)), ag.Solver.load(tmp_path / "solver.bin")):
-        assert repr(copy) == repr(solver)
-        np.testing.assert_array_equal(copy.vertices, vertices)
-        np.testing.assert_array_equal(copy.faces, faces)
-        np.testing.assert_array_equal(copy.distances([1, 7]), solver.distances([1, 7]))
-        np.testing.assert_array_equal(copy.path(3, 99), solver.path(3, 99))
+    for same in (pickle.loads(pickle.dumps(solver)), ag.Solver.load(tmp_path / "solver.bin")):
+        assert repr(same) == repr(solver)
+        np.testing.assert_array_equal(same.vertices, vertices)
+        np.testing.assert_array_equal(same.faces, faces)
+        np.testing.assert_array_equal(same.distances([1, 7]), solver.distances([1, 7]))
+        np.testing.assert_array_equal(same.path(3, 99), solver.path(3, 99))
+
+
+class Named(ag.Solver):
+    """What users add to it."""
+
+    def __init__(self, *arguments, name="", **options):
+        super().__init__(*arguments, **options)
+        self.name = name
+
+
+def test_copies_keep_what_derived_classes_add():
+    solver = Named(*sphere(1), name="ball", threads=1)
+    for duplicate in (pickle.loads(pickle.dumps(solver)), copy.copy(solver), copy.deepcopy(solver)):
+        assert type(duplicate) is Named and duplicate.name == "ball"
+        np.testing.assert_array_equal(duplicate.distances(0), solver.distances(0))
 
 
 def test_what_a_solver_looks_like():

@@ -8,12 +8,16 @@
 #include "meshes/test_meshes.h"
 #include "meshes/test_soup.h"
 
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -71,6 +75,14 @@ Solver_options bound(const std::optional<double> epsilon)
 {
   Solver_options result;
   result.epsilon = epsilon;
+  return result;
+}
+
+AG::Solver_row_options radius_options(const double maximum_distance, const std::size_t threads)
+{
+  AG::Solver_row_options result;
+  result.maximum_distance = maximum_distance;
+  result.number_of_threads = threads;
   return result;
 }
 
@@ -161,11 +173,205 @@ TEST(Solver, fills_rows_of_matrices)
   solver.compute_matrix(nearest, sources);
   EXPECT_EQ(nearest.number_of_entries(), 8u);
   AG::Radius_rows<double> radius;
-  solver.compute_matrix(radius, sources, {nullptr, 0.5, 1});
+  solver.compute_matrix(radius, sources, radius_options(0.5, 1));
   std::size_t number = 0;
   for(const double d : dense)
     number += d <= 0.5 ? 1 : 0;
   EXPECT_EQ(radius.number_of_entries(), number);
+}
+
+// ----- directional costs
+
+void expect_refused(const std::string& message, const std::function<void()>& call)
+{
+  try
+  {
+    call();
+    ADD_FAILURE() << "not refused: " << message;
+  }
+  catch(const std::invalid_argument& e)
+  {
+    EXPECT_NE(std::string(e.what()).find(message), std::string::npos) << e.what();
+  }
+}
+
+// A slope, as otherwise there is nothing to climb.
+Arrays slope()
+{
+  Soup soup = flat_grid(6, 5);
+  for(Point& p : soup.points)
+    p = Point(p.x(), p.y(), 0.3 * p.x() + 0.1 * p.y() * p.y());
+  return Arrays(soup);
+}
+
+// One of each kind, whose numbers of faces differ.
+std::vector<AG::Solver_cost> ready_costs(const Arrays& arrays)
+{
+  Values vectors, tensors;
+  for(std::size_t f = 0; f < arrays.number_of_faces(); ++f)
+  {
+    const double x = 0.1 * double(f % 7);
+    vectors.insert(vectors.end(), {x, 0.3, 0});
+    tensors.insert(tensors.end(), {1 + x, 0.1, 0, 2, 0, 3});
+  }
+  return {AG::Solver_cost::hiking_time(0.6), AG::Solver_cost::walking_energy(),
+          AG::Solver_cost::drift_time(vectors, 2), AG::Solver_cost::one_way(vectors, 3, -0.5),
+          AG::Solver_cost::tensor_cost(tensors)};
+}
+
+Solver_options with_cost(const AG::Solver_cost& cost, const std::optional<double> epsilon)
+{
+  Solver_options result = bound(epsilon);
+  result.directional_cost = cost;
+  result.accept_weaker_bound = true; // there is none for ways that are forbidden
+  return result;
+}
+
+template <typename CostFunction>
+void expect_same_costs(const Arrays& arrays,
+                       const Mesh& mesh,
+                       const AG::Solver_cost& cost,
+                       const CostFunction& function)
+{
+  const auto weights = CGAL::parameters::face_weight_map(AG::directional_cost(function));
+  expect_same_as_class<AG::Directional_graph<>>(Solver_of(arrays, with_cost(cost, 0.3)), mesh,
+                                                weights.epsilon(0.3).accept_weaker_bound(true));
+  expect_same_as_class<AG::Directional_graph<AG::Fixed_number_of_points>>(
+      Solver_of(arrays, with_cost(cost, std::nullopt)), mesh, weights.number_of_points_per_edge(0));
+}
+
+TEST(Solver, has_the_ready_costs_of_the_class)
+{
+  const Arrays arrays = slope();
+  Soup soup;
+  for(std::size_t v = 0; v < arrays.number_of_vertices(); ++v)
+    soup.points.emplace_back(arrays.coordinates[3 * v], arrays.coordinates[3 * v + 1],
+                             arrays.coordinates[3 * v + 2]);
+  for(std::size_t f = 0; f < arrays.number_of_faces(); ++f)
+    soup.triangles.push_back({std::size_t(arrays.corners[3 * f]),
+                              std::size_t(arrays.corners[3 * f + 1]),
+                              std::size_t(arrays.corners[3 * f + 2])});
+  const Mesh mesh = to_mesh(soup);
+  const auto costs = ready_costs(arrays);
+  std::vector<CGAL::Simple_cartesian<double>::Vector_3> vectors;
+  std::vector<std::array<double, 6>> tensors;
+  for(std::size_t f = 0; f < arrays.number_of_faces(); ++f)
+  {
+    const double* const v = costs[2].of_faces.data() + 3 * f;
+    vectors.emplace_back(v[0], v[1], v[2]);
+    std::copy_n(costs[4].of_faces.data() + 6 * f, 6, tensors.emplace_back().begin());
+  }
+  const auto map = CGAL::make_property_map(vectors);
+  expect_same_costs(arrays, mesh, costs[0], AG::Hiking_time(0.6));
+  expect_same_costs(arrays, mesh, costs[1], AG::Walking_energy());
+  expect_same_costs(arrays, mesh, costs[2], AG::Drift_time(map, 2));
+  expect_same_costs(arrays, mesh, costs[3], AG::One_way(map, 3, -0.5));
+  expect_same_costs(arrays, mesh, costs[4], AG::Tensor_cost(CGAL::make_property_map(tensors)));
+}
+
+TEST(Solver, finds_distances_to_sources)
+{
+  const Solver_of solver(slope(), with_cost(AG::Solver_cost::hiking_time(), 2));
+  const std::size_t size = solver.number_of_vertices();
+  std::vector<Solver_point> all;
+  for(std::size_t v = 0; v < size; ++v)
+    all.push_back(Solver_point::at_vertex(static_cast<std::int64_t>(v)));
+  Values there(size * size), back(size * size);
+  AG::Solver_row_options to_source;
+  to_source.direction_to_source = true;
+  solver.compute_matrix(there.data(), all);
+  solver.compute_matrix(back.data(), all, to_source);
+  std::size_t number_of_differences = 0;
+  for(std::size_t i = 0; i < size; ++i)
+  {
+    Values row(size);
+    solver.find_distances({all[i]}, row.data(), nullptr, {1e9, true});
+    for(std::size_t j = 0; j < size; ++j)
+    {
+      EXPECT_EQ(row[j], back[i * size + j]);
+      EXPECT_NEAR(back[i * size + j], there[j * size + i], 1e-9);
+      number_of_differences += std::abs(there[i * size + j] - there[j * size + i]) > 0.1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(number_of_differences, size);
+}
+
+TEST(Solver, saves_directional_costs)
+{
+  const Arrays arrays = slope();
+  for(const auto& cost : ready_costs(arrays))
+    for(const std::optional<double> epsilon : {std::optional<double>(), std::optional(0.3)})
+    {
+      const Solver_of solver(arrays, with_cost(cost, epsilon));
+      std::stringstream file;
+      solver.save(file);
+      const Solver copy(file);
+      EXPECT_EQ(distances(copy), distances(solver));
+      EXPECT_EQ(copy.error_bound(), solver.error_bound());
+      ASSERT_TRUE(copy.directional_cost().has_value());
+      EXPECT_EQ(copy.directional_cost()->model, cost.model);
+    }
+}
+
+TEST(Solver, names_what_is_wrong_with_costs)
+{
+  const Arrays arrays = slope();
+  const auto refuse = [&](const std::string& message, const AG::Solver_cost& cost,
+                          const std::optional<double> epsilon) {
+    Solver_options options = with_cost(cost, epsilon);
+    options.accept_weaker_bound = false;
+    expect_refused(message, [&] { Solver_of(arrays, options); });
+  };
+  Values vectors(3 * arrays.number_of_faces(), 1);
+  refuse("factor of hiking speeds is 0", AG::Solver_cost::hiking_time(0), 0.5);
+  refuse("no exact distances", AG::Solver_cost::hiking_time(), 0.);
+  refuse("speed through the drift is -1", AG::Solver_cost::drift_time(vectors, -1), 0.5);
+  refuse("accept_weaker_bound", AG::Solver_cost::one_way(vectors), 0.5);
+  refuse("2 numbers for", AG::Solver_cost::one_way({1, 2}), 0.5);
+  refuse("model 9", {AG::Solver_cost::Model(9), {}, {}}, 0.5);
+  refuse("0 parameters", {AG::Solver_cost::HIKING_TIME, {}, {}}, 0.5);
+  vectors[16] = std::numeric_limits<double>::quiet_NaN();
+  refuse("face 5 has the number", AG::Solver_cost::one_way(vectors), std::nullopt);
+  Values tensors(6 * arrays.number_of_faces(), 0);
+  tensors[0] = -1;
+  refuse("the face with vertices", AG::Solver_cost::tensor_cost(tensors), 0.5);
+
+  Solver_options both = with_cost(AG::Solver_cost::hiking_time(), 0.5);
+  const Values weights(arrays.number_of_faces(), 1);
+  both.face_weights = weights.data();
+  expect_refused("only one of them", [&] { Solver_of(arrays, both); });
+}
+
+TEST(Solver, makes_matrices_symmetric)
+{
+  const Solver_of solver(Arrays(sphere(12, 9)), bound(0.5));
+  std::vector<Solver_point> points;
+  for(std::int64_t v = 0; v < 90; ++v)
+    points.push_back(Solver_point::at_vertex(v));
+  const std::size_t size = points.size();
+  AG::Solver_row_options options;
+  options.targets = &points;
+  Values any(size * size), symmetric(size * size);
+  solver.compute_matrix(any.data(), points, options);
+  options.symmetric = true;
+  solver.compute_matrix(symmetric.data(), points, options);
+  std::size_t number_of_changes = 0;
+  for(std::size_t i = 0; i < size; ++i)
+    for(std::size_t j = 0; j < size; ++j)
+    {
+      EXPECT_EQ(symmetric[i * size + j], (std::min)(any[i * size + j], any[j * size + i]));
+      number_of_changes += any[i * size + j] != symmetric[i * size + j] ? 1 : 0;
+    }
+  EXPECT_GT(number_of_changes, 0u);
+
+  AG::Nearest_rows<double> nearest(3);
+  expect_refused("nearest columns", [&] { solver.compute_matrix(nearest, points, options); });
+  points.pop_back();
+  const std::vector<Solver_point> fewer = points;
+  options.targets = &fewer;
+  points.push_back(Solver_point::at_vertex(95));
+  expect_refused("not the same points",
+                 [&] { solver.compute_matrix(symmetric.data(), points, options); });
 }
 
 // A barrier and a weight, each where only it makes a difference.
@@ -214,9 +420,50 @@ TEST(Solver, can_be_interrupted_and_used_again)
   for(std::size_t v = 0; v < solver.number_of_vertices(); ++v)
     all.push_back(Solver_point::at_vertex(static_cast<std::int64_t>(v)));
   AG::Radius_rows<double> rows;
-  EXPECT_THROW(solver.compute_matrix(rows, all, {nullptr, 1, 2}, watch), AG::Solver_interrupted);
+  EXPECT_THROW(solver.compute_matrix(rows, all, radius_options(1, 2), watch),
+               AG::Solver_interrupted);
   EXPECT_EQ(number_of_calls, 2);
   EXPECT_EQ(distances(solver), expected);
+}
+
+// A watch that ends everything as soon as it is asked, which is after some time.
+AG::Solver_watch impatient_watch()
+{
+  AG::Solver_watch result;
+  result.go_further = [] { return false; };
+  return result;
+}
+
+TEST(Solver, can_be_interrupted_amid_a_row)
+{
+  const Arrays arrays(sphere(60, 30));
+  const Values weights(arrays.number_of_faces(), 1);
+  Solver_options options = bound(0.02); // so that a row takes long
+  options.face_weights = weights.data();
+  const Solver_of solver(arrays, options);
+  const std::vector<Solver_point> one_row{Solver_point::at_vertex(0)};
+  Values row(solver.number_of_vertices());
+  EXPECT_THROW(solver.compute_matrix(row.data(), one_row, {}, impatient_watch()),
+               AG::Solver_interrupted);
+  AG::Nearest_rows<double> nearest(1500);
+  EXPECT_THROW(solver.compute_matrix(nearest, one_row, {}, impatient_watch()),
+               AG::Solver_interrupted);
+}
+
+TEST(Solver, can_be_interrupted_amid_construction)
+{
+  const Arrays arrays(sphere(60, 30));
+  const auto construct = [&](const Solver_options& options) {
+    Solver(arrays.coordinates.data(), arrays.number_of_vertices(), arrays.corners.data(),
+           arrays.number_of_faces(), options, impatient_watch());
+  };
+  for(const std::size_t number_of_threads : {1, 2})
+  {
+    Solver_options options = bound(0.001);
+    options.number_of_threads = number_of_threads;
+    EXPECT_THROW(construct(options), AG::Solver_interrupted);
+  }
+  EXPECT_THROW(construct(with_cost(AG::Solver_cost::hiking_time(), 0.01)), AG::Solver_interrupted);
 }
 
 TEST(Solver, tells_that_all_is_done)
@@ -229,25 +476,12 @@ TEST(Solver, tells_that_all_is_done)
     number = n;
   };
   Values result(solver.number_of_vertices());
-  solver.find_distances({Solver_point::at_vertex(0)}, result.data(), nullptr, 1e9, watch);
+  solver.find_distances({Solver_point::at_vertex(0)}, result.data(), nullptr, {1e9}, watch);
   EXPECT_EQ(done, solver.number_of_vertices());
   EXPECT_EQ(number, solver.number_of_vertices());
 }
 
 // ----- errors
-
-void expect_refused(const std::string& message, const std::function<void()>& call)
-{
-  try
-  {
-    call();
-    ADD_FAILURE() << "not refused: " << message;
-  }
-  catch(const std::invalid_argument& e)
-  {
-    EXPECT_NE(std::string(e.what()).find(message), std::string::npos) << e.what();
-  }
-}
 
 void expect_refused(const std::string& message, const Soup& soup)
 {

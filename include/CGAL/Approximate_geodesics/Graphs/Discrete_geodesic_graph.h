@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_file.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
@@ -260,6 +261,7 @@ private:
     std::vector<internal::Stored_arc> arcs;
     for(Node node = first; node < first + size; ++node)
     {
+      internal::check_for_interruption();
       internal::find_stored_arcs(node, unit, arcs, [&](const auto f) {
         m_cone_triangulation.for_each_arc(m_triangulation, expansion, node, f);
       });

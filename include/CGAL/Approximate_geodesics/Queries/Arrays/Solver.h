@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_cost.h>
 #include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_point.h>
 #include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
@@ -20,6 +21,8 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_costs.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_mesh.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_file.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_visitor.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Two_way_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/make_solver_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/with_threads.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
@@ -35,7 +38,6 @@
 #include <istream>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <ostream>
@@ -54,11 +56,20 @@ namespace Approximate_geodesics {
 struct Solver_options
 {
   /// the error bound: paths are at most `1 + epsilon` times as long as the shortest ones. `0` asks
-  /// for exact ones. Without it, paths run along edges, and there is no bound.
+  /// for exact ones, which there are not with costs or barriers. Without it, paths run along edges,
+  /// and there is no bound.
   std::optional<double> epsilon = std::nullopt;
 
   /// the cost of a unit of length in each face: not negative; infinity forbids a face.
   const double* face_weights = nullptr;
+
+  /// the cost of a unit of length in each face and direction, if it depends on that; not with
+  /// `face_weights`.
+  std::optional<Solver_cost> directional_cost = std::nullopt;
+
+  /// whether a mesh is accepted that the bound cannot be kept on with these costs;
+  /// `Solver::error_bound()` tells what is left of it.
+  bool accept_weaker_bound = false;
 
   /// edges that paths must not cross: two vertices each.
   const std::int64_t* barriers = nullptr;
@@ -74,7 +85,22 @@ struct Solver_options
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * How far the rows of a matrix go.
+ * How far a search goes, and which way.
+ */
+struct Solver_search_options
+{
+  /// vertices that are farther are not reached.
+  double maximum_distance = std::numeric_limits<double>::infinity();
+
+  /// whether distances are those to the sources, and not from them. It makes a difference with
+  /// directional costs only; the first time that it is given, the graph is copied.
+  bool direction_to_source = false;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * How far the rows of a matrix go, and which way.
  */
 struct Solver_row_options
 {
@@ -83,6 +109,14 @@ struct Solver_row_options
 
   /// columns that are farther are not reached.
   double maximum_distance = std::numeric_limits<double>::infinity();
+
+  /// whether distances are those to the sources, as in `Solver_search_options`.
+  bool direction_to_source = false;
+
+  /// whether each distance is replaced by the smaller one of both directions. Targets have to be
+  /// the same as sources, in the same order; not for the smallest distances of rows, nor with
+  /// directional costs.
+  bool symmetric = false;
 
   /// the number of threads; `0` stands for that of the solver.
   std::size_t number_of_threads = 0;
@@ -123,6 +157,7 @@ public:
    *        the surface
    * \param number_of_faces their number
    * \param options the bound, costs, and threads
+   * \param watch is called meanwhile; only steps that take long look at it
    *
    * \throws std::invalid_argument if a coordinate is not finite, a vertex of a face does not exist
    *         or occurs in it twice, an edge has more than two faces, or two of different
@@ -133,19 +168,29 @@ public:
          const std::size_t number_of_vertices,
          const Integer* const corners,
          const std::size_t number_of_faces,
-         const Solver_options& options = Solver_options())
+         const Solver_options& options = Solver_options(),
+         const Solver_watch& watch = Solver_watch())
     : m_costs(m_mesh)
   {
+    internal::Solver_visitor visitor(watch);
     build(coordinates, number_of_vertices, corners, number_of_faces, options, nullptr);
   }
 
   /// reads from a binary stream what `save()` has written there.
   /// \throws std::invalid_argument if the stream holds something else, or is damaged.
-  explicit Solver(std::istream& in, const std::size_t number_of_threads = 0) : m_costs(m_mesh)
+  explicit Solver(std::istream& in,
+                  const std::size_t number_of_threads = 0,
+                  const Solver_watch& watch = Solver_watch())
+    : m_costs(m_mesh)
   {
+    internal::Solver_visitor visitor(watch);
     internal::Solver_file file;
     file.read(in);
-    Solver_options options{file.epsilon, nullptr, nullptr, 0, number_of_threads};
+    Solver_options options;
+    options.epsilon = file.epsilon;
+    options.directional_cost = std::move(file.cost);
+    options.accept_weaker_bound = file.accepts_weaker_bound;
+    options.number_of_threads = number_of_threads;
     if(file.weights)
       options.face_weights = file.weights->data();
     if(file.barriers)
@@ -167,7 +212,7 @@ public:
   /// \throws std::runtime_error if `out` does not take it.
   void save(std::ostream& out) const
   {
-    internal::Solver_file(m_mesh, m_costs, m_epsilon).write(out);
+    internal::Solver_file(m_mesh, m_costs, m_bound).write(out);
     m_graph->save(out);
   }
 
@@ -183,13 +228,16 @@ public:
   std::size_t number_of_faces() const { return m_mesh.number_of_faces(); }
 
   /// returns the bound that was asked for, if any.
-  std::optional<double> epsilon() const { return m_epsilon; }
+  std::optional<double> epsilon() const { return m_bound.epsilon; }
 
-  /// returns the bound that holds: infinity along edges, and where face weights do not allow one.
+  /// returns the bound that holds: infinity along edges, and where costs do not allow one.
   double error_bound() const { return m_graph->error_bound(); }
 
   /// returns whether faces have weights.
   bool has_face_weights() const { return m_costs.has_weights(); }
+
+  /// returns the directional costs, if there are any.
+  const std::optional<Solver_cost>& directional_cost() const { return m_costs.directional_cost(); }
 
   /// returns whether any edges are barriers.
   bool has_barriers() const { return m_costs.has_barriers(); }
@@ -199,7 +247,7 @@ public:
 
   /// returns the number of bytes of the graph and of the workspaces that are not in use; the mesh
   /// takes about 100 more per vertex.
-  std::size_t memory() const { return m_graph->memory(); }
+  std::size_t memory() const { return m_graph.memory(); }
 
   /// writes the coordinates of the vertices, three each.
   void write_coordinates(double* coordinates) const
@@ -228,21 +276,22 @@ public:
    * \param distances receives as many numbers as there are vertices, infinity where no source
    *        reaches
    * \param nearest_sources receives the positions of the nearest sources, or `-1`, unless it is
-   * null \param maximum_distance vertices that are farther are not reached \param watch is called
-   * during the run
+   * null \param options how far the search goes, and which way \param watch is called during the
+   * run
    */
   void find_distances(const std::vector<Solver_point>& sources,
                       double* const distances,
                       std::int64_t* const nearest_sources = nullptr,
-                      const double maximum_distance = std::numeric_limits<double>::infinity(),
+                      const Solver_search_options& options = Solver_search_options(),
                       const Solver_watch& watch = Solver_watch()) const
   {
     internal::Solver_visitor visitor(watch);
     std::vector<Source_point> seeds;
     for(const Intrinsic_point& p : intrinsic_points(sources, "source"))
       seeds.push_back({p});
-    m_graph->find_distances(std::move(seeds), maximum_distance, distances, nearest_sources,
-                            visitor);
+    m_graph.in_direction(options.direction_to_source)
+        .find_distances(std::move(seeds), options.maximum_distance, distances, nearest_sources,
+                        visitor);
   }
 
   /*!
@@ -251,7 +300,7 @@ public:
    *
    * \param source where the path starts
    * \param target where it ends
-   * \param straighten whether it is made a locally shortest one; not with face weights
+   * \param straighten whether it is made a locally shortest one; not with costs
    * \param coordinates receives the points
    * \param watch is called during an exact search; others end soon
    */
@@ -319,12 +368,12 @@ public:
   /// `-1`.
   void find_voronoi_partition(const std::vector<Solver_point>& sources,
                               std::int64_t* nearest_sources,
+                              const Solver_search_options& options = Solver_search_options(),
                               const Solver_watch& watch = Solver_watch()) const
   {
     std::vector<double> distances(number_of_vertices());
     std::vector<std::int64_t> nearest(number_of_vertices());
-    find_distances(sources, distances.data(), nearest.data(),
-                   std::numeric_limits<double>::infinity(), watch);
+    find_distances(sources, distances.data(), nearest.data(), options, watch);
     for(const auto f : m_mesh.faces())
     {
       std::array<internal::Corner_source, 3> corners;
@@ -395,19 +444,22 @@ private:
              const Solver_options& options,
              std::istream* const saved_graph)
   {
-    m_epsilon = options.epsilon;
+    m_bound = {options.epsilon, options.accept_weaker_bound};
     m_number_of_threads = options.number_of_threads;
-    if(m_epsilon && !(*m_epsilon >= 0 && std::isfinite(*m_epsilon)))
-      internal::reject("epsilon is " + internal::text_of(*m_epsilon) +
+    if(m_bound.epsilon && !(*m_bound.epsilon >= 0 && std::isfinite(*m_bound.epsilon)))
+      internal::reject("epsilon is " + internal::text_of(*m_bound.epsilon) +
                        "; it must be a finite number that is not negative");
     internal::Array_mesh_builder(m_mesh).build(coordinates, number_of_vertices, corners,
                                                number_of_faces);
     if(options.face_weights != nullptr)
       m_costs.set_weights(options.face_weights);
+    if(options.directional_cost)
+      m_costs.set_directional_cost(*options.directional_cost);
     if(options.number_of_barriers > 0)
       m_costs.set_barriers(options.barriers, options.number_of_barriers);
     internal::with_threads(m_number_of_threads, [&] {
-      m_graph = internal::make_solver_graph(m_costs.triangulation(), m_epsilon, saved_graph);
+      m_graph.set(internal::make_solver_graph(m_costs.triangulation(m_bound.epsilon), m_bound,
+                                              saved_graph));
     });
     m_translation.emplace(m_mesh, get(boost::vertex_index, std::as_const(m_mesh)),
                           m_graph->triangulation());
@@ -429,8 +481,9 @@ private:
     const std::size_t threads =
         options.number_of_threads > 0 ? options.number_of_threads : m_number_of_threads;
     internal::with_threads(threads, [&] {
-      m_graph->compute_rows(any_rows, rows_of, columns ? &*columns : nullptr,
-                            options.maximum_distance, visitor);
+      m_graph.in_direction(options.direction_to_source)
+          .compute_rows(any_rows, rows_of, columns ? &*columns : nullptr, options.maximum_distance,
+                        options.symmetric, visitor);
     });
   }
 
@@ -484,9 +537,9 @@ private:
 
   Mesh m_mesh;
   internal::Array_costs m_costs;
-  std::optional<double> m_epsilon;
+  internal::Bound_of_graph m_bound;
   std::size_t m_number_of_threads = 0;
-  std::unique_ptr<internal::Solver_graph> m_graph;
+  internal::Two_way_graph m_graph;
   std::optional<Translation> m_translation;
   mutable std::once_flag m_has_positions;
   mutable Vertex_positions m_positions;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/make_symmetric.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
@@ -110,28 +111,13 @@ public:
       return false;
     m_number_of_rows = m_rows_to_come;
     if(m_is_symmetric)
-      make_symmetric();
+      internal::make_symmetric(m_distances.get(), m_number_of_rows);
     return true;
   }
 
   /// @}
 
 private:
-  // by squares that fit a cache
-  void make_symmetric()
-  {
-    constexpr std::size_t side = 64;
-    for(std::size_t i = 0; i < m_number_of_rows; i += side)
-      for(std::size_t j = 0; j <= i; j += side)
-        for(std::size_t k = i; k < (std::min)(i + side, m_number_of_rows); ++k)
-          for(std::size_t l = j; l < (std::min)(j + side, k); ++l)
-          {
-            T& below = m_distances[k * m_number_of_columns + l];
-            T& above = m_distances[l * m_number_of_columns + k];
-            below = above = (std::min)(below, above);
-          }
-  }
-
   std::unique_ptr<T[]> m_distances;
   std::size_t m_number_of_rows = 0;
   std::size_t m_number_of_columns = 0;

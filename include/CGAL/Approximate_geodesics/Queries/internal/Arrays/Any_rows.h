@@ -8,10 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/make_symmetric.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,7 +30,10 @@ class Rows_in_place
 public:
   explicit Rows_in_place(double* const distances) : m_distances(distances) {}
 
-  void start(const Distance_matrix_plan& /* plan */) {}
+  void start(const Distance_matrix_plan& plan)
+  {
+    m_symmetric_size = plan.is_symmetric() ? plan.number_of_rows() : 0;
+  }
 
   template <typename Block>
   void collect(Block& /* block */, const std::size_t row, const Distance_row& distances) const
@@ -41,10 +46,16 @@ public:
   {
   }
 
-  bool finish(const bool is_done) const { return is_done; }
+  bool finish(const bool is_done) const
+  {
+    if(is_done)
+      make_symmetric(m_distances, m_symmetric_size);
+    return is_done;
+  }
 
 private:
   double* m_distances;
+  std::size_t m_symmetric_size = 0;
 };
 
 /*
@@ -64,10 +75,16 @@ public:
   {
   }
 
+  static constexpr bool can_be_symmetric = true; // but for the nearest columns
+
   std::size_t number_of_nearest() const { return m_number_of_nearest; }
 
   void start(const Distance_matrix_plan& plan)
   {
+    if(plan.is_symmetric() && m_number_of_nearest > 0)
+      reject(
+          "symmetric: not with the nearest columns only, as a point may be near another one whose "
+          "nearest points it is not one of");
     std::visit([&](auto* const rows) { rows->start(plan); }, m_rows);
   }
 

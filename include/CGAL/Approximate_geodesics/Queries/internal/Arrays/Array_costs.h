@@ -11,20 +11,24 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_cost.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_mesh.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/cost_function.h>
+#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Weights of faces and barriers of a mesh of arrays, as property maps of it.
+ * Costs of the faces of a mesh of arrays and barriers, as property maps of it.
  */
 class Array_costs
 {
@@ -63,25 +67,52 @@ public:
     }
   }
 
+  void set_directional_cost(Solver_cost cost)
+  {
+    if(m_weights)
+      reject(
+          "there are both weights of faces and directional costs; only one of them can be given");
+    m_cost = std::move(cost);
+  }
+
   bool has_weights() const { return m_weights.has_value(); }
   bool has_barriers() const { return m_barriers.has_value(); }
+  const std::optional<Solver_cost>& directional_cost() const { return m_cost; }
   double weight(const Face f) const { return (*m_weights)[f]; }
   bool is_barrier(const Edge e) const { return (*m_barriers)[e]; }
 
-  Intrinsic_triangulation triangulation() const
+  // Directional costs are asked for in as many directions as the bound takes, if there is one.
+  Intrinsic_triangulation triangulation(const std::optional<double> epsilon) const
   {
     const Array_mesh& mesh = m_mesh;
-    if(m_weights && m_barriers)
+    const Barriers barriers{this};
+    const double bound = epsilon > 0. ? *epsilon : 1;
+    if(m_cost)
       return Intrinsic_triangulation(
-          mesh, parameters::face_weight_map(*m_weights).edge_is_constrained_map(*m_barriers));
+          mesh, parameters::face_weight_map(Approximate_geodesics::directional_cost(
+                                                cost_function(*m_cost, mesh.number_of_faces())))
+                    .edge_is_constrained_map(barriers)
+                    .epsilon(bound));
     if(m_weights)
-      return Intrinsic_triangulation(mesh, parameters::face_weight_map(*m_weights));
+      return Intrinsic_triangulation(
+          mesh, parameters::face_weight_map(*m_weights).edge_is_constrained_map(barriers));
     if(m_barriers)
-      return Intrinsic_triangulation(mesh, parameters::edge_is_constrained_map(*m_barriers));
+      return Intrinsic_triangulation(mesh, parameters::edge_is_constrained_map(barriers));
     return Intrinsic_triangulation(mesh);
   }
 
 private:
+  // A property map, which holds as well where there are no barriers.
+  struct Barriers
+  {
+    const Array_costs* costs;
+
+    friend bool get(const Barriers& map, const Edge e)
+    {
+      return map.costs->has_barriers() && map.costs->is_barrier(e);
+    }
+  };
+
   Vertex end(const std::int64_t vertex, const std::size_t barrier) const
   {
     if(static_cast<std::uint64_t>(vertex) >= m_mesh.number_of_vertices())
@@ -94,6 +125,7 @@ private:
   Array_mesh& m_mesh;
   std::optional<Array_mesh::Property_map<Face, double>> m_weights;
   std::optional<Array_mesh::Property_map<Edge, bool>> m_barriers;
+  std::optional<Solver_cost> m_cost;
 };
 
 } // namespace internal

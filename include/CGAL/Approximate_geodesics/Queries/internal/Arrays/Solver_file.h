@@ -10,8 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_cost.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_costs.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_mesh.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/make_solver_graph.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +36,8 @@ struct Solver_file
   std::optional<double> epsilon;
   std::optional<std::vector<double>> weights;
   std::optional<std::vector<std::int64_t>> barriers;
+  std::optional<Solver_cost> cost;
+  bool accepts_weaker_bound = false;
 
   static constexpr std::uint64_t SIGNATURE = 0x0a1a0d56534c4741; // AGLSV, and what text modes spoil
   static constexpr std::uint32_t VERSION = 1;
@@ -41,8 +45,10 @@ struct Solver_file
 
   Solver_file() = default;
 
-  Solver_file(const Array_mesh& mesh, const Array_costs& costs, const std::optional<double> bound)
-    : epsilon(bound)
+  Solver_file(const Array_mesh& mesh, const Array_costs& costs, const Bound_of_graph& bound)
+    : epsilon(bound.epsilon),
+      cost(costs.directional_cost()),
+      accepts_weaker_bound(bound.accepts_weaker)
   {
     for(const auto v : mesh.vertices())
       for(int i = 0; i < 3; ++i)
@@ -71,6 +77,8 @@ struct Solver_file
     writer.write(epsilon.value_or(0));
     write(writer, weights);
     write(writer, barriers);
+    writer.write(static_cast<std::uint8_t>(accepts_weaker_bound));
+    write(writer, cost);
     writer.finish();
   }
 
@@ -91,6 +99,8 @@ struct Solver_file
       epsilon = bound;
     read(reader, weights);
     read(reader, barriers);
+    accepts_weaker_bound = reader.read<std::uint8_t>() != 0;
+    read(reader, cost);
     reader.finish();
   }
 
@@ -115,6 +125,25 @@ private:
     writer.write(static_cast<std::uint8_t>(values.has_value()));
     if(values)
       write(writer, *values);
+  }
+
+  static void write(Binary_writer& writer, const std::optional<Solver_cost>& cost)
+  {
+    writer.write(static_cast<std::uint8_t>(cost.has_value()));
+    if(!cost)
+      return;
+    writer.write(static_cast<std::uint8_t>(cost->model));
+    write(writer, cost->parameters);
+    write(writer, cost->of_faces);
+  }
+
+  static void read(Binary_reader& reader, std::optional<Solver_cost>& cost)
+  {
+    if(reader.read<std::uint8_t>() == 0)
+      return;
+    cost.emplace().model = static_cast<Solver_cost::Model>(reader.read<std::uint8_t>());
+    read(reader, cost->parameters);
+    read(reader, cost->of_faces);
   }
 
   // Nothing is reserved: a damaged number must not exhaust memory.

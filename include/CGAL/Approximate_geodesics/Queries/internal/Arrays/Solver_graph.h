@@ -11,13 +11,14 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Any_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_visitor.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <ostream>
 #include <vector>
 
@@ -62,6 +63,7 @@ public:
                             const Points& sources,
                             const Points* targets,
                             double maximum_distance,
+                            bool is_symmetric,
                             Solver_visitor& visitor) const = 0;
 
   // Appends vertices, by their indices, and returns how far the others are from them at most.
@@ -69,6 +71,9 @@ public:
                                         std::size_t number,
                                         std::vector<std::int64_t>& vertices,
                                         Solver_visitor& visitor) const = 0;
+
+  // The graph for the ways back; null if it is this one.
+  virtual std::unique_ptr<Solver_graph> reversed() const = 0;
 
   // Writes what takes long to find again.
   virtual void save(std::ostream& out) const = 0;

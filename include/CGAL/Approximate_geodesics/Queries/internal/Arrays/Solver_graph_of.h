@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <ostream>
 #include <type_traits>
 #include <utility>
@@ -66,7 +67,9 @@ public:
                       Solver_visitor& visitor) const override
   {
     const auto search = m_workspaces.borrow();
-    search->run(std::move(sources), {maximum_distance, {}}, visitor);
+    visitor.set_progress(0, m_graph.number_of_nodes());
+    search->run(std::move(sources), {maximum_distance, {}},
+                Solver_visitor::Of_search(visitor, true));
     visitor.finish();
     const auto& labels = search->search();
     for(Index i = 0; i < triangulation().number_of_vertices(); ++i)
@@ -85,7 +88,8 @@ public:
   {
     const auto search = m_workspaces.borrow();
     if constexpr(needs_bounds<Graph>)
-      search->run({{source}}, {std::numeric_limits<double>::infinity(), {target}}, visitor);
+      search->run({{source}}, {std::numeric_limits<double>::infinity(), {target}},
+                  Solver_visitor::Of_search(visitor, true));
     else
       search->run_to(target, {{source}}, positions);
     visitor.finish();
@@ -96,9 +100,11 @@ public:
                     const Points& sources,
                     const Points* const targets,
                     const double maximum_distance,
+                    const bool is_symmetric,
                     Solver_visitor& visitor) const override
   {
     const auto np = parameters::maximum_distance(maximum_distance)
+                        .symmetric(is_symmetric)
                         .visitor(std::ref(visitor))
                         .concurrency_tag(Parallel_if_available_tag());
     if(targets == nullptr)
@@ -133,6 +139,14 @@ public:
     }
     visitor.finish();
     return farthest.distance;
+  }
+
+  std::unique_ptr<Solver_graph> reversed() const override
+  {
+    if constexpr(is_directed<Graph>)
+      return std::make_unique<Solver_graph_of>(m_graph.reversed());
+    else
+      return nullptr;
   }
 
   void save([[maybe_unused]] std::ostream& out) const override

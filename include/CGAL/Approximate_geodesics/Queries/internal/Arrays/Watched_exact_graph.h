@@ -8,9 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/with_threads.h>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -30,12 +29,10 @@ public:
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
     constexpr unsigned arcs_between_looks = 256;
-    Solver_visitor* const visitor = Solver_visitor::of_this_thread(); // helpers have none
     unsigned number = 0;
     Saddle_vertex_graph::for_each_arc(node, labels, [&](const auto&... arc) {
-      if(++number % arcs_between_looks == 0 &&
-         (visitor != nullptr ? !visitor->look() : is_loop_canceled()))
-        throw Solver_interrupted();
+      if(++number % arcs_between_looks == 0)
+        check_for_interruption();
       f(arc...);
     });
   }

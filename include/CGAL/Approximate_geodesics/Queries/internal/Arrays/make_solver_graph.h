@@ -10,11 +10,13 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Optional_points.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_graph_of.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Watched_exact_graph.h>
@@ -35,36 +37,52 @@ std::unique_ptr<Solver_graph> solver_graph(Graph graph)
   return std::make_unique<Solver_graph_of<Graph>>(std::move(graph));
 }
 
-// A graph of faces that differ in what they cost, or of edges that are barriers.
-inline std::unique_ptr<Solver_graph> make_graph_of_costs(Intrinsic_triangulation triangulation,
-                                                         const std::optional<double> epsilon)
+// The bound, and what is to be done where it cannot be kept.
+struct Bound_of_graph
 {
-  if(!epsilon)
-    return solver_graph(
-        Steiner_graph<Fixed_number_of_points>(std::move(triangulation), Fixed_number_of_points(0)));
-  if(*epsilon == 0)
-    reject("epsilon is 0, but there are no exact distances with face weights or barriers; give a "
-           "number above 0");
-  return solver_graph(
-      Steiner_graph<Geometric_points>(std::move(triangulation), Geometric_points(*epsilon)));
+  std::optional<double> epsilon;
+  bool accepts_weaker = false;
+};
+
+// The points for a bound, or none.
+template <typename Placement>
+Optional_points<Placement> optional_points(const Bound_of_graph& bound)
+{
+  if(!bound.epsilon)
+    return Optional_points<Placement>(std::nullopt);
+  if(*bound.epsilon == 0)
+    reject("epsilon is 0, but there are no exact distances with face weights, directional costs or "
+           "barriers; give a number above 0");
+  return Optional_points<Placement>(
+      Placement(parameters::epsilon(*bound.epsilon).accept_weaker_bound(bound.accepts_weaker)));
 }
 
 // The graph for a bound: along edges if there is none. A graph that was saved is read.
 inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation triangulation,
-                                                       const std::optional<double> epsilon,
+                                                       const Bound_of_graph& bound,
                                                        std::istream* const saved)
 {
+  if(triangulation.has_directional_costs())
+  {
+    using Points = Optional_points<Directional_points>;
+    return solver_graph(Directional_graph<Points>(std::move(triangulation),
+                                                  optional_points<Directional_points>(bound)));
+  }
   if(triangulation.has_weights() || triangulation.has_barriers())
-    return make_graph_of_costs(std::move(triangulation), epsilon);
-  if(!epsilon)
+  {
+    using Points = Optional_points<Geometric_points>;
+    return solver_graph(
+        Steiner_graph<Points>(std::move(triangulation), optional_points<Geometric_points>(bound)));
+  }
+  if(!bound.epsilon)
     return solver_graph(Edge_graph(std::move(triangulation)));
-  if(*epsilon == 0)
+  if(*bound.epsilon == 0)
     return solver_graph(Watched_exact_graph(std::move(triangulation)));
   if(saved != nullptr)
     return solver_graph(Discrete_geodesic_graph::load(*saved, std::move(triangulation)));
   return solver_graph(Discrete_geodesic_graph(
       std::move(triangulation),
-      parameters::epsilon(*epsilon).concurrency_tag(Parallel_if_available_tag())));
+      parameters::epsilon(*bound.epsilon).concurrency_tag(Parallel_if_available_tag())));
 }
 
 } // namespace internal

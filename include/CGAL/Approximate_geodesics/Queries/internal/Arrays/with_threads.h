@@ -12,7 +12,6 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
-#include <tbb/task_group.h>
 #endif
 
 #include <cstddef>
@@ -22,16 +21,6 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-// Whether a thread that works on the same loop as this one has thrown an exception.
-inline bool is_loop_canceled()
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  return tbb::is_current_task_group_canceling();
-#else
-  return false;
-#endif
-}
 
 // Calls `f` where at most so many threads may take part in loops, this one among them; `0` stands
 // for as many as there are cores. Each thread keeps its arenas, as some versions of TBB do not free

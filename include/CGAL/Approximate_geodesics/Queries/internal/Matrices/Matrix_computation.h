@@ -123,7 +123,7 @@ private:
       {
         if(!goes_further())
           return;
-        m_rows.collect(block, row, search.find(m_sources[row]));
+        m_rows.collect(block, row, search.find(m_sources[row], m_progress.visitor_of_search()));
       }
       m_rows.add(*number, block);
       m_done += rows.size();
@@ -155,7 +155,8 @@ private:
   void compute_rows(Row_search<Graph>& search)
   {
     for(std::size_t row = m_next++; row < m_plan.number_of_rows(); row = m_next++)
-      if(!goes_further() || !hand_over(row, search.find(m_sources[row])))
+      if(!goes_further() ||
+         !hand_over(row, search.find(m_sources[row], m_progress.visitor_of_search())))
         return;
   }
 

@@ -9,19 +9,32 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+
+#include <boost/type_traits/is_detected.hpp>
 
 #include <chrono>
 #include <cstddef>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
+// A visitor that can be called by several threads at the same time may watch the searches for rows,
+// too: this makes the visitor of such a search, which may throw an exception to end it.
+template <typename Visitor>
+using Visitor_of_search = decltype(std::declval<Visitor&>().visitor_of_search());
+
+template <typename Visitor>
+constexpr bool watches_searches = boost::is_detected_v<Visitor_of_search, Visitor>;
+
 /*
  * Tells a visitor how far the rows are, and asks it whether to go on. Any thread may call, and the
- * visitor is called by one at a time.
+ * visitor is called by one at a time, unless it watches searches: nobody waits while it is asked
+ * then.
  */
 template <typename Visitor>
 class Matrix_progress
@@ -38,8 +51,18 @@ public:
 
   bool go_further()
   {
+    if constexpr(watches_searches<Visitor>)
+      return m_visitor.go_further();
     const std::lock_guard lock(m_mutex);
     return m_visitor.go_further();
+  }
+
+  auto visitor_of_search()
+  {
+    if constexpr(watches_searches<Visitor>)
+      return m_visitor.visitor_of_search();
+    else
+      return Geodesic_visitor_base();
   }
 
   void report(const std::size_t number_done)

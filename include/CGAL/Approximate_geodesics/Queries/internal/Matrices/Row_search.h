@@ -39,13 +39,14 @@ struct Row_limits
   }
 };
 
-// Ends a search when so many columns are settled, and all that are as far away as the last of them.
-template <typename Columns>
+// Ends a search when so many columns are settled, and all that are as far away as the last of them,
+// or if another visitor does.
+template <typename Columns, typename Visitor>
 class Nearest_columns_visitor : public Geodesic_visitor_base
 {
 public:
-  Nearest_columns_visitor(const Columns& columns, const std::size_t wanted)
-    : m_columns(columns), m_wanted(wanted)
+  Nearest_columns_visitor(const Columns& columns, const std::size_t wanted, Visitor& visitor)
+    : m_columns(columns), m_wanted(wanted), m_visitor(visitor)
   {
   }
 
@@ -59,7 +60,12 @@ public:
     m_number += number;
   }
 
-  bool go_further() const { return !m_is_done; }
+  void on_progress(const std::size_t number_of_settled_nodes, const std::size_t number_of_nodes)
+  {
+    m_visitor.on_progress(number_of_settled_nodes, number_of_nodes);
+  }
+
+  bool go_further() { return !m_is_done && m_visitor.go_further(); }
 
   // Whether as many as wanted were settled, and how far the last of them is.
   bool is_enough() const { return m_number >= m_wanted; }
@@ -68,6 +74,7 @@ public:
 private:
   const Columns& m_columns;
   std::size_t m_wanted;
+  Visitor& m_visitor;
   std::size_t m_number = 0;
   double m_farthest = 0;
   bool m_is_done = false;
@@ -87,13 +94,14 @@ public:
   }
 
   // Returns the distances from `source`, which stay until the next call.
-  const Distance_row& find(const Intrinsic_point& source)
+  template <typename Visitor = Geodesic_visitor_base>
+  const Distance_row& find(const Intrinsic_point& source, Visitor visitor = Visitor())
   {
     m_row.clear();
     if(m_limits.number_of_nearest > 0 && m_columns.are_vertices())
-      search_nearest(source);
+      search_nearest(source, visitor);
     else
-      m_search.run({{source}}, stop_rule(m_limits.maximum_distance));
+      m_search.run({{source}}, stop_rule(m_limits.maximum_distance), visitor);
     if(m_limits.are_given())
       m_columns.write_reached(m_search, m_row);
     else
@@ -114,21 +122,23 @@ private:
 
   // Most nodes that a search for few columns labels lie beyond them. It is spared these if it knows
   // how far it has to go: about as far as for the row before, whose source is near.
-  void search_nearest(const Intrinsic_point& source)
+  template <typename Visitor>
+  void search_nearest(const Intrinsic_point& source, Visitor& visitor)
   {
-    if(depends_on_limit || !search_nearest(source, m_expected_distance))
-      search_nearest(source, m_limits.maximum_distance);
+    if(depends_on_limit || !search_nearest(source, m_expected_distance, visitor))
+      search_nearest(source, m_limits.maximum_distance, visitor);
   }
 
   // Returns whether there are enough columns within the distance.
-  bool search_nearest(const Intrinsic_point& source, const double distance)
+  template <typename Visitor>
+  bool search_nearest(const Intrinsic_point& source, const double distance, Visitor& visitor)
   {
     constexpr double margin = 1.25;
-    Nearest_columns_visitor visitor(m_columns, m_limits.number_of_nearest);
-    m_search.run({{source}}, stop_rule((std::min)(distance, m_limits.maximum_distance)), visitor);
+    Nearest_columns_visitor nearest(m_columns, m_limits.number_of_nearest, visitor);
+    m_search.run({{source}}, stop_rule((std::min)(distance, m_limits.maximum_distance)), nearest);
     m_expected_distance =
-        visitor.is_enough() ? margin * visitor.farthest() : m_limits.maximum_distance;
-    return visitor.is_enough() || distance >= m_limits.maximum_distance;
+        nearest.is_enough() ? margin * nearest.farthest() : m_limits.maximum_distance;
+    return nearest.is_enough() || distance >= m_limits.maximum_distance;
   }
 
   const Matrix_columns<Graph>& m_columns;

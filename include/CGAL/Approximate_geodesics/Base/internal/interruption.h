@@ -1,0 +1,59 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_INTERRUPTION_H
+#define CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_INTERRUPTION_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_group.h>
+#endif
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * What may end the work of a thread, by an exception. Functions that take long and have no visitor
+ * check for it from time to time. A caller further up sets it, if any does; threads that help with
+ * a loop have none.
+ */
+class Interruption
+{
+public:
+  virtual void check() = 0;
+
+  static Interruption*& of_this_thread()
+  {
+    thread_local Interruption* result = nullptr;
+    return result;
+  }
+
+protected:
+  ~Interruption() = default;
+};
+
+// What threads throw that help with a loop which another one has ended. The loop passes on what
+// that one has thrown.
+struct Loop_canceled
+{
+};
+
+inline void check_for_interruption()
+{
+  if(Interruption* const interruption = Interruption::of_this_thread())
+    return interruption->check();
+#ifdef CGAL_LINKED_WITH_TBB
+  if(tbb::is_current_task_group_canceling())
+    throw Loop_canceled();
+#endif
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_INTERRUPTION_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_COST_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_COST_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * What a path costs per unit of length in each face and direction: one of the ready cost functions,
+ * with its parameters and arrays, so that a `Solver` can save it.
+ *
+ * Wrong parameters and arrays are refused by the constructor of the solver.
+ */
+struct Solver_cost
+{
+  /// the cost functions.
+  enum Model : std::uint8_t
+  {
+    HIKING_TIME,
+    WALKING_ENERGY,
+    DRIFT_TIME,
+    ONE_WAY,
+    TENSOR_COST
+  };
+
+  /// returns `Hiking_time`, with the factor that speeds are multiplied by.
+  static Solver_cost hiking_time(const double factor = 1) { return {HIKING_TIME, {factor}, {}}; }
+
+  /// returns `Walking_energy`.
+  static Solver_cost walking_energy() { return {WALKING_ENERGY, {}, {}}; }
+
+  /// returns `Drift_time`, with the velocities of the drift, three numbers per face, and the speed
+  /// of the boat.
+  static Solver_cost drift_time(std::vector<double> velocities, const double speed)
+  {
+    return {DRIFT_TIME, {speed}, std::move(velocities)};
+  }
+
+  /// returns `One_way`, with the directions of the faces, three numbers each, the cost where a path
+  /// is allowed, and the smallest cosine of an angle that is.
+  static Solver_cost
+  one_way(std::vector<double> ways, const double cost = 1, const double smallest_cosine = 0)
+  {
+    return {ONE_WAY, {cost, smallest_cosine}, std::move(ways)};
+  }
+
+  /// returns `Tensor_cost`, with six numbers per face: the entries xx, xy, xz, yy, yz and zz.
+  static Solver_cost tensor_cost(std::vector<double> tensors)
+  {
+    return {TENSOR_COST, {}, std::move(tensors)};
+  }
+
+  Model model;                    ///< the cost function
+  std::vector<double> parameters; ///< the arguments of its constructor that are numbers
+  std::vector<double> of_faces;   ///< three or six numbers per face, or none
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_COST_H

@@ -1,0 +1,71 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_OPTIONAL_POINTS_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_OPTIONAL_POINTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The points of a placement, or none: so graphs with a bound and along edges are of one type, and
+ * compiled once.
+ */
+template <typename Placement>
+class Optional_points
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  static constexpr bool makes_equal_parts = false;
+
+  explicit Optional_points(std::optional<Placement> points) : m_points(std::move(points)) {}
+
+  void prepare(const Intrinsic_triangulation& triangulation)
+  {
+    if(m_points)
+      m_points->prepare(triangulation);
+  }
+
+  std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    return m_points ? m_points->number_of_points(triangulation, h) : 0;
+  }
+
+  void place(const Intrinsic_triangulation& triangulation,
+             const Index h,
+             float* const positions,
+             const std::size_t number_of_points) const
+  {
+    if(m_points)
+      m_points->place(triangulation, h, positions, number_of_points);
+  }
+
+  double epsilon(const Intrinsic_triangulation& triangulation) const
+  {
+    return m_points ? m_points->epsilon(triangulation) : std::numeric_limits<double>::infinity();
+  }
+
+  std::size_t memory() const { return m_points ? m_points->memory() : 0; }
+
+private:
+  std::optional<Placement> m_points;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_OPTIONAL_POINTS_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_VISITOR_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_VISITOR_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
+#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <thread>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * The visitor of one call of a solver: of the construction of a graph, or of the rows of a matrix.
+ * Any thread may ask it; all but that of the call only learn whether that has ended. The clock
+ * spares the functions of the watch being called too often.
+ */
+class Solver_visitor final : public Distance_matrix_visitor_base, public Interruption
+{
+  using Clock = std::chrono::steady_clock;
+
+public:
+  class Of_search;
+
+  // The watch is referred to, not copied.
+  explicit Solver_visitor(const Solver_watch& watch) : m_watch(watch) { of_this_thread() = this; }
+  ~Solver_visitor() { of_this_thread() = m_outer; }
+  Solver_visitor(const Solver_visitor&) = delete;
+  Solver_visitor& operator=(const Solver_visitor&) = delete;
+
+  void set_progress(const std::size_t number_done, const std::size_t number)
+  {
+    m_number_done = (std::min)(number_done, number); // nodes may count more than once
+    m_number = number;
+  }
+
+  void on_progress(const Distance_matrix_progress& progress)
+  {
+    set_progress(progress.number_done, progress.number_of_rows);
+  }
+
+  // Looks at the clock, and asks the watch if it is time.
+  bool go_further()
+  {
+    if(m_is_stopped)
+      return false;
+    if(std::this_thread::get_id() != m_caller)
+      return true;
+    const Clock::time_point now = Clock::now();
+    if(now - m_last_time < std::chrono::milliseconds(30))
+      return true;
+    m_last_time = now;
+    tell();
+    m_is_stopped = m_watch.go_further && !m_watch.go_further();
+    return !m_is_stopped;
+  }
+
+  // The same, and throws if the work is to end.
+  void check() override
+  {
+    if(!go_further())
+      throw Solver_interrupted();
+  }
+
+  Of_search visitor_of_search();
+
+  // Is to be called after the work: throws if it was ended, and else tells that all is done.
+  void finish()
+  {
+    if(m_is_stopped)
+      throw Solver_interrupted();
+    m_number_done = m_number.load();
+    tell();
+  }
+
+private:
+  void tell() const
+  {
+    if(m_watch.on_progress)
+      m_watch.on_progress(m_number_done, m_number);
+  }
+
+  const Solver_watch& m_watch;
+  Interruption* m_outer = of_this_thread(); // of a call that has made this one by its watch
+  std::thread::id m_caller = std::this_thread::get_id();
+  Clock::time_point m_last_time = Clock::now();
+  std::atomic<bool> m_is_stopped{false};
+  std::atomic<std::size_t> m_number_done{0}; // of other threads, too
+  std::atomic<std::size_t> m_number{0};
+};
+
+/*
+ * The visitor of one search. After most of its steps, which are small, it does not look at the
+ * clock.
+ */
+class Solver_visitor::Of_search : public Geodesic_visitor_base
+{
+public:
+  static constexpr bool is_told_of_nodes = false; // which would cost a sort
+
+  // `is_whole_call` says whether the search is all that the call does.
+  Of_search(Solver_visitor& visitor, const bool is_whole_call)
+    : m_visitor(visitor), m_is_whole_call(is_whole_call)
+  {
+  }
+
+  void on_progress(const std::size_t number_done, const std::size_t number)
+  {
+    m_number_done = number_done;
+    m_number = number;
+  }
+
+  bool go_further()
+  {
+    constexpr std::size_t nodes_between_looks = 1024;
+    if(m_number_done - m_last_look < nodes_between_looks) // a new search begins with less
+      return true;
+    m_last_look = m_number_done;
+    if(m_is_whole_call)
+      m_visitor.set_progress(m_number_done, m_number);
+    m_visitor.check();
+    return true;
+  }
+
+private:
+  Solver_visitor& m_visitor;
+  bool m_is_whole_call;
+  std::size_t m_number_done = 0;
+  std::size_t m_number = 0;
+  std::size_t m_last_look = 0;
+};
+
+inline Solver_visitor::Of_search Solver_visitor::visitor_of_search() { return {*this, false}; }
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_VISITOR_H

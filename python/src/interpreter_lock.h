@@ -1,0 +1,82 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef APPROXIMATE_GEODESICS_PYTHON_INTERPRETER_LOCK_H
+#define APPROXIMATE_GEODESICS_PYTHON_INTERPRETER_LOCK_H
+
+// The lock of the interpreter, which a thread gives back for the time of a run.
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+#include <thread>
+
+namespace python {
+
+inline bool is_interpreter_ending()
+{
+#if PY_VERSION_HEX >= 0x030d0000
+  return Py_IsFinalizing() != 0;
+#else
+  return _Py_IsFinalizing() != 0;
+#endif
+}
+
+/*
+ * Gives the lock back as long as it lives.
+ *
+ * When the interpreter ends, daemon threads may still run. Older versions of Python unwind the
+ * stack of those that ask for the lock then, which ends the program if there is C++ on it; newer
+ * ones let them wait for the end of the process, and so does this class.
+ */
+class Unlocked
+{
+public:
+  Unlocked() : m_state(PyEval_SaveThread()) {}
+  ~Unlocked() { lock(); }
+  Unlocked(const Unlocked&) = delete;
+  Unlocked& operator=(const Unlocked&) = delete;
+
+  // Calls `f` with the lock, and returns what it returns.
+  template <typename F>
+  auto with_lock(const F& f)
+  {
+    struct Unlock
+    {
+      Unlocked& owner;
+      ~Unlock() { owner.m_state = PyEval_SaveThread(); }
+    };
+    lock();
+    const Unlock unlock{*this};
+    return f();
+  }
+
+private:
+  void lock() const noexcept
+  {
+    if(is_interpreter_ending())
+      wait_for_the_end();
+    try
+    {
+      PyEval_RestoreThread(m_state);
+    }
+    catch(...) // the interpreter has begun to end since, and unwinds the stack
+    {
+      wait_for_the_end();
+    }
+  }
+
+  [[noreturn]] static void wait_for_the_end()
+  {
+    for(;;)
+      std::this_thread::sleep_for(std::chrono::hours(1));
+  }
+
+  PyThreadState* m_state;
+};
+
+} // namespace python
+
+#endif // APPROXIMATE_GEODESICS_PYTHON_INTERPRETER_LOCK_H

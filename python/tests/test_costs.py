@@ -1,0 +1,150 @@
+"""Costs that depend on the direction."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import approximate_geodesics as ag
+from meshes import grid
+
+VERTICES, FACES = grid(9)
+SIZE = len(FACES)
+
+
+def slope(rise):
+    """The grid, rising in the direction of x."""
+    vertices = VERTICES.copy()
+    vertices[:, 2] = rise * vertices[:, 0]
+    return vertices
+
+
+def everywhere(vector):
+    return np.tile(vector, (SIZE, 1))
+
+
+def seconds_per_meter(rise):
+    return 0.6 * np.exp(3.5 * np.abs(rise + 0.05))
+
+
+def test_hiking_takes_the_time_of_the_slope():
+    solver = ag.Solver(slope(0.1), FACES, 0.1, costs=ag.HikingTime())
+    length = 8 * np.hypot(1, 0.1)
+    up, down = solver.distances(0)[8], solver.distances(8)[0]
+    assert up == pytest.approx(length * seconds_per_meter(0.1), rel=1e-6)
+    assert down == pytest.approx(length * seconds_per_meter(-0.1), rel=1e-6)
+    off_paths = ag.Solver(slope(0.1), FACES, 0.1, costs=ag.HikingTime(factor=0.5))
+    assert off_paths.distances(0)[8] == pytest.approx(2 * up)
+    assert solver.error_bound == pytest.approx(0.1)
+
+
+def test_distances_to_the_sources():
+    solver = ag.Solver(slope(0.1), FACES, 0.2, costs=ag.HikingTime())
+    to_first = solver.distances(0, direction_to_source=True)
+    np.testing.assert_allclose(to_first, solver.distance_matrix(range(81), [0])[:, 0], rtol=1e-6)
+    assert np.all(to_first[1:9] < solver.distances(0)[1:9])  # downhill
+    row = solver.distance_matrix([0], direction_to_source=True)[0]
+    np.testing.assert_array_equal(row, to_first)
+    cells = solver.voronoi([0, 8]), solver.voronoi([0, 8], direction_to_source=True)
+    assert np.count_nonzero(cells[0] == 0) < np.count_nonzero(cells[1] == 0)
+
+
+def test_walking_uphill_takes_more_energy():
+    solver = ag.Solver(slope(0.2), FACES, 0.2, costs=ag.WalkingEnergy(), accept_weaker_bound=True)
+    assert solver.distances(0)[8] > 2 * solver.distances(8)[0]
+
+
+def test_drift_takes_along():
+    solver = ag.Solver(VERTICES, FACES, 0.1, costs=ag.DriftTime(everywhere((1, 0, 0)), speed=3))
+    assert solver.distances(0)[8] == pytest.approx(8 / 4)
+    assert solver.distances(8)[0] == pytest.approx(8 / 2)
+
+
+def test_one_way_faces():
+    solver = ag.Solver(VERTICES, FACES, costs=ag.OneWay(everywhere((1, 0, 0)), cost=2))
+    assert solver.distances(0)[8] == pytest.approx(16)
+    assert np.isinf(solver.distances(8)[0])
+    with pytest.raises(ValueError, match="free or forbidden.*accept_weaker_bound"):
+        ag.Solver(VERTICES, FACES, 0.1, costs=ag.OneWay(everywhere((1, 0, 0))))
+    weaker = ag.Solver(
+        VERTICES, FACES, 0.1, costs=ag.OneWay(everywhere((1, 0, 0))), accept_weaker_bound=True
+    )
+    assert np.isinf(weaker.error_bound)
+
+
+def test_tensors():
+    matrix = np.array([[4.0, 0.5, 0], [0.5, 1, 0], [0, 0, 1]])
+    entries = matrix[np.triu_indices(3)]
+    solvers = [
+        ag.Solver(VERTICES, FACES, 0.1, costs=ag.TensorCost(np.broadcast_to(t, (SIZE, *t.shape))))
+        for t in (matrix, entries)
+    ]
+    distances = [solver.distances(0) for solver in solvers]
+    np.testing.assert_array_equal(*distances)
+    expected = np.sqrt(np.einsum("ni,ij,nj->n", VERTICES, matrix, VERTICES))
+    assert np.all(distances[0] >= expected * (1 - 1e-9))
+    assert np.all(distances[0] <= expected * 1.1)
+
+
+@pytest.mark.parametrize(
+    "costs, options",
+    [
+        (ag.HikingTime(0.6), {}),
+        (ag.WalkingEnergy(), {"epsilon": 0.3, "accept_weaker_bound": True}),
+        (ag.DriftTime(everywhere((0.5, 0.1, 0)), 2), {"epsilon": 0.2}),
+        (ag.OneWay(everywhere((1, 1, 0)), 1, -0.5), {"barriers": FACES[:1, :2]}),
+        (ag.TensorCost(everywhere((1, 0, 0, 2, 0, 1))), {"epsilon": 0.2, "threads": 1}),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_copies_of_solvers_are_the_same(costs, options, tmp_path):
+    solver = ag.Solver(slope(0.1), FACES, costs=costs, **options)
+    solver.save(tmp_path / "solver.bin")
+    for copy in (pickle.loads(pickle.dumps(solver)), ag.Solver.load(tmp_path / "solver.bin")):
+        assert repr(copy) == repr(solver)
+        assert copy.error_bound == solver.error_bound
+        np.testing.assert_array_equal(copy.distances([1, 7]), solver.distances([1, 7]))
+        np.testing.assert_array_equal(copy.path(3, 70), solver.path(3, 70))
+
+
+@pytest.mark.parametrize(
+    "make, message",
+    [
+        (lambda: ag.HikingTime(0), "factor of hiking speeds is 0"),
+        (lambda: ag.DriftTime(everywhere((1, 0, 0)), -1), "speed through the drift is -1"),
+        (lambda: ag.DriftTime(np.ones((5, 3)), 2), "velocities are those of 5 faces.* has 128"),
+        (lambda: ag.DriftTime(np.ones((SIZE, 2)), 2), r"velocities must have the shape \(any, 3\)"),
+        (lambda: ag.OneWay(everywhere((1, np.nan, 0))), "face 0 has the number nan"),
+        (lambda: ag.OneWay(everywhere((1, 0, 0)), -1), "cost of one-way faces is -1"),
+        (lambda: ag.OneWay(everywhere((1, 0, 0)), 1, 2), "smallest cosine is 2"),
+        (lambda: ag.TensorCost(everywhere((-1, 0, 0, 1, 0, 1))), "face with vertices .* cost"),
+        (lambda: ag.TensorCost(np.arange(9.0).reshape(1, 3, 3)), "face 0 is not symmetric"),
+        (lambda: ag.TensorCost(np.ones((4, 5))), r"tensors must have the shape \(any, 6\)"),
+    ],
+)
+def test_costs_that_cannot_be_right(make, message):
+    with pytest.raises(ValueError, match=message):
+        ag.Solver(VERTICES, FACES, 0.5, costs=make())
+
+
+def test_parameters_that_do_not_go_with_costs():
+    for options, message in [
+        ({"epsilon": 0}, "no exact distances"),
+        ({"face_weights": np.ones(SIZE)}, "only one of them"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            ag.Solver(VERTICES, FACES, costs=ag.HikingTime(), **options)
+    with pytest.raises(TypeError, match="costs are of type int"):
+        ag.Solver(VERTICES, FACES, costs=7)
+    solver = ag.Solver(VERTICES, FACES, 0.5, costs=ag.HikingTime())
+    with pytest.raises(ValueError, match="cannot be straightened"):
+        solver.path(0, 80, straighten=True)
+    with pytest.raises(ValueError, match="symmetric: costs depend on the direction"):
+        solver.distance_matrix([0, 1], [0, 1], symmetric=True)
+
+
+def test_what_costs_look_like():
+    assert repr(ag.HikingTime(0.6)) == "HikingTime(0.6)"
+    assert repr(ag.OneWay(np.ones((2, 3)))) == "OneWay(<ways of 2 faces>, 1, 0)"
+    solver = ag.Solver(VERTICES, FACES, 0.5, costs=ag.HikingTime())
+    assert repr(solver).endswith("epsilon=0.5, with hiking time>")
