@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
@@ -98,7 +99,9 @@ public:
       check_sides();
       free_memory();
     }
+    check_for_interruption();
     copy_lengths();
+    check_for_interruption();
     copy_weights();
     copy_barriers();
     CGAL_expensive_postcondition(m_result.is_valid());

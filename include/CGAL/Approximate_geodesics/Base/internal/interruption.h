@@ -12,6 +12,8 @@
 #include <tbb/task_group.h>
 #endif
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
@@ -50,6 +52,14 @@ inline void check_for_interruption()
   if(tbb::is_current_task_group_canceling())
     throw Loop_canceled();
 #endif
+}
+
+// The same in a loop whose turns are short, after many of them.
+inline void check_for_interruption_at(const std::size_t turn)
+{
+  constexpr std::size_t turns_between_checks = 4096;
+  if(turn % turns_between_checks == 0)
+    check_for_interruption();
 }
 
 } // namespace internal

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -60,7 +62,7 @@ public:
     for(std::size_t f = 0; f < number_of_faces; ++f)
       add_sides(f, corners + 3 * f);
     m_halfedges.resize(m_sides.size());
-    std::sort(m_sides.begin(), m_sides.end());
+    sort_sides();
     add_edges();
     for(std::size_t f = 0; f < number_of_faces; ++f)
       add_face(f);
@@ -110,12 +112,14 @@ private:
     if(!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
       reject("vertex " + std::to_string(m_mesh.number_of_vertices()) + " is not finite: (" +
              text_of(p[0]) + ", " + text_of(p[1]) + ", " + text_of(p[2]) + ")");
+    check_for_interruption_at(m_mesh.number_of_vertices());
     m_mesh.add_vertex({p[0], p[1], p[2]});
   }
 
   template <typename Integer>
   void add_sides(const std::size_t face, const Integer* const corners)
   {
+    check_for_interruption_at(face);
     std::array<std::uint32_t, 3> v;
     for(std::size_t i = 0; i < 3; ++i)
     {
@@ -135,10 +139,32 @@ private:
     }
   }
 
+  // Puts sides where those with the same lower end are, and sorts these few.
+  void sort_sides()
+  {
+    std::vector<std::size_t> next(m_mesh.number_of_vertices() + 1, 0);
+    for(const Side& side : m_sides)
+      ++next[side.low + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Side> sorted(m_sides.size());
+    for(const Side& side : m_sides)
+      sorted[next[side.low]++] = side;
+    m_sides = std::move(sorted);
+    auto first = m_sides.begin();
+    for(std::size_t v = 0; v < m_mesh.number_of_vertices(); ++v)
+    {
+      check_for_interruption_at(v);
+      const auto beyond = m_sides.begin() + static_cast<std::ptrdiff_t>(next[v]);
+      std::sort(first, beyond);
+      first = beyond;
+    }
+  }
+
   void add_edges()
   {
     for(std::size_t i = 0; i < m_sides.size();)
     {
+      check_for_interruption_at(m_mesh.number_of_edges());
       const Side& side = m_sides[i];
       const Halfedge up = m_mesh.add_edge(Vertex(side.low), Vertex(side.high));
       const auto link = [&](const Side& s) {
@@ -167,6 +193,7 @@ private:
 
   void add_face(const std::size_t number)
   {
+    check_for_interruption_at(number);
     const Face face = m_mesh.add_face();
     m_mesh.set_halfedge(face, m_halfedges[3 * number]); // the first corner stays the first one
     for(std::size_t i = 0; i < 3; ++i)
@@ -183,6 +210,8 @@ private:
   {
     std::vector<Halfedge> from(m_mesh.number_of_vertices());
     for(const Halfedge h : m_mesh.halfedges())
+    {
+      check_for_interruption_at(h);
       if(m_mesh.face(h) == Array_mesh::null_face())
       {
         Halfedge& first = from[m_mesh.source(h)];
@@ -190,6 +219,7 @@ private:
           reject_vertex(m_mesh.source(h));
         first = h;
       }
+    }
     for(const Halfedge h : from)
       if(h != Array_mesh::null_halfedge())
       {
@@ -206,6 +236,7 @@ private:
       ++degree[m_mesh.target(h)];
     for(const Vertex v : m_mesh.vertices())
     {
+      check_for_interruption_at(v);
       const Halfedge first = m_mesh.halfedge(v);
       if(first == Array_mesh::null_halfedge())
         continue;

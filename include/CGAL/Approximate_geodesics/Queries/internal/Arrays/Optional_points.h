@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cstddef>
@@ -21,7 +22,7 @@ namespace internal {
 
 /*
  * The points of a placement, or none: so graphs with a bound and along edges are of one type, and
- * compiled once.
+ * compiled once. Placing them can be interrupted.
  */
 template <typename Placement>
 class Optional_points
@@ -41,6 +42,7 @@ public:
 
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
+    check_for_interruption_at(h);
     return m_points ? m_points->number_of_points(triangulation, h) : 0;
   }
 
@@ -49,6 +51,7 @@ public:
              float* const positions,
              const std::size_t number_of_points) const
   {
+    check_for_interruption_at(h);
     if(m_points)
       m_points->place(triangulation, h, positions, number_of_points);
   }
