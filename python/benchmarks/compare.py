@@ -167,10 +167,11 @@ def local_matrices(effort):
 def memory(meshes):
     """What a process takes that reads a mesh and finds distances, beyond one that imports this."""
     program = """
-import resource, sys
+import re, sys
 import approximate_geodesics as ag
-def peak():
-    return 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+def peak(): # of this program; other figures include that of the process that has started it
+    with open("/proc/self/status") as file:
+        return 1024 * int(re.search(r"VmHWM:\\s*(\\d+)", file.read()).group(1))
 before = peak()
 mesh, epsilon = sys.argv[1], sys.argv[2]
 solver = ag.Solver.from_file(mesh, None if epsilon == "None" else float(epsilon))
