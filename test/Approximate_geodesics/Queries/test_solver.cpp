@@ -457,7 +457,7 @@ TEST(Solver, can_be_interrupted_amid_construction)
     Solver(arrays.coordinates.data(), arrays.number_of_vertices(), arrays.corners.data(),
            arrays.number_of_faces(), options, impatient_watch());
   };
-  for(const std::size_t number_of_threads : {1, 2})
+  for(const std::size_t number_of_threads : {std::size_t(1), std::size_t(2)})
   {
     Solver_options options = bound(0.001);
     options.number_of_threads = number_of_threads;
