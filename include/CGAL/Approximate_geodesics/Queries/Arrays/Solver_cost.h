@@ -28,11 +28,11 @@ struct Solver_cost
   /// the cost functions.
   enum Model : std::uint8_t
   {
-    HIKING_TIME,
-    WALKING_ENERGY,
-    DRIFT_TIME,
-    ONE_WAY,
-    TENSOR_COST
+    HIKING_TIME,    ///< `Hiking_time`
+    WALKING_ENERGY, ///< `Walking_energy`
+    DRIFT_TIME,     ///< `Drift_time`
+    ONE_WAY,        ///< `One_way`
+    TENSOR_COST     ///< `Tensor_cost`
   };
 
   /// returns `Hiking_time`, with the factor that speeds are multiplied by.
