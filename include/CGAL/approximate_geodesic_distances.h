@@ -53,11 +53,11 @@ void write_distances(const TriangleMesh& tmesh,
  *
  * If an error bound `epsilon` is given, paths run across faces, and are at most
  * \f$1 + \varepsilon\f$ times as long as the shortest ones on the surface; on scanned models, the
- * mean error is below \f$\varepsilon/50\f$. With the bound `0`, distances are exact, up to
- * rounding. If no bound is given, paths are the shortest ones along the edges of
- * the mesh, which are about 4 % too long on average on scanned models, and for which there is no
- * bound in general. A distance is never below that along the surface. Distances are in the unit of
- * the coordinates. Vertices that no source reaches, or that are not final when the run ends
+ * mean error is about \f$\varepsilon/100\f$ for \f$\varepsilon = 0.1\f$. With the bound `0`,
+ * distances are exact, up to rounding. If no bound is given, paths are the shortest ones along the
+ * edges of the mesh, which are about 5 % too long on average on scanned models, and for which there
+ * is no bound in general. A distance is never below that along the surface. Distances are in the
+ * unit of the coordinates. Vertices that no source reaches, or that are not final when the run ends
  * early, get infinity, and so does every vertex if there is no source.
  *
  * Faces can have weights, and edges can be barriers. Distances are then costs; with `epsilon`,
@@ -112,7 +112,8 @@ void write_distances(const TriangleMesh& tmesh,
  *   \cgalParamNBegin{concurrency_tag}
  *     \cgalParamDescription{whether several threads take part: in computing lengths, and in the
  *                           search if `epsilon` is given and there are neither weights nor
- *                           barriers. The result does not depend on their number.}
+ *                           barriers. Their number does not change the result. Whether
+ *                           there are several can change it within the bound.}
  *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
  *                    `CGAL::Parallel_if_available_tag`}
  *     \cgalParamDefault{`CGAL::Sequential_tag`}

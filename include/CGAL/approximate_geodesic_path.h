@@ -115,7 +115,8 @@ double write_path(const TriangleMesh& tmesh,
  *   \cgalParamNBegin{concurrency_tag}
  *     \cgalParamDescription{whether several threads take part: in computing lengths, and in the
  *                           search if `epsilon` is given and there are neither weights nor
- *                           barriers. The result does not depend on their number.}
+ *                           barriers. Their number does not change the result. Whether
+ *                           there are several can change it within the bound.}
  *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
  *                    `CGAL::Parallel_if_available_tag`}
  *     \cgalParamDefault{`CGAL::Sequential_tag`}
@@ -135,7 +136,8 @@ double write_path(const TriangleMesh& tmesh,
  *                           faces.}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a number
- *                    type convertible by `CGAL::to_double()` as value type}
+ *                    type convertible by `CGAL::to_double()` as value type; or what
+ *                    `Approximate_geodesics::directional_cost()` returns}
  *     \cgalParamDefault{unused: all faces have weight `1`}
  *     \cgalParamExtra{If it is given, costs take the place of lengths and distances.}
  *   \cgalParamNEnd

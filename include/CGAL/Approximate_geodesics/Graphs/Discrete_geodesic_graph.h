@@ -45,8 +45,9 @@ namespace Approximate_geodesics {
  * between them, laid out in the plane. From every vertex, all directions are followed for as long
  * as they lead to something that cannot be reached well enough over another vertex; section \ref
  * AG_discrete_geodesic_graph of the user manual describes how that is decided, and the report
- * \cgalCite{ag-report} proves the bound. On scanned models the mean error is below
- * \f$\varepsilon / 50\f$, and the largest one below \f$\varepsilon / 4\f$.
+ * \cgalCite{ag-report} proves the bound. On scanned models the mean error is about
+ * \f$\varepsilon / 100\f$ for \f$\varepsilon = 0.1\f$, and the largest error about
+ * \f$\varepsilon / 4\f$ or less.
  *
  * Lengths are stored in single precision and rounded up, which makes them too long by a factor of
  * at most \f$1 + 2^{-23}\f$, unless they are shorter than the longest edge by a factor of more than
@@ -190,7 +191,8 @@ public:
 
   /*!
    * writes the graph to `out`, a binary stream: 8 bytes per arc, 4 per node, and a header. The
-   * triangulation is not written, as it is quickly made from the mesh.
+   * triangulation is not written, as it is quickly made from the mesh. Include
+   * `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h` to make it.
    * \throws std::runtime_error if `out` does not take it.
    */
   void save(std::ostream& out) const

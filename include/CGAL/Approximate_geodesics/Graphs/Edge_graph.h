@@ -29,7 +29,7 @@ namespace Approximate_geodesics {
  * The graph of the vertices and edges of a mesh.
  *
  * It is the smallest and fastest of the graphs, and has no error bound: a path along edges can be
- * longer than the geodesic by any factor where faces are badly shaped, and is about 4 % longer on
+ * longer than the geodesic by any factor where faces are badly shaped, and is about 5 % longer on
  * average on scanned models. It takes no memory beyond the triangulation's, whose halfedge groups
  * are its adjacency arrays.
  *

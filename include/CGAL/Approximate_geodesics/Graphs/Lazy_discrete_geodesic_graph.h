@@ -93,8 +93,9 @@ public:
    *     \cgalParamDefault{`0.1`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{concurrency_tag}
-   *     \cgalParamDescription{whether several threads take part in each search of the graph. The
-   *                           result does not depend on their number.}
+   *     \cgalParamDescription{whether several threads take part in each search of the graph.
+   *                           Their number does not change the result. Whether there are
+   *                           several can change it within the bound.}
    *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
    *                    `CGAL::Parallel_if_available_tag`}
    *     \cgalParamDefault{`CGAL::Sequential_tag`}

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsMesh
+ * \ingroup PkgApproximateGeodesicsPoints
  *
  * a point of the surface of a mesh, given by a face and barycentric coordinates in it: the weights
  * of the source and the target of `halfedge(f, tmesh)`, and of the third vertex. This is what
@@ -29,7 +29,7 @@ using Face_location =
     std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3>>;
 
 /*!
- * \ingroup PkgApproximateGeodesicsMesh
+ * \ingroup PkgApproximateGeodesicsPoints
  *
  * a point of the surface of a mesh: a vertex; or a halfedge, and the part of the way from its
  * source to its target, from `0` to `1`; or a face, and barycentric coordinates in it.
