@@ -289,9 +289,21 @@ private:
   BOOST_NOINLINE void
   expand(const Node* const nodes, const std::size_t number, const Labels& labels, Arcs& arcs) const
   {
-    internal::Cone_front<internal::Unfolding, Labels, Arcs>(m_triangulation, m_unfolding,
-                                                            m_rules.epsilon, labels, arcs)
-        .expand(nodes, number);
+    if(m_triangulation.lines_may_return())
+      expand_with<internal::Cone_front<true, internal::Unfolding, Labels, Arcs>>(nodes, number,
+                                                                                 labels, arcs);
+    else
+      expand_with<internal::Cone_front<false, internal::Unfolding, Labels, Arcs>>(nodes, number,
+                                                                                  labels, arcs);
+  }
+
+  template <typename Front, typename Labels, typename Arcs>
+  void expand_with(const Node* const nodes,
+                   const std::size_t number,
+                   const Labels& labels,
+                   Arcs& arcs) const
+  {
+    Front(m_triangulation, m_unfolding, m_rules.epsilon, labels, arcs).expand(nodes, number);
   }
 
   // In balanced fans, detours are left out: a hub's neighbors may all see each other.

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +125,7 @@ struct Cone
   Window window;
   Cone_side left, right;
   std::uint32_t depth;          // the number of faces on the way
-  Index checkpoint;             // one of the halfedges on the way
+  Crossing milestone;           // one of the halfedges on the way
   bool has_middle = false;      // whether the next two are known
   Plane_vector middle = {0, 0}; // somewhere between the two rays
   double end_of_interest = 0;   // in multiples of `middle`: both sides serve what lies behind

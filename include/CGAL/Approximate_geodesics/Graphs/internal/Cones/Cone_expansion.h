@@ -106,8 +106,11 @@ public:
     if(!has_angle || visitor.prune(window))
       return;
     Stack cones;
-    Cone cone{window, side(window.left_position, window.left_distance),
-              side(window.right_position, window.right_distance), 0, null_index};
+    Cone cone{window,
+              side(window.left_position, window.left_distance),
+              side(window.right_position, window.right_distance),
+              0,
+              {}};
     cone.window.trail = visitor.record_window(window.halfedge, 0);
     bool is_open = true;
     while(is_open || pop(cones, cone))
@@ -159,7 +162,7 @@ private:
     cone.right = side(right, distance);
     cone.has_middle = false;
     cone.depth = 0;
-    cone.checkpoint = null_index;
+    cone.milestone = Crossing();
     return true;
   }
 
@@ -217,9 +220,21 @@ private:
     const double slope = cross(cone.middle, edge);
     if(!(area >= 0 && slope > 0))
       return true; // no more than rounding errors
-    return area >= cone.end_of_interest * slope ||
-           (!face.is_edge_new &&
-            m_winding.ends_at(cone.window.halfedge, face.across, cone.depth, cone.checkpoint));
+    return area >= cone.end_of_interest * slope || (!face.is_edge_new && has_returned(cone, face));
+  }
+
+  // Whether lines come back to an edge, and are given up there. If not, they go on.
+  bool has_returned(Cone& cone, const Unfolded_face& face) const
+  {
+    const Window& window = cone.window;
+    const Crossing here{window.halfedge, window.left_position, window.right_position};
+    if(m_winding.is_over(here, cone.milestone, cone.left.direction, cone.right.direction,
+                         face.across))
+      return true;
+    if(Winding::is_milestone(cone.depth))
+      cone.milestone = here;
+    ++cone.depth;
+    return false;
   }
 
   // The window becomes part of the edge between the apex and the right end.
@@ -284,7 +299,7 @@ private:
     cone.has_middle = false;
     Window window = cone.window;
     if(go_right(window, face, apex, visitor))
-      cones.push_back({window, between, cone.right, cone.depth, cone.checkpoint});
+      cones.push_back({window, between, cone.right, cone.depth, cone.milestone});
     cone.right = between;
     return go_left(cone.window, face, apex, visitor);
   }

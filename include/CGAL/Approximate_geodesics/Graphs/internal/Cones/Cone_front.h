@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -29,6 +30,7 @@ namespace internal {
  * A cone of straight lines from a vertex, the tip, and the window that they go through: a part of
  * the edge between its ends. Two cache lines.
  */
+template <typename Milestone>
 struct alignas(64) Narrow_cone
 {
   using Index = Intrinsic_triangulation::Index;
@@ -61,30 +63,31 @@ struct alignas(64) Narrow_cone
   Index halfedge; // of the window; the face ahead is to its left
   Index tip;
   std::uint32_t depth; // the number of faces on the way
-  Index checkpoint;    // one of the halfedges on the way
+  Milestone milestone; // one of the halfedges on the way
 };
 
 /*
  * Memory for cones, which it leaves as it is.
  */
+template <typename Cone>
 class Cone_memory
 {
 public:
   // makes room for so many, and forgets those that are there
-  Narrow_cone* reserve(const std::size_t size)
+  Cone* reserve(const std::size_t size)
   {
     if(size > m_size)
     {
       m_size = 2 * size;
-      m_cones.reset(new Narrow_cone[m_size]);
+      m_cones.reset(new Cone[m_size]);
     }
     return m_cones.get();
   }
 
-  Narrow_cone* cones() const { return m_cones.get(); }
+  Cone* cones() const { return m_cones.get(); }
 
 private:
-  std::unique_ptr<Narrow_cone[]> m_cones;
+  std::unique_ptr<Cone[]> m_cones;
   std::size_t m_size = 0;
 };
 
@@ -97,12 +100,14 @@ private:
  * `arcs` takes the arcs: `arcs.make_room(number)` says how many may come, and
  * `arcs.append(is_arc, source, label_of_source, target, length)` appends one if it is one.
  */
-template <typename Unfolding, typename Labels, typename Arcs>
+template <bool MAY_RETURN, typename Unfolding, typename Labels, typename Arcs>
 class Cone_front
 {
   using Index = Intrinsic_triangulation::Index;
-  using Side = Narrow_cone::Side;
-  using End = Narrow_cone::End;
+  using Milestone = std::conditional_t<MAY_RETURN, Crossing, Index>;
+  using Cone = Narrow_cone<Milestone>;
+  using Side = typename Cone::Side;
+  using End = typename Cone::End;
 
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
@@ -140,8 +145,8 @@ public:
       std::swap(m_cones, m_next);
       m_arcs.make_room(size);
       m_end = m_next.reserve(2 * size + 1);
-      const Narrow_cone* const beyond = m_cones.cones() + size;
-      for(const Narrow_cone* cone = m_cones.cones(); cone != beyond; ++cone)
+      const Cone* const beyond = m_cones.cones() + size;
+      for(const Cone* cone = m_cones.cones(); cone != beyond; ++cone)
         advance(*cone);
     }
   }
@@ -174,13 +179,13 @@ private:
                 face.right,
                 v,
                 0,
-                null_index};
+                no_milestone()};
       m_end += is_needed(left, right, face.right) ? 1 : 0;
     }
   }
 
   // Takes a cone across the face ahead of it.
-  void advance(const Narrow_cone& cone)
+  void advance(const Cone& cone)
   {
     const Unfolded_face& face = m_unfolding.face(cone.halfedge);
     const Plane_vector position = face.position_of_apex(cone.left.position, cone.right.position);
@@ -194,8 +199,7 @@ private:
     const double label = m_labels.distance(cone.tip);
     const End apex{position, distance, m_labels.distance(face.apex) - label};
     const bool is_of_use = is_worth_a_look(cone, face.across);
-    const bool may_return = m_winding.may_return();
-    const bool is_open = is_of_use & (may_return | (face.apex != cone.tip));
+    const bool is_open = is_of_use & (MAY_RETURN | (face.apex != cone.tip));
     m_arcs.append(is_open & is_seen, cone.tip, label, face.apex, distance);
 
     // An apex where the tip is sees the same.
@@ -207,7 +211,7 @@ private:
            goes_on & !passes_right);
   }
 
-  void append(const Narrow_cone& before,
+  void append(const Cone& before,
               const End& left,
               const End& right,
               const Side& left_side,
@@ -215,14 +219,44 @@ private:
               const Index halfedge,
               const bool is_open)
   {
-    const Index checkpoint =
-        Winding::is_milestone(before.depth) ? before.halfedge : before.checkpoint;
-    *m_end = {left,     right,      left_side,        right_side,
-              halfedge, before.tip, before.depth + 1, checkpoint};
+    const bool is_milestone = Winding::is_milestone(before.depth);
+    *m_end = {left,
+              right,
+              left_side,
+              right_side,
+              halfedge,
+              before.tip,
+              before.depth + 1,
+              is_milestone ? milestone(before) : before.milestone};
     // a halfedge that there is, where there is none ahead
     const Index edge = halfedge == null_index ? before.halfedge : halfedge;
     m_unfolding.prefetch(edge);
     m_end += (is_open & (halfedge != null_index) & is_needed(left, right, edge)) ? 1 : 0;
+  }
+
+  static Milestone milestone(const Cone& cone)
+  {
+    if constexpr(MAY_RETURN)
+      return {cone.halfedge, cone.left.position, cone.right.position};
+    else
+      return cone.halfedge;
+  }
+
+  static Milestone no_milestone()
+  {
+    if constexpr(MAY_RETURN)
+      return {};
+    else
+      return null_index;
+  }
+
+  bool has_returned(const Cone& cone, const double height_of_face) const
+  {
+    if constexpr(MAY_RETURN)
+      return m_winding.is_over(milestone(cone), cone.milestone, cone.left_side.direction,
+                               cone.right_side.direction, height_of_face);
+    else
+      return cone.halfedge == cone.milestone;
   }
 
   // Whether a search needs what lies behind a window. It does not if all of that is reached well
@@ -241,7 +275,7 @@ private:
   // line in their middle. See `Cone_side`, whose vertices serve what is farther away by the way to
   // them, less the part that may be lost. In a triangle whose sides have an angle with the cosine
   // `cosine`, this comes to the two comparisons below.
-  bool is_worth_a_look(const Narrow_cone& cone, const double height_of_face) const
+  bool is_worth_a_look(const Cone& cone, const double height_of_face) const
   {
     const Side& left = cone.left_side;
     const Side& right = cone.right_side;
@@ -257,8 +291,7 @@ private:
     const bool both_serve = (gain > 0) & (area * gain >= m_part_lost * farther * slope);
 
     const bool is_plane = (area >= 0) & ((slope > 0) | (cosine < 0)); // up to rounding
-    const bool winds =
-        m_winding.is_too_long(cone.halfedge, height_of_face, cone.depth, cone.checkpoint);
+    const bool winds = has_returned(cone, height_of_face);
     return is_plane & !(serves_other | both_serve | winds);
   }
 
@@ -270,8 +303,8 @@ private:
   double m_factor;     // of what is left of the way, in comparisons
   double m_part_saved; // of the distance of a vertex, by going over it
   double m_part_lost;
-  Cone_memory m_cones, m_next;
-  Narrow_cone* m_end = nullptr; // where the next one goes
+  Cone_memory<Cone> m_cones, m_next;
+  Cone* m_end = nullptr; // where the next one goes
 };
 
 } // namespace internal

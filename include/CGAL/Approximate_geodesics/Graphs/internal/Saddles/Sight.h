@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -75,7 +76,7 @@ struct Sight
   static constexpr double SHORTEST_EDGE = 1e-100;
 
   Index halfedge = 0;         // that of the edge whose face lies ahead, to its left
-  Index checkpoint = 0;       // one of the halfedges on the way
+  Crossing milestone;         // one of the halfedges on the way
   std::uint32_t depth = 0;    // the number of faces on the way
   std::uint32_t splits = 0;   // how often the sight was divided in two parts
   Plane_vector left = {0, 0}; // the position of the source of the halfedge

@@ -66,7 +66,7 @@ public:
   // Looks through an edge, of whose sight the bounds are found here.
   void look(Sight sight, const Index left_end, const Index right_end)
   {
-    sight.checkpoint = null_index;
+    sight.milestone = Crossing();
     sight.depth = 0;
     sight.splits = 0;
     sight.left_bound = bound(left_end);
@@ -97,7 +97,7 @@ private:
     m_steps.prefetch(step.right);
     if constexpr(Visitor::wants_sights)
       m_visitor.on_sight(sight);
-    if(m_steps.winding().ends_at(sight.halfedge, step.across, sight.depth, sight.checkpoint))
+    if(has_returned(sight, step.across))
       return false;
     const Plane_vector left_edge = step.left_edge(sight.edge);
     const Plane_vector apex = sight.left + left_edge;
@@ -121,6 +121,19 @@ private:
     if(side == 0)
       side = m_part.side(sight.splits++);
     return split(sight, step, apex, left_edge, distance, bound, side);
+  }
+
+  // Whether a sight comes back to an edge, and is given up there. If not, it goes on.
+  bool has_returned(Sight& sight, const double height_of_face) const
+  {
+    const Crossing here{sight.halfedge, sight.left, sight.left + sight.edge};
+    if(m_steps.winding().is_over(here, sight.milestone, sight.left_ray.direction,
+                                 sight.right_ray.direction, height_of_face))
+      return true;
+    if(Winding::is_milestone(sight.depth))
+      sight.milestone = here;
+    ++sight.depth;
+    return false;
   }
 
   // Whether a sight goes on only on the side of the apex that is away from the ray: what it gives
