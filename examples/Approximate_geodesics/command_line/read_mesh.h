@@ -39,8 +39,15 @@ inline void check_coordinates(const std::vector<Mesh::Point>& points, const std:
                                  std::to_string(x) + " as a coordinate");
 }
 
+// Whether faces have to be those of the file, as something is given for each of them.
+enum class Faces
+{
+  ANY,
+  OF_THE_FILE
+};
+
 // Says what is done to a file that is not a triangle mesh as it is.
-inline Mesh read_mesh(const std::string& file)
+inline Mesh read_mesh(const std::string& file, const Faces faces = Faces::ANY)
 {
   check_readable(file);
   std::vector<Mesh::Point> points;
@@ -56,6 +63,11 @@ inline Mesh read_mesh(const std::string& file)
   Mesh mesh;
   const Repaired_soup<Mesh::Point> soup(std::move(points), std::move(polygons));
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  const bool has_triangles = CGAL::is_triangle_mesh(mesh);
+  if(faces == Faces::OF_THE_FILE && (soup.is_changed() || !has_triangles))
+    throw std::runtime_error("the mesh in " + file +
+                             " has to be repaired or triangulated, so its faces are not those of "
+                             "the file, and there are no weights for them");
   if(soup.is_changed())
   {
     soup.describe(std::clog);
@@ -64,7 +76,7 @@ inline Mesh read_mesh(const std::string& file)
               << " faces, and this number of connected components: " << number_of_components(mesh)
               << ".\n";
   }
-  if(!CGAL::is_triangle_mesh(mesh))
+  if(!has_triangles)
   {
     std::clog << "Some faces are not triangles: they are triangulated.\n";
     CGAL::Polygon_mesh_processing::triangulate_faces(mesh);

@@ -7,6 +7,8 @@
 #include "picture.h"
 #include "write_results.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <ostream>
 #include <string>
@@ -19,17 +21,22 @@ public:
   // Refuses to go on if one of them exists or could not be written, before anything is computed.
   explicit Output_files(const Options& options) : m_options(options)
   {
+    if(options.output.empty())
+      reject_option("output", "it is empty");
     if(options.draws)
       check_drawing_programs();
     for(const std::string& file : names())
+      check_is_not_read(file);
+    if(!options.graph_to_save.empty())
     {
-      if(std::filesystem::exists(file) && !options.overwrites)
-        reject_option("output", file + " exists; --force overwrites it");
-      if(std::filesystem::exists(options.input) && std::filesystem::exists(file) &&
-         std::filesystem::equivalent(options.input, file))
-        reject_option("output", file + " is the mesh that is read");
-      check_writable(file);
+      check_is_not_read(options.graph_to_save);
+      for(const std::string& file : names())
+        if(is_same(file, options.graph_to_save))
+          reject_option("save-graph", file + " is a file of --output, too");
+      check("save-graph", options.graph_to_save);
     }
+    for(const std::string& file : names())
+      check("output", file);
   }
 
   // but for the graph, which is written when it is built
@@ -53,10 +60,43 @@ public:
     out << "\nWritten:";
     for(const std::string& file : names())
       out << ' ' << file;
+    if(!m_options.graph_to_save.empty())
+      out << ' ' << m_options.graph_to_save;
     out << '\n';
+    for(const char* const ending : ALL_ENDINGS)
+      if(std::filesystem::exists(name(ending)) && !contains(names(), name(ending)))
+        out << "Of an earlier run: " << name(ending) << '\n';
   }
 
 private:
+  static constexpr std::array<const char*, 7> ALL_ENDINGS{
+      ".ply", ".vtp", "_paths.vtp", ".polylines.txt", "_isolines.vtp", ".csv", ".png"};
+
+  static bool is_same(const std::string& a, const std::string& b)
+  {
+    return std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
+  }
+
+  static bool contains(const std::vector<std::string>& files, const std::string& file)
+  {
+    return std::find(files.begin(), files.end(), file) != files.end();
+  }
+
+  void check_is_not_read(const std::string& file) const
+  {
+    for(const std::string& input :
+        {m_options.input, m_options.weights, m_options.barriers, m_options.graph_to_load})
+      if(!input.empty() && is_same(file, input))
+        reject_option("output", file + " is a file that is read");
+  }
+
+  void check(const char* const option, const std::string& file) const
+  {
+    if(std::filesystem::exists(file) && !m_options.overwrites)
+      reject_option(option, file + " exists; --force overwrites it");
+    check_writable(file);
+  }
+
   std::string name(const char* const ending) const { return m_options.output + ending; }
 
   std::vector<std::string> names() const
@@ -70,8 +110,6 @@ private:
       result.push_back(name(".csv"));
     if(m_options.draws)
       result.push_back(name(".png"));
-    if(!m_options.graph_to_save.empty())
-      result.push_back(m_options.graph_to_save);
     return result;
   }
 

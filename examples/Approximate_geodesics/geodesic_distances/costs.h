@@ -7,6 +7,7 @@
 
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -29,7 +30,8 @@ inline double to_weight(const std::string& text)
 {
   char* end = nullptr;
   const double result = std::strtod(text.c_str(), &end);
-  if(*end != '\0' || !(result >= 0))
+  const bool is_too_large = std::isinf(result) && text.find_first_of("0123456789") != text.npos;
+  if(*end != '\0' || !(result >= 0) || is_too_large)
     throw std::invalid_argument("\"" + text +
                                 "\" is not a weight: a number that is not negative, or inf");
   return result;

@@ -126,6 +126,7 @@ void answer(const Question& question)
 // What would be refused after the mesh was read.
 void check(const Options& options)
 {
+  check_readable(options.input);
   Place_finder::check("--source", options.sources);
   Place_finder::check("--target", options.targets);
   check_option_file("load-graph", options.graph_to_load);
@@ -137,7 +138,7 @@ void check(const Options& options)
 Mesh read_mesh_of(const Options& options)
 {
   const Progress progress("Reading the mesh");
-  return read_mesh(options.input);
+  return read_mesh(options.input, options.weights.empty() ? Faces::ANY : Faces::OF_THE_FILE);
 }
 
 void run(const Options& options)

@@ -60,7 +60,9 @@ expect_contents(all_isolines.vtp "NumberOfLines=\"2\"")
 answer("_isolines.vtp" square.off -i count:3)
 expect_contents(geodesic_distances_isolines.vtp "NumberOfLines=\"3\"")
 expect(1 "exists; --force overwrites it" ${PROGRAM} square.off -o all)
-expect(1 "--output: weights.ply is the mesh that is read" ${PROGRAM} weights.ply -o weights --force)
+answer("Of an earlier run: all.polylines.txt\nOf an earlier run: all_isolines.vtp\nOf an earlier run: all.csv\n"
+       square.off -o all)
+expect(1 "--output: weights.ply is a file that is read" ${PROGRAM} weights.ply -o weights --force)
 
 # a device that is full
 file(CREATE_LINK /dev/full ${folder}/full.csv SYMBOLIC)

@@ -96,6 +96,17 @@ refuse("--output: folder.csv exists; --force overwrites it" square.off -o folder
 file(WRITE ${folder}/square.ply "of somebody else")
 refuse("--output: square.ply exists; --force overwrites it" square.off -o square)
 expect_contents(square.ply "^of somebody else$")
-file(REMOVE ${folder}/square.ply)
+refuse("cannot read missing.off: No such file or directory" missing.off -o square) # comes first
+refuse("--save-graph: x.vtp is a file of --output, too" square.off -o x -e 0.1 --save-graph x.vtp)
+refuse("--save-graph: text.off exists; --force overwrites it" square.off -o x -e 0.1 --save-graph text.off)
+file(WRITE ${folder}/x.csv "1\n1\n")
+refuse("--output: x.csv is a file that is read" square.off -o x -e 0.1 --csv -w x.csv --force)
+file(REMOVE ${folder}/square.ply ${folder}/x.csv)
+
+# weights of faces that are not those of the file
+refuse("the mesh in quadrangle.off has to be repaired or triangulated" quadrangle.off -e 0.1 -w weights.txt)
+file(WRITE ${folder}/huge.txt "1\n1e400\n")
+refuse("--weights huge.txt.*.1e400. is not a weight" square.off -e 0.1 -w huge.txt)
+file(REMOVE ${folder}/huge.txt)
 file(REMOVE_RECURSE ${folder}/folder.csv)
 expect_files(edges.txt ${meshes} weights.txt)
