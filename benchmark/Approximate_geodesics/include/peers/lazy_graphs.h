@@ -17,6 +17,7 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -102,9 +103,15 @@ public:
         m_number_of_first_faces +=
             triangulation().beyond_halfedge(node) - triangulation().first_halfedge(node);
       }
-    Cone_front<Counting_unfolding, Labels, Arcs>(triangulation(), m_unfolding, epsilon(), labels,
-                                                 arcs)
-        .expand(together.data(), together.size());
+    const auto expand = [&](auto may_return) {
+      Cone_front<may_return, Counting_unfolding, Labels, Arcs>(triangulation(), m_unfolding,
+                                                               epsilon(), labels, arcs)
+          .expand(together.data(), together.size());
+    };
+    if(triangulation().lines_may_return())
+      expand(std::true_type());
+    else
+      expand(std::false_type());
   }
 
   // that searches have looked through
