@@ -84,6 +84,15 @@ inline void tell_of_missing_paths(const Results& results)
                    "--maximum-distance, or behind what cannot be passed.\n";
 }
 
+// A file without lines could be taken for a failure.
+inline void tell_of_missing_isolines(const Results& results)
+{
+  if(!results.without_isolines.empty())
+    std::clog << "--isolines: there are none at " << results.without_isolines.size()
+              << " of the distances, such as " << results.without_isolines.front()
+              << "; those of vertices go from 0 to " << results.largest << ".\n";
+}
+
 // Searches the graph that `make_graph()` returns, prints and writes all that is asked for. The
 // graph is handed to `use_graph` first.
 template <typename MakeGraph, typename UseGraph>
@@ -117,6 +126,7 @@ void answer(const Question& question, const MakeGraph make_graph, const UseGraph
   report.print(std::cout);
   Report::print_paths(results.paths, std::cout);
   tell_of_missing_paths(results);
+  tell_of_missing_isolines(results);
   question.files.write(question.mesh, results);
   question.files.print(std::cout);
 }

@@ -133,7 +133,9 @@ inline void print_help(const po::options_description& description)
          "source,\n"
          "  NAME.png             a picture, with an isoline every 5 % of the largest distance.\n"
       << description
-      << "\nExamples:\n"
+      << "\nThe exit status is 1, with a message on standard error, if something was refused or\n"
+         "failed, and else 0: that a target is not reached is an answer, too.\n"
+         "\nExamples:\n"
          "  geodesic_distances bunny.off --epsilon 0.1 --target 1000 --compare --picture\n"
          "  geodesic_distances terrain.ply --source random:5 --seed 7 --maximum-distance 250\n"
          "  geodesic_distances terrain.ply -s 0,0,0 -t 90,40,0 -e 0.1 --weights costs.txt\n"

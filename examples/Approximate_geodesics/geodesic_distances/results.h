@@ -42,6 +42,7 @@ struct Results
   double largest = 0;                        // of the finite distances
   std::vector<Path_result> paths;            // in the order of the targets
   std::vector<Isoline> isolines;
+  std::vector<double> without_isolines; // distances that were asked for
 };
 
 template <typename Map>
@@ -81,8 +82,10 @@ inline void find_isolines(const Mesh& mesh, const Options& options, Results& res
   for(const double isovalue : isovalues)
   {
     std::vector<std::vector<Mesh::Point>> lines;
-    CGAL::Approximate_geodesics::isolines(mesh, vertex_map(mesh, results.distances),
-                                          std::vector<double>{isovalue}, std::back_inserter(lines));
+    CGAL::Approximate_geodesics::isolines(mesh, vertex_map(mesh, results.distances), isovalue,
+                                          std::back_inserter(lines));
+    if(lines.empty())
+      results.without_isolines.push_back(isovalue);
     for(std::vector<Mesh::Point>& line : lines)
       results.isolines.push_back({isovalue, std::move(line)});
   }

@@ -57,6 +57,9 @@ answer("Written: all.ply all.vtp all_paths.vtp all.polylines.txt all_isolines.vt
        square.off -o all -t 2 --csv -i 0.5 1)
 expect_contents(all.csv "^vertex,x,y,z,distance,nearest_source\n0,0,0,0,0,0\n1,1,0,0,1,0\n2,1,1,0,")
 expect_contents(all_isolines.vtp "NumberOfLines=\"2\"")
+answer("there are none at 2 of the distances, such as 7; those of vertices go from 0 to 1.41421\\."
+       square.off -o all -i 7 1 8)
+expect_contents(all_isolines.vtp "NumberOfLines=\"1\"")
 answer("_isolines.vtp" square.off -i count:3)
 expect_contents(geodesic_distances_isolines.vtp "NumberOfLines=\"3\"")
 expect(1 "exists; --force overwrites it" ${PROGRAM} square.off -o all)

@@ -87,7 +87,9 @@ inline void print_help(const boost::program_options::options_description& descri
          "  mpirun --map-by ppr:1:node --bind-to none geodesic_matrix MESH [options]\n"
          "Several processes on one machine need --threads, so that they share the cores.\n\n"
       << description
-      << "\nExamples:\n"
+      << "\nThe exit status is 0 if the file is complete; 1, with a message on standard error, if\n"
+         "something was refused or failed; and 128 and the number of a signal that ended the run.\n"
+         "\nExamples:\n"
          "  geodesic_matrix cortex.ply --epsilon 0.1 --output cortex.npy\n"
          "  geodesic_matrix cortex.ply --epsilon 0.1 --radius 15 --output patches.npz\n"
          "  geodesic_matrix cortex.ply --sources farthest:1000 --symmetric --output samples.npy\n"

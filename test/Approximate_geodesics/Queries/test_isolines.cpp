@@ -44,6 +44,24 @@ TEST(Isolines, of_a_linear_function_are_straight)
   }
 }
 
+TEST(Isolines, of_one_value_need_no_range)
+{
+  const Mesh mesh = to_mesh(flat_grid(9, 6));
+  const auto x = at_points(mesh, [](const Point& p) { return p.x(); });
+  for(const double value : {0.5, 3.})
+  {
+    std::vector<Polyline> lines, lines_of_integer;
+    AG::isolines(mesh, x, value, std::back_inserter(lines));
+    EXPECT_EQ(lines, isolines(mesh, x, {value}));
+    AG::isolines(mesh, x, int(value), std::back_inserter(lines_of_integer));
+    EXPECT_EQ(lines_of_integer, isolines(mesh, x, {std::floor(value)}));
+  }
+  std::vector<Polyline> none;
+  expect_message<std::invalid_argument>(
+      [&] { AG::isolines(mesh, x, std::nan(""), std::back_inserter(none)); },
+      "isovalue 0, counted from 0, is not a number");
+}
+
 TEST(Isolines, of_values_whose_difference_overflows_are_straight)
 {
   const Mesh mesh = to_mesh(flat_grid(2, 2));

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -19,7 +20,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -166,6 +169,16 @@ private:
   std::set<halfedge_descriptor> m_not_passed; // the ways into faces that no polyline has taken yet
 };
 
+// As a range; one value is a range, too.
+template <typename Isovalues>
+decltype(auto) isovalue_range(const Isovalues& isovalues)
+{
+  if constexpr(boost::is_detected_v<Begin_of_range, Isovalues>)
+    return (isovalues);
+  else
+    return std::array{CGAL::to_double(isovalues)};
+}
+
 template <typename Isovalues>
 void check_isovalues(const Isovalues& isovalues)
 {
@@ -200,8 +213,8 @@ void check_isovalues(const Isovalues& isovalues)
  * \tparam VertexDistanceMap a model of `ReadablePropertyMap` with
  *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type
  *         convertible by `CGAL::to_double()` as value type
- * \tparam Isovalues a model of `ConstRange` with a number type convertible by `CGAL::to_double()`
- *         as value type
+ * \tparam Isovalues a number type convertible by `CGAL::to_double()`, or a model of `ConstRange`
+ *         with such a value type
  * \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`, where
  *         `Point_3` is the value type of the vertex point map
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -210,7 +223,7 @@ void check_isovalues(const Isovalues& isovalues)
  * \param vertex_distance_map one value per vertex, for example from
  *        `approximate_geodesic_distances()`; faces with a value that is infinite or not a number
  *        have no isolines
- * \param isovalues the values; an infinite one has no isolines
+ * \param isovalues one value, or several; an infinite one has no isolines
  * \param polylines receives the polylines, those of the first value first; the last point of a
  *        closed one is the same as its first
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
@@ -259,12 +272,13 @@ OutputIterator isolines(const TriangleMesh& tmesh,
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
   internal::check_triangles(tmesh);
-  internal::check_isovalues(isovalues);
+  decltype(auto) values = internal::isovalue_range(isovalues);
+  internal::check_isovalues(values);
   const auto point_map = internal::vertex_point_map(tmesh, np);
   const auto traits =
       parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
 
-  for(const auto& isovalue : isovalues)
+  for(const auto& isovalue : values)
     polylines =
         internal::Isoline(tmesh, vertex_distance_map, point_map, traits, CGAL::to_double(isovalue))
             .write(polylines);

@@ -172,10 +172,10 @@ public:
    *
    * \throws std::invalid_argument if a face is not a triangle, if a coordinate or a length is
    *         infinite or not a number, if a length is negative or does not fit a `double`, if a
-   *         weight or a cost is negative or not a number, or paths cost more than a `double` holds,
-   * if an index is out of range or given twice, or if the halfedges around a vertex do not form one
-   * cycle. The message names the element. \throws std::length_error if `tmesh` has more halfedges
-   * than 32-bit numbers can tell apart.
+   *         weight or a cost is negative or not a number, if paths cost more than a `double` holds,
+   *         if an index is out of range or given twice, or if the halfedges around a vertex do not
+   *         form one cycle. The message names the element.
+   * \throws std::length_error if `tmesh` has more halfedges than 32-bit numbers can tell apart.
    *
    * Run time and memory are \cgalBigO{n} for `n` vertices. The header
    * `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h` has to be included.

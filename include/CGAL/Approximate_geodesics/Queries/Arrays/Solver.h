@@ -275,9 +275,9 @@ public:
    * \param sources the sources
    * \param distances receives as many numbers as there are vertices, infinity where no source
    *        reaches
-   * \param nearest_sources receives the positions of the nearest sources, or `-1`, unless it is
-   * null \param options how far the search goes, and which way \param watch is called during the
-   * run
+   * \param nearest_sources receives the positions of the nearest sources, or `-1`, if it is given
+   * \param options how far the search goes, and which way
+   * \param watch is called during the run
    */
   void find_distances(const std::vector<Solver_point>& sources,
                       double* const distances,
@@ -420,8 +420,8 @@ public:
                                                  const double level) const
   {
     std::vector<std::vector<Mesh::Point>> polylines;
-    isolines(m_mesh, Values_of_vertices(values, get(boost::vertex_index, m_mesh)),
-             std::array<double, 1>{level}, std::back_inserter(polylines));
+    isolines(m_mesh, Values_of_vertices(values, get(boost::vertex_index, m_mesh)), level,
+             std::back_inserter(polylines));
     std::vector<std::vector<double>> result;
     for(const auto& polyline : polylines)
     {
