@@ -124,7 +124,8 @@ void take_steps(const Mesh& mesh, const Vertex source, Distances distances, Step
   const auto index_map = vertex_index_map(mesh, np);
   using Numbers = Vertex_numbers<Mesh, std::decay_t<decltype(index_map)>>;
   std::unique_ptr<Numbers> numbers;
-  std::unique_ptr<Adjacency_reader<Numbers, std::decay_t<decltype(np)>>> reader;
+  using Reader = Adjacency_reader<Numbers, decltype(halfedge_index_map(mesh, np))>;
+  std::unique_ptr<Reader> reader;
   Edge_lengths lengths;
   std::unique_ptr<Adjacency_graph> graph;
   std::unique_ptr<AG::Propagation<Adjacency_graph>> search;
@@ -134,10 +135,10 @@ void take_steps(const Mesh& mesh, const Vertex source, Distances distances, Step
     numbers->list_vertices();
   });
   steps.time([&] {
-    reader = std::make_unique<Adjacency_reader<Numbers, std::decay_t<decltype(np)>>>(*numbers, np);
+    reader = std::make_unique<Reader>(*numbers, halfedge_index_map(mesh, np));
     reader->read();
   });
-  steps.time([&] { lengths = reader->lengths(); });
+  steps.time([&] { lengths = reader->lengths(np); });
   steps.time([&] {
     graph = std::make_unique<Adjacency_graph>(std::move(reader->adjacency()),
                                               std::move(lengths.of_halfedge), lengths.unit);
@@ -159,7 +160,7 @@ void take_steps_of_triangulation(const Mesh& mesh, Steps& steps)
   const auto index_map = vertex_index_map(mesh, np);
   using Numbers = Vertex_numbers<Mesh, std::decay_t<decltype(index_map)>>;
   Numbers numbers(mesh, index_map, mesh.num_vertices());
-  Adjacency_reader<Numbers, std::decay_t<decltype(np)>> reader(numbers, np);
+  Adjacency_reader reader(numbers, halfedge_index_map(mesh, np));
   steps.start();
   double rest = -steps.time([&] { numbers.list_vertices(); });
   rest -= steps.time([&] { reader.read_with_faces(); });

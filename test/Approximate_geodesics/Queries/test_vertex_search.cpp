@@ -51,10 +51,10 @@ void expect_arcs_of_triangulation(const Mesh& mesh, const NamedParameters& np)
   using Numbers = AG::internal::Vertex_numbers<Mesh, Index_map>;
   Numbers numbers(mesh, AG::internal::vertex_index_map(mesh, np), mesh.num_vertices());
   ASSERT_TRUE(numbers.list_vertices());
-  AG::internal::Adjacency_reader<Numbers, NamedParameters> reader(numbers, np);
+  AG::internal::Adjacency_reader reader(numbers, AG::internal::halfedge_index_map(mesh, np));
   ASSERT_TRUE(reader.read());
   const auto& adjacency = reader.adjacency();
-  const AG::internal::Edge_lengths lengths = reader.lengths();
+  const AG::internal::Edge_lengths lengths = reader.lengths(np);
   const Triangulation t(mesh, np);
   EXPECT_EQ(lengths.unit, t.unit());
   ASSERT_EQ(adjacency.number_of_vertices(), t.number_of_vertices());

@@ -9,16 +9,11 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Adjacency_reader.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Breadth_first_order.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Vertex_numbers.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Connectivity_reader.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_gauges.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/thin_faces.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
@@ -26,10 +21,6 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,40 +30,24 @@ namespace internal {
 
 /*
  * Reads a mesh into an `Intrinsic_triangulation`. This is the only place of the package where a
- * mesh is traversed and its input is checked, with the help of the headers on links of faces,
- * lengths, and weights.
- *
- * Where the mesh is right in every respect, and nothing was removed from it, its links are read in
- * the order of its memory. If not, the mesh is traversed step by step, to find out what is wrong,
- * or that it can be used as it is; this comes to the same, and takes more time.
- *
- * One traversal numbers the vertices and writes the halfedge groups at the same time: the group of
- * a vertex is read when its turn comes, and numbers its new neighbors. Numbers follow
- * a breadth-first order; on large meshes, one patch of the surface after the other, so that
- * vertices that are close to each other have close numbers in all directions, and a search from any
- * source finds more of what it needs in the cache lines and pages that it used last.
+ * mesh is traversed and its input is checked: by the reader of connectivity, and with the help of
+ * the headers on lengths and weights.
  */
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-  using face_descriptor = typename Graph_traits::face_descriptor;
   using Index = Intrinsic_triangulation::Index;
-  using Vertex_index_map = decltype(vertex_index_map(std::declval<const TriangleMesh&>(),
-                                                     std::declval<const NamedParameters&>()));
-  using Halfedge_index_map = decltype(halfedge_index_map(std::declval<const TriangleMesh&>(),
-                                                         std::declval<const NamedParameters&>()));
-
-  using Numbers = Vertex_numbers<TriangleMesh, Vertex_index_map>;
+  using Reader =
+      Connectivity_reader<TriangleMesh,
+                          decltype(vertex_index_map(std::declval<const TriangleMesh&>(),
+                                                    std::declval<const NamedParameters&>())),
+                          decltype(halfedge_index_map(std::declval<const TriangleMesh&>(),
+                                                      std::declval<const NamedParameters&>()))>;
 
   static constexpr bool needs_halfedges = is_any_given<NamedParameters,
                                                        internal_np::edge_length_t,
                                                        internal_np::face_weight_t,
                                                        internal_np::edge_is_constrained_t>;
-
-  static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
 public:
   Triangulation_builder(Intrinsic_triangulation& triangulation,
@@ -81,24 +56,13 @@ public:
     : m_result(triangulation),
       m_mesh(tmesh),
       m_np(np),
-      m_number_of_vertices(num_vertices(tmesh)),
-      m_number_of_halfedges(num_halfedges(tmesh)),
-      m_vertex_index_map(vertex_index_map(tmesh, np)),
-      m_halfedge_index_map(halfedge_index_map(tmesh, np))
+      m_reader(triangulation, tmesh, vertex_index_map(tmesh, np), halfedge_index_map(tmesh, np))
   {
   }
 
   void build()
   {
-    check_size();
-    if(!read_links())
-    {
-      check_faces();
-      copy_connectivity();
-      link_opposites();
-      check_sides();
-      free_memory();
-    }
+    m_reader.read(needs_halfedges);
     check_for_interruption();
     copy_lengths();
     check_for_interruption();
@@ -108,272 +72,11 @@ public:
   }
 
 private:
-  static std::string name(const Index i) { return "vertex " + std::to_string(i); }
-
-  void check_size() const
-  {
-    if(m_number_of_halfedges >= null_index || m_number_of_vertices >= null_index)
-      throw std::length_error("Approximate_geodesics: the mesh has " +
-                              std::to_string(m_number_of_vertices) + " vertices and " +
-                              std::to_string(m_number_of_halfedges) +
-                              " halfedges, more than 32-bit numbers can tell apart");
-  }
-
-  // Returns whether the mesh is as usual; else there is no result.
-  bool read_links()
-  {
-    Numbers numbers(m_mesh, m_vertex_index_map, m_number_of_vertices);
-    if(!numbers.list_vertices())
-      return false;
-    Adjacency_reader<Numbers, NamedParameters> reader(numbers, m_np);
-    if(!reader.read_with_faces())
-      return false;
-    Breadth_first_order order(reader.adjacency());
-    for(const vertex_descriptor root : vertices(m_mesh))
-      order.add_component(numbers.node(root));
-    order.finish();
-    m_result.m_vertex_of_index = std::move(order.vertex_of_index());
-    m_result.m_index_of_vertex = std::move(order.index_of_vertex());
-    take(order.result());
-    list_elements(numbers);
-    return true;
-  }
-
-  void take(Connectivity& connectivity)
-  {
-    m_result.m_first_halfedge = std::move(connectivity.first_of_vertex);
-    m_result.m_target = std::move(connectivity.target_of_halfedge);
-    m_result.m_is_border = std::move(connectivity.is_border);
-    m_result.m_opposite_rank = std::move(connectivity.opposite_rank);
-    m_result.m_number_of_faces = static_cast<Index>(connectivity.number_of_faces);
-  }
-
-  // Lists the vertices in the order of their numbers, and the halfedges, if something is to be read
-  // from them.
-  void list_elements(const Numbers& numbers)
-  {
-    m_vertices.reserve(m_number_of_vertices);
-    for(const Index i : m_result.m_index_of_vertex)
-      m_vertices.push_back(numbers.vertex(i));
-    if constexpr(needs_halfedges)
-    {
-      m_halfedges.reserve(m_number_of_halfedges);
-      for(Index v = 0; v < m_result.number_of_vertices(); ++v)
-      {
-        halfedge_descriptor h = first_halfedge_from(m_vertices[v], m_mesh);
-        for(Index left = m_result.degree(v); left > 0; --left)
-        {
-          m_halfedges.push_back(h);
-          h = counterclockwise(h, m_mesh);
-        }
-      }
-    }
-  }
-
-  void check_faces()
-  {
-    m_result.m_number_of_faces =
-        static_cast<Index>(number_of_triangles(m_mesh, [this](const vertex_descriptor v) {
-          return ", at " + name(checked_index(v)) + ',';
-        }));
-  }
-
-  // ----- connectivity
-
-  Index checked_index(const vertex_descriptor v) const
-  {
-    if(v == Graph_traits::null_vertex())
-      reject("a halfedge of the mesh has no vertex");
-    return checked_index(get(m_vertex_index_map, v), m_number_of_vertices, "vertex");
-  }
-
-  Index checked_index(const halfedge_descriptor h) const
-  {
-    return checked_index(get(m_halfedge_index_map, h), m_number_of_halfedges, "halfedge");
-  }
-
-  template <typename I>
-  static Index checked_index(const I i, const std::size_t size, const char* kind)
-  {
-    if(static_cast<std::size_t>(i) >= size) // so is a negative one
-      reject(std::string(kind) + " index " + std::to_string(i) +
-             " is out of range: the mesh has room for " + std::to_string(size));
-    return static_cast<Index>(i);
-  }
-
-  void copy_connectivity()
-  {
-    m_result.m_vertex_of_index.assign(m_number_of_vertices, null_index);
-    m_result.m_index_of_vertex.reserve(m_number_of_vertices);
-    m_vertices.reserve(m_number_of_vertices);
-    m_number_of_halfedge.assign(m_number_of_halfedges, null_index);
-    m_halfedges.reserve(m_number_of_halfedges);
-    m_result.m_first_halfedge.reserve(m_number_of_vertices + 1);
-    m_result.m_target.reserve(m_number_of_halfedges);
-    m_result.m_is_border.reserve(m_number_of_halfedges);
-
-    for(const vertex_descriptor root : vertices(m_mesh))
-    {
-      copy_component(root);
-      if(m_vertices[number(root)] != root)
-        reject("vertex index " + std::to_string(checked_index(root)) +
-               " is given to more than one vertex");
-    }
-    for(Index& target : m_result.m_target)
-      target = m_result.m_vertex_of_index[target];
-  }
-
-  void copy_component(const vertex_descriptor root)
-  {
-    m_frontier.assign(1, root);
-    for(std::size_t i = 0; i < m_frontier.size(); ++i)
-      copy_patch(m_frontier[i]);
-  }
-
-  // Copies the vertices around `center`; those beyond the patch go to the frontier.
-  void copy_patch(const vertex_descriptor center)
-  {
-    if(is_numbered(center))
-      return;
-    const std::size_t first = m_vertices.size();
-    number(center);
-    for(std::size_t v = first; v < m_vertices.size(); ++v)
-      copy_halfedges_around(static_cast<Index>(v), first + SIZE_OF_PATCH);
-  }
-
-  bool is_numbered(const vertex_descriptor v) const
-  {
-    return m_result.m_vertex_of_index[checked_index(v)] != null_index;
-  }
-
-  Index number(const vertex_descriptor v)
-  {
-    const Index i = checked_index(v);
-    Index& result = m_result.m_vertex_of_index[i];
-    if(result == null_index)
-    {
-      result = static_cast<Index>(m_vertices.size());
-      m_vertices.push_back(v);
-      m_result.m_index_of_vertex.push_back(i);
-    }
-    return result;
-  }
-
-  // Targets are indices of the mesh at first, as some get their numbers later.
-  void copy_halfedges_around(const Index v, const std::size_t end_of_patch)
-  {
-    const halfedge_descriptor first = first_halfedge_from(m_vertices[v], m_mesh);
-    if(first != Graph_traits::null_halfedge())
-    {
-      halfedge_descriptor h = first;
-      do
-      {
-        if(h == Graph_traits::null_halfedge())
-          reject_halfedges_around(m_vertices[v]);
-        Index& number_of_h = m_number_of_halfedge[checked_index(h)];
-        if(number_of_h != null_index)
-          reject_halfedges_around(m_vertices[v]);
-        number_of_h = static_cast<Index>(m_result.m_target.size());
-        m_halfedges.push_back(h);
-        m_result.m_target.push_back(reach(target(h, m_mesh), end_of_patch));
-        m_result.m_is_border.push_back(is_border(h, m_mesh));
-        h = counterclockwise(h, m_mesh);
-      } while(h != first);
-    }
-    m_result.m_first_halfedge.push_back(static_cast<Index>(m_result.m_target.size()));
-  }
-
-  [[noreturn]] void reject_halfedges_around(const vertex_descriptor v) const
-  {
-    reject("the halfedges around " + name(checked_index(v)) +
-           " do not form one cycle, or their indices are not unique");
-  }
-
-  Index reach(const vertex_descriptor v, const std::size_t end_of_patch)
-  {
-    const Index i = checked_index(v);
-    if(m_result.m_vertex_of_index[i] == null_index)
-    {
-      if(m_vertices.size() < end_of_patch)
-        number(v);
-      else
-        m_frontier.push_back(v);
-    }
-    return i;
-  }
-
-  // Every halfedge was copied once, from the group of its source.
-  void link_opposites()
-  {
-    const bool are_complete = are_halfedges_complete();
-    m_result.m_opposite_rank.resize(m_result.m_target.size());
-    for(Index v = 0; v < m_result.number_of_vertices(); ++v)
-      for(Index h = m_result.first_halfedge(v); h < m_result.beyond_halfedge(v); ++h)
-      {
-        const halfedge_descriptor opposite_of_h = opposite(m_halfedges[h], m_mesh);
-        const Index opposite = m_number_of_halfedge[checked_index(opposite_of_h)];
-        if(opposite == null_index || m_result.target(opposite) != v ||
-           !(are_complete || m_halfedges[opposite] == opposite_of_h))
-          reject_halfedges_around(m_vertices[m_result.target(h)]);
-        m_result.m_opposite_rank.set(h, opposite - m_result.first_halfedge(m_result.target(h)));
-      }
-  }
-
-  // Whether every halfedge of the mesh was found around a vertex; no index is given twice then. If
-  // not, there are removed ones, or something is wrong.
-  bool are_halfedges_complete() const { return m_halfedges.size() == m_number_of_halfedges; }
-
-  // The halfedges of a face have to be those that were found to have one, no fewer and no more.
-  void check_sides() const
-  {
-    if(!are_halfedges_complete())
-      check_that_vertices_know_faces();
-    const auto number_of_sides =
-        std::count(m_result.m_is_border.begin(), m_result.m_is_border.end(), false);
-    if(static_cast<std::size_t>(number_of_sides) != 3 * std::size_t(m_result.m_number_of_faces))
-      reject_false_side();
-  }
-
-  void check_that_vertices_know_faces() const
-  {
-    Index number_of_face = 0;
-    for(const face_descriptor f : faces(m_mesh))
-    {
-      for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
-        if(m_number_of_halfedge[checked_index(h)] == null_index)
-          reject(name_of_face(number_of_face) + " is not one of those around " +
-                 name(checked_index(source(h, m_mesh))));
-      ++number_of_face;
-    }
-  }
-
-  // Names a halfedge that has a face, but is not one of those that go round it.
-  [[noreturn]] void reject_false_side() const
-  {
-    for(Index h = 0; h < m_halfedges.size(); ++h)
-      if(!m_result.m_is_border[h] && !is_on_cycle_of_face(m_halfedges[h], m_mesh))
-        reject("the halfedge from " + name(checked_index(source(m_halfedges[h], m_mesh))) + " to " +
-               name(checked_index(target(m_halfedges[h], m_mesh))) +
-               " has a face, but is not one of those that go round it");
-    reject("there are halfedges with a face that is not one of faces()");
-  }
-
-  // Lengths would add to what is not needed any more.
-  void free_memory()
-  {
-    m_frontier = std::vector<vertex_descriptor>();
-    m_number_of_halfedge = std::vector<Index>();
-    if constexpr(!needs_halfedges)
-      m_halfedges = std::vector<halfedge_descriptor>();
-  }
-
-  // ----- lengths, weights, and barriers
-
   void copy_lengths()
   {
     Sharp_corners corners(m_result);
-    Edge_lengths lengths =
-        read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, m_result, corners);
+    Edge_lengths lengths = read_edge_lengths(m_mesh, m_reader.vertex_list(),
+                                             m_reader.halfedge_list(), m_np, m_result, corners);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
     m_result.m_lines_may_return = is_given<NamedParameters, internal_np::edge_length_t>;
@@ -387,7 +90,7 @@ private:
       copy_directional_costs();
     else if constexpr(is_given<NamedParameters, internal_np::face_weight_t>)
       m_result.set_weights(
-          weights_of_faces(m_mesh, m_halfedges,
+          weights_of_faces(m_mesh, m_reader.halfedge_list(),
                            parameters::get_parameter(m_np, internal_np::face_weight), m_result));
   }
 
@@ -398,8 +101,8 @@ private:
                   "mesh's points, so that these have to be where lengths come from");
     const auto& cost = parameters::get_parameter_reference(m_np, internal_np::face_weight);
     const auto point_map = vertex_point_map(m_mesh, m_np);
-    m_result.m_gauges =
-        Gauge_reader(m_mesh, m_halfedges, point_map, cost, m_result).read(sampling_tolerance(m_np));
+    m_result.m_gauges = Gauge_reader(m_mesh, m_reader.halfedge_list(), point_map, cost, m_result)
+                            .read(sampling_tolerance(m_np));
   }
 
   void copy_barriers()
@@ -407,11 +110,12 @@ private:
     if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>)
     {
       const auto is_constrained = parameters::get_parameter(m_np, internal_np::edge_is_constrained);
-      std::vector<bool> is_barrier(m_halfedges.size());
+      const auto& halfedges = m_reader.halfedge_list();
+      std::vector<bool> is_barrier(halfedges.size());
       bool has_any = false;
-      for(Index h = 0; h < m_halfedges.size(); ++h)
-        if(!is_border(edge(m_halfedges[h], m_mesh), m_mesh) &&
-           get(is_constrained, edge(m_halfedges[h], m_mesh)))
+      for(Index h = 0; h < halfedges.size(); ++h)
+        if(!is_border(edge(halfedges[h], m_mesh), m_mesh) &&
+           get(is_constrained, edge(halfedges[h], m_mesh)))
           is_barrier[h] = has_any = true;
       if(has_any)
         m_result.m_is_barrier = std::move(is_barrier);
@@ -421,14 +125,7 @@ private:
   Intrinsic_triangulation& m_result;
   const TriangleMesh& m_mesh;
   const NamedParameters& m_np;
-  const std::size_t m_number_of_vertices; // kept, as some meshes count them at every call
-  const std::size_t m_number_of_halfedges;
-  const Vertex_index_map m_vertex_index_map;
-  const Halfedge_index_map m_halfedge_index_map;
-  std::vector<vertex_descriptor> m_vertices; // in the order of their numbers
-  std::vector<vertex_descriptor> m_frontier; // where further patches of the component may start
-  std::vector<halfedge_descriptor> m_halfedges;
-  std::vector<Index> m_number_of_halfedge; // by index
+  Reader m_reader;
 };
 
 } // namespace internal

@@ -34,6 +34,8 @@ namespace Approximate_geodesics {
 namespace internal {
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder;
+template <typename TriangleMesh, typename VertexIndexMap, typename HalfedgeIndexMap>
+class Connectivity_reader;
 class Balanced_fans;
 } // namespace internal
 
@@ -441,6 +443,8 @@ public:
 private:
   template <typename TriangleMesh, typename NamedParameters>
   friend class internal::Triangulation_builder;
+  template <typename TriangleMesh, typename VertexIndexMap, typename HalfedgeIndexMap>
+  friend class internal::Connectivity_reader;
   friend class internal::Balanced_fans;
 
   bool is_valid_halfedge(Index h) const;

@@ -8,13 +8,14 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace geodesics_test {
 
-// Expects an exception of the given type whose message contains all of the given texts.
-template <typename Exception, typename F, typename... Texts>
-void expect_message(F f, const Texts&... texts)
+template <typename Exception>
+void expect_texts(const std::function<void()>& f, const std::vector<std::string>& texts)
 {
   try
   {
@@ -24,9 +25,16 @@ void expect_message(F f, const Texts&... texts)
   catch(const Exception& e)
   {
     const std::string message = e.what();
-    for(const std::string& text : {std::string(texts)..., std::string("Approximate_geodesics")})
+    for(const std::string& text : texts)
       EXPECT_NE(message.find(text), std::string::npos) << '"' << text << "\" in: " << message;
   }
+}
+
+// Expects an exception of the given type whose message contains all of the given texts.
+template <typename Exception, typename F, typename... Texts>
+void expect_message(const F& f, const Texts&... texts)
+{
+  expect_texts<Exception>(f, {texts..., "Approximate_geodesics"});
 }
 
 } // namespace geodesics_test

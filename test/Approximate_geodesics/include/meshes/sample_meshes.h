@@ -8,14 +8,8 @@
 
 #include "meshes/test_meshes.h"
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/config.h>
-
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,27 +24,10 @@
 namespace geodesics_test {
 
 // Reads a mesh that comes with CGAL; the mesh stays empty if it cannot be read.
-inline Mesh sample_mesh(const std::string& name)
-{
-  Mesh result;
-  if(!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name), result))
-    result.clear();
-  return result;
-}
+Mesh sample_mesh(const std::string& name);
 
 // The names of all files that come with CGAL and hold a mesh in a format that it reads.
-inline std::vector<std::string> names_of_sample_files()
-{
-  std::vector<std::string> result;
-  for(const auto& file : std::filesystem::directory_iterator(CGAL::data_file_path("meshes")))
-  {
-    const std::string extension = file.path().extension().string();
-    if(extension == ".off" || extension == ".ply" || extension == ".stl")
-      result.push_back(file.path().filename().string());
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
+std::vector<std::string> names_of_sample_files();
 
 } // namespace geodesics_test
 

@@ -127,17 +127,12 @@ Space_vector double_point(const Point_3& p, const Traits& traits)
 }
 
 // The points of the vertices of a mesh, in the order of their numbers in the connectivity.
-template <typename TriangleMesh, typename Vertices, typename NamedParameters, typename Connectivity>
-std::vector<Space_vector> double_points(const TriangleMesh& tmesh,
-                                        const Vertices& vertices,
-                                        const NamedParameters& np,
+template <typename Vertices, typename PointMap, typename Traits, typename Connectivity>
+std::vector<Space_vector> double_points(const Vertices& vertices,
+                                        const PointMap& point_map,
+                                        const Traits& traits,
                                         const Connectivity& connectivity)
 {
-  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-  const Traits traits =
-      parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
-  const auto point_map = vertex_point_map(tmesh, np);
-
   std::vector<Space_vector> result;
   result.reserve(vertices.size());
   for(typename Connectivity::Index v = 0; v < vertices.size(); ++v)
@@ -251,13 +246,18 @@ Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
                                const Connectivity& connectivity,
                                Corners& corners)
 {
+  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
   Edge_lengths result;
   if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
     result = given_lengths(tmesh, halfedges,
                            parameters::get_parameter(np, internal_np::edge_length), connectivity);
   else
-    result = straight_lengths(double_points(tmesh, vertices, np, connectivity), connectivity,
-                              Loop::with_tag<Concurrency_tag<NamedParameters>>(), corners);
+    result =
+        straight_lengths(double_points(vertices, vertex_point_map(tmesh, np),
+                                       parameters::choose_parameter<Traits>(
+                                           parameters::get_parameter(np, internal_np::geom_traits)),
+                                       connectivity),
+                         connectivity, Loop::with_tag<Concurrency_tag<NamedParameters>>(), corners);
   check_sum(result, connectivity);
   return result;
 }

@@ -10,8 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Adjacency_graph.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Adjacency_reader.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Vertex_numbers.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Adjacency_reader.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Vertex_numbers.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -173,10 +173,10 @@ bool search_vertices_once(const TriangleMesh& tmesh, const NamedParameters& np, 
   if((std::max)(number_of_vertices, std::size_t(num_halfedges(tmesh))) >= Numbers::null_index)
     return false;
   Numbers numbers(tmesh, vertex_index_map(tmesh, np), number_of_vertices);
-  Adjacency_reader<Numbers, NamedParameters> reader(numbers, np);
+  Adjacency_reader reader(numbers, halfedge_index_map(tmesh, np));
   if(!numbers.list_vertices() || !reader.read())
     return false;
-  Edge_lengths lengths = reader.lengths();
+  Edge_lengths lengths = reader.lengths(np);
   lengths.points = std::vector<Space_vector>(); // frees their memory
   const Adjacency_graph graph(std::move(reader.adjacency()), std::move(lengths.of_halfedge),
                               lengths.unit);

@@ -9,10 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Parts/Descriptor_table.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Parts/Mesh_place.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/halfedge_groups.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -3,12 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_HALFEDGE_GROUPS_H
-#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_HALFEDGE_GROUPS_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_HALFEDGE_GROUPS_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_HALFEDGE_GROUPS_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <boost/graph/graph_traits.hpp>
+
+#include <vector>
 
 // The order in which the halfedges around a vertex of a mesh are numbered.
 
@@ -35,8 +37,28 @@ auto counterclockwise(const typename boost::graph_traits<TriangleMesh>::halfedge
                                                                       : opposite(before, tmesh);
 }
 
+// All of them, in the order of their numbers in the connectivity, which is known to be right.
+template <typename TriangleMesh, typename Vertices, typename Connectivity>
+auto halfedges_in_groups(const Vertices& vertices,
+                         const Connectivity& connectivity,
+                         const TriangleMesh& tmesh)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> result;
+  result.reserve(connectivity.number_of_halfedges());
+  for(typename Connectivity::Index v = 0; v < vertices.size(); ++v)
+  {
+    auto h = first_halfedge_from(vertices[v], tmesh);
+    for(auto left = connectivity.degree(v); left > 0; --left)
+    {
+      result.push_back(h);
+      h = counterclockwise(h, tmesh);
+    }
+  }
+  return result;
+}
+
 } // namespace internal
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_HALFEDGE_GROUPS_H
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_HALFEDGE_GROUPS_H

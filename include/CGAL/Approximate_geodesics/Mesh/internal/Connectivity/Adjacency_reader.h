@@ -3,15 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_ADJACENCY_READER_H
-#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_ADJACENCY_READER_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_ADJACENCY_READER_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_ADJACENCY_READER_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Halfedge_links.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Halfedge_links.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Connectivity.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -26,22 +26,22 @@ namespace internal {
 /*
  * Reads the edges of a mesh for a search that is the only one: everything stays in the order of the
  * mesh's own indices, and what only faces need is left out. The checks are those of
- * `Triangulation_builder`, but only tell whether anything is wrong, or unusual: it is for the
- * builder to find out what.
+ * `Connectivity_reader`, but only tell whether anything is wrong, or unusual: it is for that to
+ * find out what.
  */
-template <typename Numbers, typename NamedParameters>
+template <typename Numbers, typename HalfedgeIndexMap>
 class Adjacency_reader
 {
   using Triangle_mesh = typename Numbers::Triangle_mesh;
   using halfedge_descriptor = typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor;
-  using Links = Halfedge_links<Numbers, NamedParameters>;
+  using Links = Halfedge_links<Numbers, HalfedgeIndexMap>;
   using Link = typename Links::Link;
   using Index = typename Numbers::Index;
 
 public:
   // There are fewer than `null_index` halfedges.
-  Adjacency_reader(const Numbers& numbers, const NamedParameters& np)
-    : m_numbers(numbers), m_mesh(numbers.mesh()), m_np(np)
+  Adjacency_reader(const Numbers& numbers, HalfedgeIndexMap halfedge_index_map)
+    : m_numbers(numbers), m_halfedge_index_map(std::move(halfedge_index_map))
   {
   }
 
@@ -49,14 +49,14 @@ public:
   // have to be listed before.
   bool read()
   {
-    Links links(m_numbers, m_np);
+    Links links(m_numbers, m_halfedge_index_map);
     return links.read() && copy_halfedges<false>(links);
   }
 
   // The same; but what faces need is not left out.
   bool read_with_faces()
   {
-    Links links(m_numbers, m_np);
+    Links links(m_numbers, m_halfedge_index_map);
     if(!links.read())
       return false;
     m_result.number_of_faces = links.number_of_faces();
@@ -70,10 +70,14 @@ public:
   Connectivity& adjacency() { return m_result; }
 
   // Throws as the constructor of a triangulation does if a coordinate or a length is none.
-  Edge_lengths lengths() const
+  template <typename NamedParameters>
+  Edge_lengths lengths(const NamedParameters& np) const
   {
+    std::vector<halfedge_descriptor> halfedges;
+    if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
+      halfedges = halfedges_in_groups(m_numbers.list(), m_result, m_numbers.mesh());
     No_corners corners;
-    return read_edge_lengths(m_mesh, m_numbers.list(), m_halfedges, m_np, m_result, corners);
+    return read_edge_lengths(m_numbers.mesh(), m_numbers.list(), halfedges, np, m_result, corners);
   }
 
 private:
@@ -90,7 +94,6 @@ private:
       if((first == Links::null_index) != (m_result.degree(v) == 0) ||
          !copy_cycle<keeps_ranks>(links.links().data(), first, v))
         return false;
-      list_halfedges_around(v);
     }
     return true;
   }
@@ -131,28 +134,13 @@ private:
         });
   }
 
-  void list_halfedges_around([[maybe_unused]] const Index v)
-  {
-    if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
-    {
-      halfedge_descriptor h = first_halfedge_from(m_numbers.vertex(v), m_mesh);
-      for(Index left = m_result.degree(v); left > 0; --left)
-      {
-        m_halfedges.push_back(h);
-        h = counterclockwise(h, m_mesh);
-      }
-    }
-  }
-
   const Numbers& m_numbers;
-  const Triangle_mesh& m_mesh;
-  const NamedParameters& m_np;
+  HalfedgeIndexMap m_halfedge_index_map;
   Connectivity m_result;
-  std::vector<halfedge_descriptor> m_halfedges; // only if they are asked for their lengths
 };
 
 } // namespace internal
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_ADJACENCY_READER_H
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_ADJACENCY_READER_H

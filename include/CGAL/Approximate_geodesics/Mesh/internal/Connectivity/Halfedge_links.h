@@ -3,13 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_HALFEDGE_LINKS_H
-#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_HALFEDGE_LINKS_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_HALFEDGE_LINKS_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_HALFEDGE_LINKS_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 
 #include <cstddef>
 #include <numeric>
@@ -26,9 +25,9 @@ namespace internal {
  * array first, in the order of the mesh, which it can foresee. Faces are checked in their order,
  * for the same reason.
  *
- * Nothing is rejected: what is wrong, or unusual, is for `Triangulation_builder` to find out.
+ * Nothing is rejected: what is wrong, or unusual, is for `Connectivity_reader` to find out.
  */
-template <typename Numbers, typename NamedParameters>
+template <typename Numbers, typename HalfedgeIndexMap>
 class Halfedge_links
 {
   using Triangle_mesh = typename Numbers::Triangle_mesh;
@@ -36,8 +35,6 @@ class Halfedge_links
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
-  using Halfedge_index_map = decltype(halfedge_index_map(std::declval<const Triangle_mesh&>(),
-                                                         std::declval<const NamedParameters&>()));
 
 public:
   using Index = typename Numbers::Index;
@@ -52,11 +49,11 @@ public:
   };
 
   // There are fewer than `null_index` halfedges, and vertices are listed.
-  Halfedge_links(const Numbers& numbers, const NamedParameters& np)
+  Halfedge_links(const Numbers& numbers, HalfedgeIndexMap halfedge_index_map)
     : m_numbers(numbers),
       m_mesh(numbers.mesh()),
       m_number_of_halfedges(num_halfedges(m_mesh)),
-      m_halfedge_index_map(halfedge_index_map(m_mesh, np))
+      m_halfedge_index_map(std::move(halfedge_index_map))
   {
   }
 
@@ -163,7 +160,7 @@ private:
   const Numbers& m_numbers;
   const Triangle_mesh& m_mesh;
   const std::size_t m_number_of_halfedges; // kept, as some meshes count them at every call
-  const Halfedge_index_map m_halfedge_index_map;
+  const HalfedgeIndexMap m_halfedge_index_map;
   std::vector<Link> m_links;
   std::vector<Index> m_first_of_vertex;
   std::size_t m_number_of_faces = 0;
@@ -174,4 +171,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_HALFEDGE_LINKS_H
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_HALFEDGE_LINKS_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_BREADTH_FIRST_ORDER_H
-#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_BREADTH_FIRST_ORDER_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_BREADTH_FIRST_ORDER_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_BREADTH_FIRST_ORDER_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -25,7 +25,7 @@ namespace internal {
 constexpr std::size_t SIZE_OF_PATCH = 32768;
 
 /*
- * Numbers the vertices of a mesh as `Triangulation_builder` does, but from arrays in the order of
+ * Numbers the vertices of a mesh as `Connectivity_reader` does, but from arrays in the order of
  * the mesh, which are copied to arrays in the new one. The group of a vertex is one piece of
  * memory, and known long before it is its turn.
  */
@@ -169,4 +169,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_BREADTH_FIRST_ORDER_H
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_BREADTH_FIRST_ORDER_H
