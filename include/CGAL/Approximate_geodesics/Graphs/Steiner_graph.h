@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_attachment.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/maximum_degree.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -111,7 +112,7 @@ public:
     m_nodes = internal::Steiner_nodes(m_triangulation, m_placement);
     if(number_of_points() > 0) // there are arcs across faces
       m_triangulation.check_triangle_inequality();
-    find_maximum_degree();
+    m_maximum_degree = internal::maximum_degree(m_triangulation, points());
     summarize_arcs();
   }
 
@@ -248,36 +249,6 @@ private:
       summary.add(cost / double(number), cost, cost, number);
     });
     m_arc_lengths = summary.result();
-  }
-
-  void find_maximum_degree()
-  {
-    std::size_t largest = 0;
-    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
-    {
-      std::size_t degree = 1; // to the vertex, from one of its sectors
-      for(Index h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
-        degree += 2 + number_of_opposite_points(h); // a barrier is two edges
-      largest = (std::max)(largest, degree);
-    }
-    points().for_each_first_halfedge([&](const Index h, Index /* edge */) {
-      const Index opposite = m_triangulation.opposite(h);
-      std::size_t degree = 4; // along the edge, and to the third vertices of both faces
-      for(const Index side : {h, opposite})
-        if(!m_triangulation.is_border(side))
-          degree += number_of_opposite_points(side) +
-                    number_of_opposite_points(m_triangulation.next(side));
-      largest = (std::max)(largest, degree);
-    });
-    m_maximum_degree = largest;
-  }
-
-  // On the edge opposite to the source of `h`, in the face to the left of `h`.
-  std::size_t number_of_opposite_points(const Index h) const
-  {
-    return m_triangulation.is_border(h)
-               ? 0
-               : points().number_of_points(points().edge(m_triangulation.next(h)));
   }
 
   Intrinsic_triangulation m_triangulation;
