@@ -446,7 +446,7 @@ private:
       enter_all(seeds, stop, heuristic, find_seeds);
       if(m_counts)
         count_and_propagate(stop, visitor, heuristic);
-      else if(!internal::is_idle_visitor<Visitor>)
+      else if constexpr(!internal::is_idle_visitor<Visitor>)
         propagate(stop, watch(stop, visitor, heuristic), heuristic, internal::No_counter());
       else if(!stop.targets.empty() || !stop.points.empty())
         propagate(stop, internal::Goal_watch(m_labels, goal(stop, heuristic)), heuristic,
