@@ -103,15 +103,15 @@ public:
                     const bool is_symmetric,
                     Solver_visitor& visitor) const override
   {
-    const auto np = parameters::maximum_distance(maximum_distance)
-                        .symmetric(is_symmetric)
+    // begins with a name of ours, as those of CGAL 6 begin chains that lack them
+    const auto np = parameters::symmetric(is_symmetric)
+                        .maximum_distance(maximum_distance)
                         .visitor(std::ref(visitor))
                         .concurrency_tag(Parallel_if_available_tag());
     if(targets == nullptr)
       approximate_geodesic_distance_matrix(m_graph, rows, sources, np);
-    else // np starts with a name of CGAL 6, whose chains lack ours
-      approximate_geodesic_distance_matrix(m_graph, rows, sources,
-                                           parameters::combine(np, parameters::targets(*targets)));
+    else
+      approximate_geodesic_distance_matrix(m_graph, rows, sources, np.targets(*targets));
     visitor.finish();
   }
 
