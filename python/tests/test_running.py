@@ -81,7 +81,7 @@ def test_an_interrupt_ends_rows_and_graphs_that_take_long(solver):
         lambda: ag.Solver(vertices, faces, 0.0005),
         lambda: ag.Solver(vertices, faces, 0.0001, costs=hiking),
     ):
-        assert interrupt_after(0.3, call) < 1  # and not many seconds
+        assert interrupt_after(0.3, call) < 2  # and not many seconds
 
 
 PROGRAMS = {

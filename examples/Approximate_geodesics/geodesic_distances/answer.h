@@ -90,7 +90,8 @@ inline void tell_of_missing_isolines(const Results& results)
   if(!results.without_isolines.empty())
     std::clog << "--isolines: there are none at " << results.without_isolines.size()
               << " of the distances, such as " << results.without_isolines.front()
-              << "; those of vertices go from 0 to " << results.largest << ".\n";
+              << "; those of vertices go from " << results.smallest << " to " << results.largest
+              << ".\n";
 }
 
 // Searches the graph that `make_graph()` returns, prints and writes all that is asked for. The

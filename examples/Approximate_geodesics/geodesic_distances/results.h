@@ -39,7 +39,7 @@ struct Results
   std::vector<Mesh::Point> sources;
   std::vector<double> distances;             // by vertex; infinity where no source reaches it
   std::vector<std::int64_t> nearest_sources; // by vertex; positions, or -1
-  double largest = 0;                        // of the finite distances
+  double smallest = 0, largest = 0;          // of the finite distances
   std::vector<Path_result> paths;            // in the order of the targets
   std::vector<Isoline> isolines;
   std::vector<double> without_isolines; // distances that were asked for
@@ -106,6 +106,7 @@ Results find_results(const Mesh& mesh,
   shortest_paths.shortest_distances_to_source_points(
       vertex_map(mesh, results.distances),
       CGAL::parameters::nearest_source_map(vertex_map(mesh, results.nearest_sources)));
+  results.smallest = *std::min_element(results.distances.begin(), results.distances.end());
   for(const double distance : results.distances)
     if(std::isfinite(distance))
       results.largest = (std::max)(results.largest, distance);

@@ -60,6 +60,8 @@ expect_contents(all_isolines.vtp "NumberOfLines=\"2\"")
 answer("there are none at 2 of the distances, such as 7; those of vertices go from 0 to 1.41421\\."
        square.off -o all -i 7 1 8)
 expect_contents(all_isolines.vtp "NumberOfLines=\"1\"")
+answer("there are none at 1 of the distances, such as 0.1; those of vertices go from 0.35"
+       square.off -s 0.75,0.25,0 -i 0.1 -e 0)
 answer("_isolines.vtp" square.off -i count:3)
 expect_contents(geodesic_distances_isolines.vtp "NumberOfLines=\"3\"")
 expect(1 "exists; --force overwrites it" ${PROGRAM} square.off -o all)

@@ -263,7 +263,7 @@ TEST(Lines_that_return, end_at_spikes)
   const auto number_of_ground_vertices = mesh.number_of_vertices();
   for(std::size_t i = 0; i < faces.size(); i += 7)
     CGAL::Euler::add_center_vertex(mesh.halfedge(faces[i]), mesh);
-  for(const double height : {1e3, 1e6, 1e9, 1e15})
+  for(const double height : {1e3, 1e6, 1e9, 1e15, 1e18, 1e30, 1e100})
     expect_end(with_lengths(mesh, [&](const Edge e) {
       return mesh.vertex(e, 0).idx() >= number_of_ground_vertices ||
                      mesh.vertex(e, 1).idx() >= number_of_ground_vertices

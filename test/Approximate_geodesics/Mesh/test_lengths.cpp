@@ -7,12 +7,27 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <set>
 #include <vector>
+
+// A mesh of which only edge lengths are known.
+struct Mesh_without_points : geodesics_test::Mesh
+{
+  using geodesics_test::Mesh::Mesh;
+};
+template <>
+struct boost::graph_traits<Mesh_without_points> : boost::graph_traits<geodesics_test::Mesh>
+{
+};
 
 namespace {
 
@@ -191,6 +206,20 @@ TEST(Lengths, can_be_given)
     EXPECT_TRUE(have_same_bits(field.distance, boost_distances(mesh, lengths, source)));
     EXPECT_TRUE(is_optimal(mesh, lengths, field, {source}));
   }
+}
+
+TEST(Lengths, need_no_points_if_they_are_given)
+{
+  Mesh_without_points mesh;
+  for(int i = 0; i < 3; ++i)
+    mesh.add_vertex();
+  mesh.add_face(Vertex(0), Vertex(1), Vertex(2));
+  const Triangulation t(mesh, parameters::edge_length_map(boost::make_static_property_map<Edge>(2.))
+                                  .vertex_index_map(boost::make_function_property_map<Vertex>(
+                                      [](const Vertex v) { return std::size_t(v.idx()); }))
+                                  .halfedge_index_map(boost::make_function_property_map<Halfedge>(
+                                      [](const Halfedge h) { return std::size_t(h.idx()); })));
+  EXPECT_EQ(lengths_of(t), std::vector<double>(6, 2));
 }
 
 TEST(Lengths, of_parallel_edges_may_differ)

@@ -6,6 +6,8 @@
 #include "meshes/sample_meshes.h"
 #include "oracles/test_oracles.h"
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -246,18 +246,19 @@ Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
                                const Connectivity& connectivity,
                                Corners& corners)
 {
-  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
   Edge_lengths result;
   if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
     result = given_lengths(tmesh, halfedges,
                            parameters::get_parameter(np, internal_np::edge_length), connectivity);
-  else
+  else // not compiled for meshes without points
+  {
+    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+    const Traits traits = parameters::choose_parameter<Traits>(
+        parameters::get_parameter(np, internal_np::geom_traits));
     result =
-        straight_lengths(double_points(vertices, vertex_point_map(tmesh, np),
-                                       parameters::choose_parameter<Traits>(
-                                           parameters::get_parameter(np, internal_np::geom_traits)),
-                                       connectivity),
+        straight_lengths(double_points(vertices, vertex_point_map(tmesh, np), traits, connectivity),
                          connectivity, Loop::with_tag<Concurrency_tag<NamedParameters>>(), corners);
+  }
   check_sum(result, connectivity);
   return result;
 }

@@ -112,6 +112,9 @@ private:
     if(beyond_left <= left_margin && beyond_right <= right_margin &&
        m_label_of_tip + distance <= bound)
       m_visitor.on_vertex(step.apex, distance, sight, apex, left_edge);
+    if(!(distance > 0)) // nothing is seen through an edge with both ends where the tip is
+      return sight.right_distance > 0 ? go_right(sight, step, apex, distance, bound)
+                                      : go_left(sight, step, left_edge, distance, bound);
     const bool hides_nothing = m_bends.hides_nothing(step.apex);
     if(is_beyond(sight.left_ray, apex, beyond_left, left_margin, hides_nothing))
       return go_right(sight, step, apex, distance, bound);

@@ -46,17 +46,17 @@ public:
   }
 
   // Returns whether the mesh is right in every respect, and nothing was removed from it. Vertices
-  // have to be listed before.
+  // have to be listed before. To be called once, as index maps can take memory, and are let go.
   bool read()
   {
-    Links links(m_numbers, m_halfedge_index_map);
+    Links links(m_numbers, std::move(m_halfedge_index_map));
     return links.read() && copy_halfedges<false>(links);
   }
 
   // The same; but what faces need is not left out.
   bool read_with_faces()
   {
-    Links links(m_numbers, m_halfedge_index_map);
+    Links links(m_numbers, std::move(m_halfedge_index_map));
     if(!links.read())
       return false;
     m_result.number_of_faces = links.number_of_faces();

@@ -33,7 +33,7 @@ namespace internal {
 /*
  * Reads how a mesh hangs together into an `Intrinsic_triangulation`, and checks it, with the help
  * of the header on links of faces. Named parameters are no business of this class, so that it is
- * compiled once for a mesh type, whatever these are.
+ * compiled once for a mesh type and its index maps, whatever else is given.
  *
  * Where the mesh is right in every respect, and nothing was removed from it, its links are read in
  * the order of its memory. If not, the mesh is traversed step by step, to find out what is wrong,
