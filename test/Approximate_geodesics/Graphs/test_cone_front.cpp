@@ -99,9 +99,9 @@ double rounding_of_distances(const Triangulation& t)
   return 1e-13 * longest * t.unit();
 }
 
-void expect_within_bound(Lazy_search& search,
-                         const std::vector<Node>& sources,
-                         const std::vector<double>& exact)
+void expect_bound_of_search(Lazy_search& search,
+                            const std::vector<Node>& sources,
+                            const std::vector<double>& exact)
 {
   constexpr double relative = 1e-11;
   const Lazy_discrete_geodesic_graph& graph = search.graph();
@@ -136,7 +136,7 @@ TEST(Cone_front, keeps_the_bound_on_every_mesh)
         SCOPED_TRACE(e);
         const Lazy_discrete_geodesic_graph graph(exact_graph.triangulation(), epsilon(e));
         Lazy_search search(graph);
-        expect_within_bound(search, sources, exact);
+        expect_bound_of_search(search, sources, exact);
       }
     }
   }
@@ -343,13 +343,13 @@ TEST(Cone_front, survives_interruptions)
     thrower.throw_at = number;
     EXPECT_THROW(search.run({AG::Seed{5}}, {}, thrower), std::runtime_error);
     EXPECT_FALSE(search.is_reached(5));
-    expect_within_bound(search, sources, exact);
+    expect_bound_of_search(search, sources, exact);
 
     Recorder<Node> stopper;
     stopper.stop_at = number;
     search.run({AG::Seed{5}}, {}, stopper);
     EXPECT_LT(stopper.settled.size(), graph.number_of_nodes());
-    expect_within_bound(search, sources, exact);
+    expect_bound_of_search(search, sources, exact);
   }
 }
 

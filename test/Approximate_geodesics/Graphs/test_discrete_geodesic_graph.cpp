@@ -31,7 +31,7 @@ using AG::Lazy_discrete_geodesic_graph;
 using CGAL::parameters::epsilon;
 
 constexpr double all_epsilons[] = {0.2, 0.1, 0.05, 0.01};
-constexpr double rounding = 1e-10;
+constexpr double relative_rounding = 1e-10;
 constexpr double single_precision = 2e-7; // of stored lengths
 
 template <typename GeodesicGraph>
@@ -44,7 +44,7 @@ std::vector<double> distances(const Mesh& mesh, const Vertex source, const doubl
 void expect_within(const std::vector<double>& found,
                    const std::vector<double>& exact,
                    const double e,
-                   const double tolerance = rounding)
+                   const double tolerance = relative_rounding)
 {
   ASSERT_EQ(found.size(), exact.size());
   for(std::size_t i = 0; i < exact.size(); ++i)
@@ -82,7 +82,7 @@ TYPED_TEST(Graph_with_a_bound, holds_it_in_the_plane)
       const std::vector<double> found = distances<TypeParam>(mesh, source, e);
       for(const Vertex v : mesh.vertices())
       {
-        EXPECT_GE(found[v.idx()], straight[v.idx()] * (1 - rounding));
+        EXPECT_GE(found[v.idx()], straight[v.idx()] * (1 - relative_rounding));
         const Point& p = mesh.point(v);
         const bool is_inside = p.x() > 2 && p.x() < 22 && p.y() > 2 && p.y() < 15;
         if(is_inside) // a shaken border is not convex
@@ -113,7 +113,7 @@ TYPED_TEST(Graph_with_a_bound, holds_it_on_a_cone)
         const double turn = (std::min)(steps * angle, 4 * std::atan(1.));
         const double exact = 2 * slant * std::sin(turn / 2);
         // straight lines between points of a circle leave it, where the frontier is cut off
-        EXPECT_GE(found[i + 1], exact * (1 - rounding));
+        EXPECT_GE(found[i + 1], exact * (1 - relative_rounding));
         EXPECT_LE(found[i + 1], exact * (1 + e));
       }
     }
@@ -174,10 +174,10 @@ TYPED_TEST(Graph_with_a_bound, holds_it_on_degenerate_meshes)
       if(std::isinf(along_edges[i]))
         continue;
       EXPECT_LE(found[i], along_edges[i] * (1 + single_precision));
-      EXPECT_LE(found[i], close[i] * 1.1 * (1 + rounding));
+      EXPECT_LE(found[i], close[i] * 1.1 * (1 + relative_rounding));
       EXPECT_GE(found[i], close[i] / 1.002 * (1 - 1e-6));
       EXPECT_GE(found[i], std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(source))) *
-                              (1 - rounding));
+                              (1 - relative_rounding));
     }
   }
 }

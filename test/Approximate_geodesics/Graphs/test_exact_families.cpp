@@ -124,13 +124,6 @@ Soup with_midpoints(const Soup& soup)
   return result;
 }
 
-Soup octahedron()
-{
-  return {{Point(1, 0, 0), Point(0, 1, 0), Point(-1, 0, 0), Point(0, -1, 0), Point(0, 0, 1),
-           Point(0, 0, -1)},
-          {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}}};
-}
-
 Soup icosahedron()
 {
   const double g = (1 + std::sqrt(5.)) / 2;

@@ -157,7 +157,7 @@ TEST(Weighted_faces, may_have_weights_of_all_magnitudes)
     for(std::size_t i = 0; i < fine.size(); ++i)
     {
       EXPECT_GE(fine[i], 0);
-      EXPECT_LE(fine[i], coarse[i] * (1 + rounding));
+      EXPECT_LE(fine[i], coarse[i] * (1 + rounding_of_costs));
       EXPECT_LE(bound[i], coarse[i] * 1.1);
       EXPECT_EQ(std::isinf(bound[i]), std::isinf(coarse[i]));
     }
@@ -177,7 +177,7 @@ void expect_in_proportion_to(const double weight)
   std::vector<double> found = costs_on_square(1, weight);
   for(double& d : found)
     d /= weight;
-  expect_about_the_same(found, costs_on_square(1, 1), rounding);
+  expect_about_the_same(found, costs_on_square(1, 1), rounding_of_costs);
 }
 
 TEST(Weighted_faces, may_cost_very_much)

@@ -117,7 +117,7 @@ TEST(Thin_faces, have_the_bound_if_they_are_cheap_or_expensive)
         const double e = angle < 0.01 ? 0.5 : 0.1; // which tells as much, with fewer points
         const std::vector<double> found = costs(mesh, weights, Geometric_points(e), {Vertex(2)});
         for(std::size_t i = 0; i < found.size(); ++i)
-          EXPECT_LE(found[i], dense[i] * (1 + e) * (1 + rounding));
+          EXPECT_LE(found[i], dense[i] * (1 + e) * (1 + rounding_of_costs));
       }
 }
 
@@ -289,7 +289,7 @@ TEST(Weights_of_all_magnitudes, have_the_bound)
     const std::vector<double> dense = costs(mesh, weights, Fixed_number_of_points(40), {source});
     const std::vector<double> found = costs(mesh, weights, Geometric_points(0.1), {source});
     for(std::size_t k = 0; k < found.size(); ++k)
-      EXPECT_LE(found[k], dense[k] * (1.1 + rounding));
+      EXPECT_LE(found[k], dense[k] * (1.1 + rounding_of_costs));
   }
 }
 

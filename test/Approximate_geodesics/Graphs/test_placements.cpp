@@ -61,8 +61,8 @@ TEST(Points_at_interval, are_as_dense_as_asked_for_and_not_denser)
       for(const double length : edge_lengths(mesh)) // which can be multiples of the spacing
       {
         const double parts = length * density;
-        smallest += static_cast<std::size_t>(std::ceil(parts * (1 - rounding))) - 1;
-        largest += static_cast<std::size_t>(std::ceil(parts * (1 + rounding))) - 1;
+        smallest += static_cast<std::size_t>(std::ceil(parts * (1 - rounding_of_costs))) - 1;
+        largest += static_cast<std::size_t>(std::ceil(parts * (1 + rounding_of_costs))) - 1;
       }
       for_each_row(graph, [&](const Node h, const std::vector<double>& parts) {
         const double length = graph.triangulation().length(h) * graph.triangulation().unit();
@@ -137,7 +137,7 @@ TEST(Geometric_points, may_meet_edges_of_length_zero)
     const std::vector<double> along_edges =
         costs(mesh, weights, Fixed_number_of_points(0), {Vertex(0)});
     for(std::size_t i = 0; i < found.size(); ++i)
-      EXPECT_LE(found[i], along_edges[i] * (1 + rounding));
+      EXPECT_LE(found[i], along_edges[i] * (1 + rounding_of_costs));
   });
 }
 

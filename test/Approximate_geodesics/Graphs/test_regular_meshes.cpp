@@ -180,10 +180,10 @@ TEST(Regular_meshes, cost_a_vertex_the_same_in_a_lazy_search)
 // ----- the bound
 
 template <typename Graph>
-void expect_within_bound(const Triangulation& t,
-                         const Node source,
-                         const std::vector<double>& exact,
-                         const double e)
+void expect_bound_of_graph(const Triangulation& t,
+                           const Node source,
+                           const std::vector<double>& exact,
+                           const double e)
 {
   const Graph graph(t, epsilon(e));
   AG::Propagation<Graph> search(graph);
@@ -212,8 +212,8 @@ TEST(Regular_meshes, have_the_bound)
         exact.push_back(search.distance(v));
       for(const double e : epsilons_of_lattices)
       {
-        expect_within_bound<Discrete_geodesic_graph>(t, source, exact, e);
-        expect_within_bound<Lazy_discrete_geodesic_graph>(t, source, exact, e);
+        expect_bound_of_graph<Discrete_geodesic_graph>(t, source, exact, e);
+        expect_bound_of_graph<Lazy_discrete_geodesic_graph>(t, source, exact, e);
       }
     }
   }

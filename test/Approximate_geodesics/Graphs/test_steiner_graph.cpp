@@ -99,10 +99,10 @@ TEST(Bad_meshes, are_refused_only_if_paths_run_across_faces)
   const auto np = parameters::edge_length_map(
       boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh)));
   const Triangulation triangulation(mesh, np);
-  using Graph = Steiner_graph<Fixed_number_of_points>;
-  EXPECT_NO_THROW(Graph(triangulation, Fixed_number_of_points(0)));
-  expect_message<std::invalid_argument>([&] { Graph g(triangulation, Fixed_number_of_points(1)); },
-                                        "triangle inequality");
+  using Fixed_graph = Steiner_graph<Fixed_number_of_points>;
+  EXPECT_NO_THROW(Fixed_graph(triangulation, Fixed_number_of_points(0)));
+  expect_message<std::invalid_argument>(
+      [&] { Fixed_graph g(triangulation, Fixed_number_of_points(1)); }, "triangle inequality");
 }
 
 // Up to rounding, these are lengths of a triangle, whose sides at one corner are 0 and 1.
@@ -138,7 +138,8 @@ void expect_all_arcs(const Mesh& mesh,
   {
     const Node source = static_cast<Node>(random.below(choice));
     search.run_from(source);
-    expect_about_the_same(distances_of_nodes(search), reference.distances(source), rounding);
+    expect_about_the_same(distances_of_nodes(search), reference.distances(source),
+                          rounding_of_costs);
   }
 }
 
@@ -248,7 +249,7 @@ TEST(Steiner_graph, does_not_get_worse_with_more_points)
     {
       const std::vector<double> found = costs(mesh, weights, Fixed_number_of_points(m), {source});
       for(std::size_t i = 0; i < found.size(); ++i)
-        EXPECT_LE(found[i], last[i] * (1 + rounding));
+        EXPECT_LE(found[i], last[i] * (1 + rounding_of_costs));
       last = found;
     }
   });
@@ -264,7 +265,7 @@ TEST(Steiner_graph, is_symmetric)
     for(std::size_t i = 0; i < 5; ++i)
     {
       const Vertex v = random_vertex(mesh, random);
-      expect_about_the_same({search.distances({v})[source]}, {there[v]}, rounding);
+      expect_about_the_same({search.distances({v})[source]}, {there[v]}, rounding_of_costs);
     }
   });
 }

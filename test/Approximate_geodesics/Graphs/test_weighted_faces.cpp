@@ -27,7 +27,7 @@ namespace {
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
 
-constexpr double all_epsilons[] = {0.5, 0.2, 0.1, 0.02};
+constexpr double steiner_epsilons[] = {0.5, 0.2, 0.1, 0.02};
 constexpr std::size_t nested_numbers[] = {1, 3, 7, 15};
 
 // ----- closed forms in the plane
@@ -62,7 +62,7 @@ void expect_truth(const Mesh& mesh,
                   const Vertex source,
                   const std::vector<double>& exact)
 {
-  for(const double e : all_epsilons)
+  for(const double e : steiner_epsilons)
   {
     SCOPED_TRACE("epsilon " + std::to_string(e));
     const auto graph = steiner_graph(mesh, weights, Geometric_points(e));
@@ -79,7 +79,7 @@ void expect_truth(const Mesh& mesh,
     double error = 0;
     for(std::size_t i = 0; i < exact.size(); ++i)
     {
-      EXPECT_LE(found[i], last[i] * (1 + rounding));
+      EXPECT_LE(found[i], last[i] * (1 + rounding_of_costs));
       error += found[i] - exact[i];
     }
     errors.push_back(error);
@@ -164,14 +164,14 @@ TEST(Weighted_faces, refract_paths_in_layers)
     const Weights weights = weights_by_place(
         mesh, [&](const Point& p) { return layers[static_cast<std::size_t>(p.y())].weight; });
     const Vertex source(2);
-    for(const double e : all_epsilons)
+    for(const double e : steiner_epsilons)
     {
       const std::vector<double> found = costs(mesh, weights, Geometric_points(e), {source});
       for(std::size_t i = 0; i < columns; ++i) // those at the far border
       {
         const double exact = cost_across(layers, std::abs(static_cast<double>(i) - 2));
         const double cost = found[i + (rows - 1) * columns];
-        EXPECT_GE(cost, exact * (1 - rounding));
+        EXPECT_GE(cost, exact * (1 - rounding_of_costs));
         EXPECT_LE(cost, exact * (1 + e));
       }
     }
@@ -208,14 +208,14 @@ TEST(Weighted_faces, make_paths_walk_around_forbidden_ones)
     has_hidden = has_hidden || exact.back() > std::sqrt(CGAL::squared_distance(s, p)) * 1.05;
   }
   ASSERT_TRUE(has_hidden);
-  for(const double e : all_epsilons)
+  for(const double e : steiner_epsilons)
     expect_within_bound(costs(mesh, weights, Geometric_points(e), {source}), exact, e);
   for(const std::size_t m : nested_numbers)
     expect_within_bound(costs(mesh, weights, Fixed_number_of_points(m), {source}), exact, infinity);
 
   // with expensive ground in place of it, nothing changes but that its inside can be reached
   const Weights expensive = weights_of_hexagon(mesh, 1e6);
-  for(const double e : all_epsilons)
+  for(const double e : steiner_epsilons)
   {
     std::vector<double> found = costs(mesh, expensive, Geometric_points(e), {source});
     for(const Vertex v : mesh.vertices())
@@ -301,16 +301,16 @@ TEST(Weighted_faces, are_crossed_about_as_cheaply_as_with_many_points)
         const Vertex source = random_vertex(mesh, random);
         const std::vector<double> dense =
             costs(mesh, weights, Fixed_number_of_points(64), {source});
-        for(const double e : all_epsilons)
+        for(const double e : steiner_epsilons)
         {
           const auto graph = steiner_graph(mesh, weights, Geometric_points(e));
           const std::vector<double> found = costs(mesh, weights, Geometric_points(e), {source});
           ASSERT_EQ(graph.epsilon(), e);
           for(std::size_t i = 0; i < dense.size(); ++i)
           {
-            EXPECT_LE(found[i], dense[i] * (1 + e) * (1 + rounding));
+            EXPECT_LE(found[i], dense[i] * (1 + e) * (1 + rounding_of_costs));
             // a path that crosses all edges a 130th of their length from the best place
-            EXPECT_LE(dense[i], found[i] * 1.1 + rounding);
+            EXPECT_LE(dense[i], found[i] * 1.1 + rounding_of_costs);
           }
         }
       }

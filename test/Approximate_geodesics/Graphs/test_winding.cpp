@@ -89,14 +89,6 @@ struct Spring
   double height;
 };
 
-// Two pyramids with a common base.
-Soup octahedron()
-{
-  return {{Point(1, 0, 0), Point(0, 1, 0), Point(-1, 0, 0), Point(0, -1, 0), Point(0, 0, 1),
-           Point(0, 0, -1)},
-          {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}}};
-}
-
 template <typename Graph>
 void expect_distances(const Spring& spring, const Graph& graph, const double epsilon)
 {

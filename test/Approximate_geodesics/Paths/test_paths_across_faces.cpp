@@ -98,7 +98,7 @@ TEST(Weighted_paths, cost_what_they_say)
     if(expected < 0)
       EXPECT_EQ(cost, infinity);
     else
-      EXPECT_NEAR(cost, expected, expected * rounding);
+      EXPECT_NEAR(cost, expected, expected * rounding_of_costs);
     EXPECT_EQ(points.empty(), backward.empty());
     if(!points.empty())
     {

@@ -55,7 +55,7 @@ TEST(Surface_paths, are_straight_in_the_plane)
       std::vector<Point> points;
       const double found = CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), p, q,
                                                            parameters::epsilon(epsilon));
-      EXPECT_GE(found, straight * (1 - rounding) - 1e-15);
+      EXPECT_GE(found, straight * (1 - rounding_of_costs) - 1e-15);
       EXPECT_LE(found, straight * (1 + epsilon) + 1e-15);
     }
   }
@@ -110,7 +110,7 @@ TEST(Surface_paths, go_around_a_cube)
     for(const double epsilon : {0.5, 0.1, 1e-2, 1e-4})
     {
       const double found = bounded_distance(mesh, p, q, epsilon);
-      EXPECT_GE(found, expected * (1 - rounding));
+      EXPECT_GE(found, expected * (1 - rounding_of_costs));
       EXPECT_LE(found, expected * (1 + epsilon));
     }
 }
@@ -121,7 +121,7 @@ TEST(Surface_paths, solve_an_old_puzzle)
 {
   const Mesh room = to_mesh(box(30, 12, 12));
   const double found = bounded_distance(room, Point(0, 6, 11), Point(30, 6, 1), 1e-4);
-  EXPECT_GE(found, 40 * (1 - rounding));
+  EXPECT_GE(found, 40 * (1 - rounding_of_costs));
   EXPECT_LE(found, 40 * (1 + 1e-4));
 }
 
@@ -139,7 +139,7 @@ TEST(Surface_paths, go_around_a_tetrahedron)
     for(const double epsilon : {0.5, 0.1, 1e-2, 1e-4})
     {
       const double found = bounded_distance(mesh, p, q, epsilon);
-      EXPECT_GE(found, edge * expected * (1 - rounding));
+      EXPECT_GE(found, edge * expected * (1 - rounding_of_costs));
       EXPECT_LE(found, edge * expected * (1 + epsilon));
     }
 }
@@ -229,7 +229,7 @@ TEST(Surface_paths, cost_nothing_in_free_faces_and_do_not_enter_forbidden_ones)
   EXPECT_EQ(paths.shortest_distance_to_source_points(Vertex(0)).first, 0);
   EXPECT_EQ(paths.shortest_distance_to_source_points(in_forbidden).first, -1);
   const Face_location beside = location_at(mesh, Point(1.5, 1, 0)); // on an edge of the former
-  EXPECT_NEAR(paths.shortest_distance_to_source_points(beside).first, 0.5, rounding);
+  EXPECT_NEAR(paths.shortest_distance_to_source_points(beside).first, 0.5, rounding_of_costs);
   paths.remove_all_source_points();
   paths.add_source_point(in_forbidden);
   EXPECT_EQ(paths.shortest_distance_to_source_points(Vertex(0)).first, -1);
@@ -285,7 +285,7 @@ TEST_F(Wall_in_grid, is_reached_from_both_sides)
     const auto expect_straight = [&](const Face_location& from, const Face_location& to) {
       paths.remove_all_source_points();
       paths.add_source_point(from);
-      EXPECT_NEAR(paths.shortest_distance_to_source_points(to).first, straight, rounding);
+      EXPECT_NEAR(paths.shortest_distance_to_source_points(to).first, straight, rounding_of_costs);
     };
     expect_straight(on_wall, beside);
     expect_straight(beside, on_wall);
@@ -304,7 +304,7 @@ TEST_F(Wall_in_grid, is_gone_around)
       const double expected = distance_in_space(p, end) + distance_in_space(end, q);
       const double found =
           paths.shortest_distance_to_source_points(Surface_point(location_at(m_mesh, q))).first;
-      EXPECT_GE(found, expected * (1 - rounding));
+      EXPECT_GE(found, expected * (1 - rounding_of_costs));
       EXPECT_LE(found, expected * (1 + EPSILON));
     }
 }
@@ -319,7 +319,7 @@ TEST_F(Wall_in_grid, divides_what_starts_on_it)
   const auto from_left = paths.add_source_point(left);
   const auto expect = [&](const Surface_point& p, const double distance, const auto source) {
     const auto [found, it] = paths.shortest_distance_to_source_points(p);
-    EXPECT_NEAR(found, distance, rounding);
+    EXPECT_NEAR(found, distance, rounding_of_costs);
     EXPECT_TRUE(it == source);
     std::vector<Surface_point> points;
     paths.shortest_path_surface_points_to_source_points(p, std::back_inserter(points));

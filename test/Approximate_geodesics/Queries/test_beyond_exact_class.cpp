@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "checks/Kinds_on_path.h"
 #include "meshes/surface_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
@@ -24,23 +25,13 @@ namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
 using Our_shortest_paths = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>;
 
-// Remembers what a path goes through, a letter for each.
-struct Kinds
-{
-  void operator()(const Vertex) { kinds += 'v'; }
-  void operator()(const Halfedge, double) { kinds += 'e'; }
-  void operator()(const Face, const std::array<double, 3>&) { kinds += 'f'; }
-
-  std::string kinds = {};
-};
-
 TEST(Our_class, tells_points_of_edges_and_corners_as_such)
 {
   const Mesh mesh = to_mesh(flat_grid(6, 5));
   Our_shortest_paths paths(mesh);
   paths.add_source_point(location_at(mesh, Point(1.5, 1.5, 0))); // on a diagonal
   const auto kinds = [&](const Point& p) {
-    Kinds result;
+    Kinds_on_path result;
     const auto [f, weights] = location_at(mesh, p);
     paths.shortest_path_sequence_to_source_points(f, weights, result);
     return result.kinds;

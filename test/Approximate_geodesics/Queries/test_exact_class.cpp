@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "checks/Kinds_on_path.h"
 #include "meshes/sample_meshes.h"
 #include "meshes/surface_points.h"
 #include "oracles/exact_distances.h"
@@ -33,26 +34,6 @@ using Our_shortest_paths = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geo
 
 constexpr double TOLERANCE = 1e-6; // lengths of arcs may be rounded up to a `float`
 
-// Remembers what a path goes through, a letter for each.
-struct Kinds
-{
-  void operator()(const Vertex v)
-  {
-    kinds += 'v';
-    vertices.push_back(v);
-  }
-  void operator()(const Halfedge, const double t)
-  {
-    EXPECT_GE(t, 0);
-    EXPECT_LE(t, 1);
-    kinds += 'e';
-  }
-  void operator()(const Face, const std::array<double, 3>&) { kinds += 'f'; }
-
-  std::string kinds = {};
-  std::vector<Vertex> vertices = {};
-};
-
 template <typename Shortest_paths>
 class Both : public testing::Test
 {
@@ -79,7 +60,7 @@ protected:
 
   std::string kinds_on_path(const Face_location& p)
   {
-    Kinds result;
+    Kinds_on_path result;
     m_paths.shortest_path_sequence_to_source_points(p.first, p.second, result);
     return result.kinds;
   }
@@ -209,7 +190,7 @@ TYPED_TEST(Both, say_when_there_is_no_path)
 {
   this->m_paths.add_source_point(Vertex(0));
   std::vector<Point> points;
-  Kinds visited;
+  Kinds_on_path visited;
   const Vertex elsewhere(32);
   const auto [length, source] =
       this->m_paths.shortest_path_points_to_source_points(elsewhere, std::back_inserter(points));
@@ -233,7 +214,7 @@ TYPED_TEST(Both, give_paths_between_vertices)
   EXPECT_EQ(points.front(), Point(4, 0, 0));
   EXPECT_EQ(points.back(), Point(1, 0, 0));
 
-  Kinds visited;
+  Kinds_on_path visited;
   EXPECT_NEAR(this->m_paths.shortest_path_sequence_to_source_points(Vertex(4), visited).first, 3,
               TOLERANCE);
   ASSERT_GE(visited.vertices.size(), 2u);
@@ -262,7 +243,7 @@ TYPED_TEST(Both, tell_visitors_kinds_in_order)
   this->m_paths.add_source_point(this->at(1.7, 1.2));
   EXPECT_EQ(this->kinds_on_path(this->at(1.2, 1.7)), "fef");
   EXPECT_EQ(this->kinds_on_path(this->at(1.6, 1.3)), "ff");
-  Kinds from_vertex;
+  Kinds_on_path from_vertex;
   this->m_paths.shortest_path_sequence_to_source_points(Vertex(7), from_vertex); // (1, 1)
   EXPECT_EQ(from_vertex.kinds, "vf");
 }

@@ -38,7 +38,7 @@ using namespace geodesics_test;
 using Interval = std::pair<double, double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_sums = 1e-12;
 
 template <typename Sources, typename NamedParameters>
 std::vector<double> distances(const Mesh& mesh, const Sources& sources, const NamedParameters& np)
@@ -64,7 +64,7 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& ex
 {
   ASSERT_EQ(found.size(), expected.size());
   for(std::size_t i = 0; i < found.size(); ++i)
-    EXPECT_NEAR(found[i], expected[i], rounding * expected[i]) << "vertex " << i;
+    EXPECT_NEAR(found[i], expected[i], rounding_of_sums * expected[i]) << "vertex " << i;
 }
 
 void expect_in(const std::vector<double>& values, const std::vector<Interval>& found)
@@ -103,8 +103,8 @@ TEST_F(Exact_queries, path_has_the_length_of_the_distance)
   std::vector<Point> points;
   const double length = CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), source,
                                                         target, parameters::epsilon(0));
-  EXPECT_NEAR(length, exact[target.idx()], rounding * length);
-  EXPECT_NEAR(geodesics_test::length({points}), length, rounding * length);
+  EXPECT_NEAR(length, exact[target.idx()], rounding_of_sums * length);
+  EXPECT_NEAR(geodesics_test::length({points}), length, rounding_of_sums * length);
   EXPECT_EQ(points.front(), mesh.point(source));
   EXPECT_EQ(points.back(), mesh.point(target));
 }
@@ -117,7 +117,7 @@ TEST_F(Exact_queries, class_needs_another_graph_only)
   for(const Vertex v : mesh.vertices())
     found.push_back(paths.shortest_distance_to_source_points(v).first);
   expect_near(found, exact);
-  EXPECT_NEAR(paths.shortest_distance(source, target), exact[target.idx()], rounding);
+  EXPECT_NEAR(paths.shortest_distance(source, target), exact[target.idx()], rounding_of_sums);
 }
 
 TEST_F(Exact_queries, several_sources)
@@ -138,7 +138,7 @@ TEST_F(Exact_queries, farthest_points_are_those_of_searches_from_all)
   const double radius =
       AG::farthest_point_sampling(mesh, std::back_inserter(points), 6, parameters::epsilon(0));
   const std::vector<double> found = distances(mesh, points, parameters::epsilon(0));
-  EXPECT_NEAR(*std::max_element(found.begin(), found.end()), radius, rounding * radius);
+  EXPECT_NEAR(*std::max_element(found.begin(), found.end()), radius, rounding_of_sums * radius);
 }
 
 TEST_F(Exact_queries, intervals_contain_exact_distances)
@@ -149,7 +149,7 @@ TEST_F(Exact_queries, intervals_contain_exact_distances)
     const auto found = intervals(mesh, source, parameters::epsilon(epsilon));
     expect_in(exact, found);
     for(const auto& [lower, upper] : found)
-      EXPECT_LE(upper, lower * (1 + epsilon) * (1 + 4 * rounding));
+      EXPECT_LE(upper, lower * (1 + epsilon) * (1 + 4 * rounding_of_sums));
   }
 }
 
@@ -162,7 +162,7 @@ TEST_F(Exact_queries, intervals_are_open_beyond_the_maximum_distance)
   for(const auto& [lower, upper] : found)
     if(upper == infinity)
     {
-      EXPECT_NEAR(lower, limit / 1.1, rounding);
+      EXPECT_NEAR(lower, limit / 1.1, rounding_of_sums);
       ++number_of_open_ones;
     }
   EXPECT_GT(number_of_open_ones, 0u);
@@ -207,7 +207,7 @@ TEST(Exact_queries_alone, other_parts_are_infinitely_far)
   add(10);
   const auto found = intervals(mesh, Vertex(0), parameters::epsilon(0));
   EXPECT_EQ(found[0], Interval(0, 0));
-  EXPECT_NEAR(found[1].first, 1, 2 * rounding);
+  EXPECT_NEAR(found[1].first, 1, 2 * rounding_of_sums);
   EXPECT_EQ(found[4], Interval(infinity, infinity));
 }
 

@@ -39,8 +39,9 @@ using namespace geodesics_test;
 namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using Part = AG::internal::Mesh_part<Mesh>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_lengths = 1e-12;
 
 // ----- meshes large enough for parts
 
@@ -119,7 +120,7 @@ double length_of_path(const Mesh& mesh,
   EXPECT_EQ(points.empty(), std::isinf(result));
   if(!points.empty())
   {
-    EXPECT_NEAR(length_of(points), result, rounding * (result + size(mesh)));
+    EXPECT_NEAR(length_of(points), result, rounding_of_lengths * (result + size(mesh)));
   }
   return result;
 }
@@ -138,7 +139,7 @@ void expect_near(const double a, const double b, const Mesh& mesh)
   EXPECT_EQ(std::isinf(a), std::isinf(b));
   if(std::isfinite(b))
   {
-    EXPECT_NEAR(a, b, rounding * (b + size(mesh)));
+    EXPECT_NEAR(a, b, rounding_of_lengths * (b + size(mesh)));
   }
 }
 
@@ -208,7 +209,7 @@ TEST(Part_of_mesh, has_the_shortest_paths)
         const double length = length_of_path(mesh, source, target, parameters::epsilon(epsilon));
         const double straight =
             length_of_path(mesh, source, target, parameters::epsilon(epsilon).straighten(true));
-        const double tolerance = rounding * (exact + size(mesh));
+        const double tolerance = rounding_of_lengths * (exact + size(mesh));
         EXPECT_GE(length, exact - tolerance);
         EXPECT_LE(length, (1 + epsilon) * exact + tolerance);
         EXPECT_LE(length, along_edges + tolerance); // so that it ends nowhere but the mesh does
@@ -372,7 +373,8 @@ void expect_same_distances(const Mesh& mesh,
   for(std::size_t i = 0; i < expected.size(); ++i)
     if(std::isinf(distances[i]) != std::isinf(expected[i]))
     {
-      EXPECT_NEAR((std::min)(distances[i], expected[i]), bound, rounding * (bound + size(mesh)));
+      EXPECT_NEAR((std::min)(distances[i], expected[i]), bound,
+                  rounding_of_lengths * (bound + size(mesh)));
     }
     else
       expect_near(distances[i], expected[i], mesh);
@@ -475,7 +477,6 @@ TEST(Part_of_mesh, is_searched_by_several_threads)
 
 TEST(Part_of_mesh, is_one_of_a_polyhedron)
 {
-  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(60, 50, random));
   Polyhedron polyhedron;
@@ -495,7 +496,7 @@ TEST(Part_of_mesh, is_one_of_a_polyhedron)
     EXPECT_EQ(points.front(), mesh.point(s));
     EXPECT_EQ(points.back(), mesh.point(t));
     const double exact = length_of_path(mesh, s, t, without_part(0));
-    EXPECT_GE(length, exact * (1 - rounding));
+    EXPECT_GE(length, exact * (1 - rounding_of_lengths));
     EXPECT_LE(length, 1.1 * exact);
     const bool has_part =
         AG::internal::Part_to_read(polyhedron, np).between(source, target).has_value();
@@ -514,12 +515,12 @@ TEST(Part_of_mesh, is_right_for_coordinates_of_any_size)
     SCOPED_TRACE(factor);
     const Mesh mesh = to_mesh(scaled(soup, factor));
     const double whole = bare_length(mesh, a, b, without_part(0));
-    EXPECT_NEAR(bare_length(mesh, a, b, parameters::epsilon(0)) / whole, 1, rounding);
-    EXPECT_NEAR(whole / factor / expected, 1, factor < 1e-305 ? 1e-9 : rounding);
+    EXPECT_NEAR(bare_length(mesh, a, b, parameters::epsilon(0)) / whole, 1, rounding_of_lengths);
+    EXPECT_NEAR(whole / factor / expected, 1, factor < 1e-305 ? 1e-9 : rounding_of_lengths);
   }
   const Mesh far_away = to_mesh(moved(soup, 1e8));
   EXPECT_NEAR(bare_length(far_away, a, b, parameters::epsilon(0)),
-              bare_length(far_away, a, b, without_part(0)), rounding * expected);
+              bare_length(far_away, a, b, without_part(0)), rounding_of_lengths * expected);
 }
 
 // ----- bad input

@@ -40,12 +40,12 @@ using AG::Solver_options;
 using AG::Solver_point;
 using Values = std::vector<double>;
 
-struct Arrays
+struct Soup_arrays
 {
   Values coordinates;
   std::vector<int> corners;
 
-  explicit Arrays(const Soup& soup)
+  explicit Soup_arrays(const Soup& soup)
   {
     for(const Point& p : soup.points)
       coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
@@ -61,7 +61,7 @@ struct Arrays
 // A solver stays where it is.
 struct Solver_of : Solver
 {
-  explicit Solver_of(const Arrays& a, const Solver_options& options = Solver_options())
+  explicit Solver_of(const Soup_arrays& a, const Solver_options& options = Solver_options())
     : Solver(a.coordinates.data(),
              a.number_of_vertices(),
              a.corners.data(),
@@ -110,7 +110,7 @@ TEST(Solver, finds_the_distances_of_the_class)
 {
   const Soup soup = sphere(12, 9);
   const Mesh mesh = to_mesh(soup);
-  const Arrays arrays(soup);
+  const Soup_arrays arrays(soup);
   expect_same_as_class<AG::Edge_graph>(Solver_of(arrays), mesh);
   expect_same_as_class<AG::Saddle_vertex_graph>(Solver_of(arrays, bound(0)), mesh);
   expect_same_as_class<AG::Discrete_geodesic_graph>(Solver_of(arrays, bound(0.2)), mesh,
@@ -120,7 +120,7 @@ TEST(Solver, finds_the_distances_of_the_class)
 TEST(Solver, takes_points_of_faces_by_the_order_of_their_corners)
 {
   const Soup soup = flat_grid(6, 5);
-  const Arrays arrays(soup);
+  const Soup_arrays arrays(soup);
   const Solver_of solver(arrays, bound(0));
   const std::array<double, 3> weights{0.2, 0.3, 0.5};
   for(std::size_t f = 0; f < arrays.number_of_faces(); ++f)
@@ -138,7 +138,7 @@ TEST(Solver, takes_points_of_faces_by_the_order_of_their_corners)
 TEST(Solver, finds_paths_from_the_source_to_the_target)
 {
   const Soup soup = flat_grid(6, 5);
-  const Solver_of solver{Arrays(soup)};
+  const Solver_of solver{Soup_arrays(soup)};
   for(const bool straighten : {false, true})
   {
     Values points;
@@ -162,7 +162,7 @@ TEST(Solver, finds_paths_from_the_source_to_the_target)
 
 TEST(Solver, fills_rows_of_matrices)
 {
-  const Solver_of solver(Arrays(sphere(12, 9)), bound(0.1));
+  const Solver_of solver(Soup_arrays(sphere(12, 9)), bound(0.1));
   const std::vector<Solver_point> sources{Solver_point::at_vertex(3), Solver_point::at_vertex(0)};
   const Values expected = distances(solver);
   Values dense(2 * solver.number_of_vertices());
@@ -196,16 +196,16 @@ void expect_refused(const std::string& message, const std::function<void()>& cal
 }
 
 // A slope, as otherwise there is nothing to climb.
-Arrays slope()
+Soup_arrays slope()
 {
   Soup soup = flat_grid(6, 5);
   for(Point& p : soup.points)
     p = Point(p.x(), p.y(), 0.3 * p.x() + 0.1 * p.y() * p.y());
-  return Arrays(soup);
+  return Soup_arrays(soup);
 }
 
 // One of each kind, whose numbers of faces differ.
-std::vector<AG::Solver_cost> ready_costs(const Arrays& arrays)
+std::vector<AG::Solver_cost> ready_costs(const Soup_arrays& arrays)
 {
   Values vectors, tensors;
   for(std::size_t f = 0; f < arrays.number_of_faces(); ++f)
@@ -228,7 +228,7 @@ Solver_options with_cost(const AG::Solver_cost& cost, const std::optional<double
 }
 
 template <typename CostFunction>
-void expect_same_costs(const Arrays& arrays,
+void expect_same_costs(const Soup_arrays& arrays,
                        const Mesh& mesh,
                        const AG::Solver_cost& cost,
                        const CostFunction& function)
@@ -242,7 +242,7 @@ void expect_same_costs(const Arrays& arrays,
 
 TEST(Solver, has_the_ready_costs_of_the_class)
 {
-  const Arrays arrays = slope();
+  const Soup_arrays arrays = slope();
   Soup soup;
   for(std::size_t v = 0; v < arrays.number_of_vertices(); ++v)
     soup.points.emplace_back(arrays.coordinates[3 * v], arrays.coordinates[3 * v + 1],
@@ -298,7 +298,7 @@ TEST(Solver, finds_distances_to_sources)
 
 TEST(Solver, saves_directional_costs)
 {
-  const Arrays arrays = slope();
+  const Soup_arrays arrays = slope();
   for(const auto& cost : ready_costs(arrays))
     for(const std::optional<double> epsilon : {std::optional<double>(), std::optional(0.3)})
     {
@@ -315,7 +315,7 @@ TEST(Solver, saves_directional_costs)
 
 TEST(Solver, names_what_is_wrong_with_costs)
 {
-  const Arrays arrays = slope();
+  const Soup_arrays arrays = slope();
   const auto refuse = [&](const std::string& message, const AG::Solver_cost& cost,
                           const std::optional<double> epsilon) {
     Solver_options options = with_cost(cost, epsilon);
@@ -344,7 +344,7 @@ TEST(Solver, names_what_is_wrong_with_costs)
 
 TEST(Solver, makes_matrices_symmetric)
 {
-  const Solver_of solver(Arrays(sphere(12, 9)), bound(0.5));
+  const Solver_of solver(Soup_arrays(sphere(12, 9)), bound(0.5));
   std::vector<Solver_point> points;
   for(std::int64_t v = 0; v < 90; ++v)
     points.push_back(Solver_point::at_vertex(v));
@@ -377,7 +377,7 @@ TEST(Solver, makes_matrices_symmetric)
 // A barrier and a weight, each where only it makes a difference.
 TEST(Solver, is_the_same_after_it_was_saved)
 {
-  const Arrays arrays(flat_grid(6, 5));
+  const Soup_arrays arrays(flat_grid(6, 5));
   const Values weights(arrays.number_of_faces(), 2.5);
   const std::vector<std::int64_t> barrier{arrays.corners[0], arrays.corners[1]};
   for(const std::optional<double> epsilon :
@@ -411,7 +411,7 @@ TEST(Solver, is_the_same_after_it_was_saved)
 
 TEST(Solver, can_be_interrupted_and_used_again)
 {
-  const Solver_of solver(Arrays(sphere(100, 50)), bound(0.1));
+  const Solver_of solver(Soup_arrays(sphere(100, 50)), bound(0.1));
   const Values expected = distances(solver);
   AG::Solver_watch watch;
   int number_of_calls = 0;
@@ -436,7 +436,7 @@ AG::Solver_watch impatient_watch()
 
 TEST(Solver, can_be_interrupted_amid_a_row)
 {
-  const Arrays arrays(sphere(60, 30));
+  const Soup_arrays arrays(sphere(60, 30));
   const Values weights(arrays.number_of_faces(), 1);
   Solver_options options = bound(0.02); // so that a row takes long
   options.face_weights = weights.data();
@@ -452,7 +452,7 @@ TEST(Solver, can_be_interrupted_amid_a_row)
 
 TEST(Solver, can_be_interrupted_amid_construction)
 {
-  const Arrays arrays(sphere(60, 30));
+  const Soup_arrays arrays(sphere(60, 30));
   const auto construct = [&](const Solver_options& options) {
     Solver(arrays.coordinates.data(), arrays.number_of_vertices(), arrays.corners.data(),
            arrays.number_of_faces(), options, impatient_watch());
@@ -468,7 +468,7 @@ TEST(Solver, can_be_interrupted_amid_construction)
 
 TEST(Solver, tells_that_all_is_done)
 {
-  const Solver_of solver(Arrays(flat_grid(6, 5)), bound(0.1));
+  const Solver_of solver(Soup_arrays(flat_grid(6, 5)), bound(0.1));
   AG::Solver_watch watch;
   std::size_t done = 0, number = 0;
   watch.on_progress = [&](const std::size_t d, const std::size_t n) {
@@ -485,7 +485,7 @@ TEST(Solver, tells_that_all_is_done)
 
 void expect_refused(const std::string& message, const Soup& soup)
 {
-  expect_refused(message, [&] { Solver_of{Arrays(soup)}; });
+  expect_refused(message, [&] { Solver_of{Soup_arrays(soup)}; });
 }
 
 TEST(Solver, names_what_is_wrong_with_a_mesh)
@@ -518,7 +518,7 @@ TEST(Solver, refuses_a_vertex_of_two_closed_fans)
                          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   Soup soup = tetrahedron;
   soup.append(tetrahedron);
-  EXPECT_NO_THROW(Solver_of{Arrays(soup)});
+  EXPECT_NO_THROW(Solver_of{Soup_arrays(soup)});
   for(std::size_t i = 4; i < 8; ++i)
     for(std::size_t& v : soup.triangles[i])
       v = v == 4 ? 0 : v;
@@ -527,7 +527,7 @@ TEST(Solver, refuses_a_vertex_of_two_closed_fans)
 
 TEST(Solver, names_what_is_wrong_with_a_question)
 {
-  const Arrays arrays(flat_grid(3, 3));
+  const Soup_arrays arrays(flat_grid(3, 3));
   const Solver_of solver(arrays);
   const auto number = static_cast<std::int64_t>(solver.number_of_vertices());
   expect_refused("source 0 is vertex " + std::to_string(number),

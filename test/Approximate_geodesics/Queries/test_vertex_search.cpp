@@ -48,8 +48,8 @@ template <typename NamedParameters>
 void expect_arcs_of_triangulation(const Mesh& mesh, const NamedParameters& np)
 {
   using Index_map = decltype(AG::internal::vertex_index_map(mesh, np));
-  using Numbers = AG::internal::Vertex_numbers<Mesh, Index_map>;
-  Numbers numbers(mesh, AG::internal::vertex_index_map(mesh, np), mesh.num_vertices());
+  using Vertex_numbers = AG::internal::Vertex_numbers<Mesh, Index_map>;
+  Vertex_numbers numbers(mesh, AG::internal::vertex_index_map(mesh, np), mesh.num_vertices());
   ASSERT_TRUE(numbers.list_vertices());
   AG::internal::Adjacency_reader reader(numbers, AG::internal::halfedge_index_map(mesh, np));
   ASSERT_TRUE(reader.read());

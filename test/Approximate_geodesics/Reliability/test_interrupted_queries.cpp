@@ -26,7 +26,7 @@ namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
 
 template <typename GeodesicGraph>
-struct Query
+struct Class_query
 {
   using Paths = AG::Surface_mesh_shortest_path<Mesh, GeodesicGraph>;
 
@@ -39,8 +39,8 @@ struct Query
 template <typename GeodesicGraph>
 class Interrupted_query
 {
-  using Paths = typename Query<GeodesicGraph>::Paths;
-  using Operation = std::function<void(Query<GeodesicGraph>&)>;
+  using Paths = typename Class_query<GeodesicGraph>::Paths;
+  using Operation = std::function<void(Class_query<GeodesicGraph>&)>;
 
 public:
   explicit Interrupted_query(const Kind_of_graph<GeodesicGraph>& kind)
@@ -50,25 +50,25 @@ public:
 
   void expect_survival_of_construction() const
   {
-    expect_survival<Query<GeodesicGraph>>(
-        {[] { return Query<GeodesicGraph>(); },
-         [&](Query<GeodesicGraph>& query) {
+    expect_survival<Class_query<GeodesicGraph>>(
+        {[] { return Class_query<GeodesicGraph>(); },
+         [&](Class_query<GeodesicGraph>& query) {
            query.paths = std::make_unique<Paths>(m_mesh, m_kind.make(Triangulation(m_mesh)));
          },
-         [&](Query<GeodesicGraph>& query) {
+         [&](Class_query<GeodesicGraph>& query) {
            query.paths->add_source_point(m_source);
            return values(query);
          },
-         [](Query<GeodesicGraph>& query) { EXPECT_EQ(query.paths, nullptr); }});
+         [](Class_query<GeodesicGraph>& query) { EXPECT_EQ(query.paths, nullptr); }});
   }
 
   void expect_survival_of(
       const Operation& operation, const Operation& check = [](auto&) {}) const
   {
-    expect_survival<Query<GeodesicGraph>>(
+    expect_survival<Class_query<GeodesicGraph>>(
         {[&] { return query(); }, operation,
-         [&](Query<GeodesicGraph>& query) { return values(query); },
-         [&](Query<GeodesicGraph>& query) {
+         [&](Class_query<GeodesicGraph>& query) { return values(query); },
+         [&](Class_query<GeodesicGraph>& query) {
            EXPECT_EQ(query.paths->number_of_source_points(), 2u);
            EXPECT_TRUE(query.points.empty());
            check(query);
@@ -140,9 +140,9 @@ public:
   }
 
 private:
-  Query<GeodesicGraph> query() const
+  Class_query<GeodesicGraph> query() const
   {
-    Query<GeodesicGraph> result{
+    Class_query<GeodesicGraph> result{
         std::make_unique<Paths>(m_mesh, m_kind.make(Triangulation(m_mesh)))};
     result.points.reserve(100);
     result.paths->add_source_point(Vertex(3));
@@ -150,7 +150,7 @@ private:
     return result;
   }
 
-  Values values(Query<GeodesicGraph>& query) const
+  Values values(Class_query<GeodesicGraph>& query) const
   {
     Values result = {query.length};
     for(const Point& p : query.points) // without signs, as differences are relative

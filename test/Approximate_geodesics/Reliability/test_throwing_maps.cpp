@@ -30,6 +30,7 @@ namespace {
 namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
+using Polylines = std::vector<std::vector<Point>>;
 using Values = std::vector<double>;
 using Vectors = std::vector<Kernel::Vector_3>;
 
@@ -283,7 +284,6 @@ TEST_F(Impatient_maps_of_a_field, leave_the_first_gradients)
 TEST_F(Impatient_maps_of_a_field, leave_whole_isolines)
 {
   const Values isovalues = {1, 2, 5};
-  using Polylines = std::vector<std::vector<Point>>;
   Polylines polylines, all_polylines;
   const auto isolines = [&](Polylines& result) {
     result.clear();

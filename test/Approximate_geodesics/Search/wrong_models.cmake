@@ -8,7 +8,7 @@ function(compile_models name)
     NAME ${name}
     COMMAND
       ${CMAKE_CXX_COMPILER} -std=c++17 -fsyntax-only -Wfatal-errors ${ARGN}
-      "-I$<JOIN:$<TARGET_PROPERTY:test_propagation,INCLUDE_DIRECTORIES>,;-I>"
+      "-I$<JOIN:$<TARGET_PROPERTY:test_settings,INTERFACE_INCLUDE_DIRECTORIES>,;-I>"
       ${CMAKE_CURRENT_SOURCE_DIR}/Search/wrong_models.cpp
     COMMAND_EXPAND_LISTS)
 endfunction()

@@ -16,7 +16,7 @@
 
 namespace geodesics_test {
 
-constexpr double rounding = 1e-12; // relative, of the cost of a path
+constexpr double rounding_of_costs = 1e-12; // relative, of the cost of a path
 
 // Expects the same numbers up to rounding, and infinity at the same places. Where points are very
 // close to each other, places themselves are rounded.
@@ -45,8 +45,9 @@ inline void expect_within_bound(const std::vector<double>& found,
   std::size_t wrong = 0;
   for(std::size_t i = 0; i < exact.size(); ++i)
   {
-    const double limit = epsilon < infinity ? exact[i] * (1 + epsilon) * (1 + rounding) : infinity;
-    if(!(found[i] >= exact[i] * (1 - rounding) && found[i] <= limit) && ++wrong <= 3)
+    const double limit =
+        epsilon < infinity ? exact[i] * (1 + epsilon) * (1 + rounding_of_costs) : infinity;
+    if(!(found[i] >= exact[i] * (1 - rounding_of_costs) && found[i] <= limit) && ++wrong <= 3)
       ADD_FAILURE() << "at " << i << ": " << found[i] << " where " << exact[i]
                     << " is exact, relative error " << found[i] / exact[i] - 1;
   }

@@ -98,6 +98,14 @@ inline Soup sphere(const std::size_t meridians, const std::size_t parallels)
   return result;
 }
 
+// Two pyramids with a common base.
+inline Soup octahedron()
+{
+  return {{Point(1, 0, 0), Point(0, 1, 0), Point(-1, 0, 0), Point(0, -1, 0), Point(0, 0, 1),
+           Point(0, 0, -1)},
+          {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}}};
+}
+
 // A strip whose cells grow by a constant factor, from `shortest` to `longest`.
 inline Soup growing_strip(const std::size_t cells, const double shortest, const double longest)
 {
