@@ -3,10 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "checks/Path_recorder.h"
 #include "oracles/exact_distances.h"
 #include "oracles/straight_lines.h"
 #include "oracles/test_oracles.h"
+#include "paths/Path_recorder.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>

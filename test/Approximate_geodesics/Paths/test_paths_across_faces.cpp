@@ -3,13 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "checks/Path_recorder.h"
 #include "checks/expect_costs.h"
 #include "checks/expect_message.h"
 #include "meshes/sample_meshes.h"
 #include "meshes/steiner_meshes.h"
 #include "oracles/exact_distances.h"
 #include "oracles/straight_lines.h"
+#include "paths/Path_recorder.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>

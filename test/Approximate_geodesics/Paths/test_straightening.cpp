@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "checks/straightened_paths.h"
 #include "meshes/test_weights.h"
+#include "paths/straightened_paths.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "checks/straightened_paths.h"
 #include "meshes/sample_meshes.h"
 #include "oracles/exact_distances.h"
+#include "paths/straightened_paths.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 

@@ -3,11 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "checks/Kinds_on_path.h"
 #include "meshes/sample_meshes.h"
 #include "meshes/surface_points.h"
 #include "oracles/exact_distances.h"
 #include "oracles/test_oracles.h"
+#include "paths/Kinds_on_path.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
