@@ -5,6 +5,7 @@
 
 #include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
 
+#include "checks/solvers.h"
 #include "meshes/test_meshes.h"
 #include "meshes/test_soup.h"
 
@@ -21,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -35,48 +35,7 @@ namespace {
 
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
-using AG::Solver;
-using AG::Solver_options;
-using AG::Solver_point;
 using Values = std::vector<double>;
-
-struct Soup_arrays
-{
-  Values coordinates;
-  std::vector<int> corners;
-
-  explicit Soup_arrays(const Soup& soup)
-  {
-    for(const Point& p : soup.points)
-      coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-    for(const auto& t : soup.triangles)
-      for(const std::size_t v : t)
-        corners.push_back(static_cast<int>(v));
-  }
-
-  std::size_t number_of_vertices() const { return coordinates.size() / 3; }
-  std::size_t number_of_faces() const { return corners.size() / 3; }
-};
-
-// A solver stays where it is.
-struct Solver_of : Solver
-{
-  explicit Solver_of(const Soup_arrays& a, const Solver_options& options = Solver_options())
-    : Solver(a.coordinates.data(),
-             a.number_of_vertices(),
-             a.corners.data(),
-             a.number_of_faces(),
-             options)
-  {
-  }
-};
-
-Solver_options bound(const std::optional<double> epsilon)
-{
-  Solver_options result;
-  result.epsilon = epsilon;
-  return result;
-}
 
 AG::Solver_row_options radius_options(const double maximum_distance, const std::size_t threads)
 {
@@ -85,15 +44,6 @@ AG::Solver_row_options radius_options(const double maximum_distance, const std::
   result.number_of_threads = threads;
   return result;
 }
-
-Values distances(const Solver& solver, const std::vector<Solver_point>& sources)
-{
-  Values result(solver.number_of_vertices());
-  solver.find_distances(sources, result.data());
-  return result;
-}
-
-Values distances(const Solver& solver) { return distances(solver, {Solver_point::at_vertex(3)}); }
 
 template <typename Graph, typename... NamedParameters>
 void expect_same_as_class(const Solver& solver, const Mesh& mesh, const NamedParameters&... np)
@@ -181,19 +131,6 @@ TEST(Solver, fills_rows_of_matrices)
 }
 
 // ----- directional costs
-
-void expect_refused(const std::string& message, const std::function<void()>& call)
-{
-  try
-  {
-    call();
-    ADD_FAILURE() << "not refused: " << message;
-  }
-  catch(const std::invalid_argument& e)
-  {
-    EXPECT_NE(std::string(e.what()).find(message), std::string::npos) << e.what();
-  }
-}
 
 // A slope, as otherwise there is nothing to climb.
 Soup_arrays slope()
@@ -483,7 +420,7 @@ TEST(Solver, tells_that_all_is_done)
 
 // ----- errors
 
-void expect_refused(const std::string& message, const Soup& soup)
+void expect_mesh_refused(const std::string& message, const Soup& soup)
 {
   expect_refused(message, [&] { Solver_of{Soup_arrays(soup)}; });
 }
@@ -493,22 +430,22 @@ TEST(Solver, names_what_is_wrong_with_a_mesh)
   const Soup right = flat_grid(3, 3);
   Soup soup = right;
   soup.points[5] = Point(0, std::numeric_limits<double>::infinity(), 0);
-  expect_refused("vertex 5 is not finite", soup);
+  expect_mesh_refused("vertex 5 is not finite", soup);
   soup = right;
   soup.triangles[2][1] = 99;
-  expect_refused("face 2 has vertex 99", soup);
+  expect_mesh_refused("face 2 has vertex 99", soup);
   soup = right;
   soup.triangles[4][0] = soup.triangles[4][2];
-  expect_refused("face 4 has vertex", soup);
+  expect_mesh_refused("face 4 has vertex", soup);
   soup = right;
   std::swap(soup.triangles[3][0], soup.triangles[3][1]);
-  expect_refused("in the same direction", soup);
+  expect_mesh_refused("in the same direction", soup);
   soup = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
           {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
-  expect_refused("the edge between vertices 0 and 1 is not manifold: face 0, face 1 and face 2",
-                 soup);
+  expect_mesh_refused(
+      "the edge between vertices 0 and 1 is not manifold: face 0, face 1 and face 2", soup);
   soup.triangles = {{0, 1, 2}, {0, 3, 4}};
-  expect_refused("vertex 0 is not manifold", soup);
+  expect_mesh_refused("vertex 0 is not manifold", soup);
 }
 
 // Two closed surfaces that touch in a vertex, where no border tells of it.
@@ -522,7 +459,7 @@ TEST(Solver, refuses_a_vertex_of_two_closed_fans)
   for(std::size_t i = 4; i < 8; ++i)
     for(std::size_t& v : soup.triangles[i])
       v = v == 4 ? 0 : v;
-  expect_refused("vertex 0 is not manifold", soup);
+  expect_mesh_refused("vertex 0 is not manifold", soup);
 }
 
 TEST(Solver, names_what_is_wrong_with_a_question)

@@ -67,6 +67,7 @@ inline std::uint64_t checksum(const Intrinsic_triangulation& t)
   result.add(t.lengths());
   result.add_value(t.unit());
   result.add_value(t.weight_unit());
+  result.add_value(t.gauges().unit());
   for(Intrinsic_triangulation::Index h = 0; h < t.number_of_halfedges(); ++h)
   {
     if(t.has_weights())
