@@ -90,7 +90,7 @@ TEST_F(Solver_results, are_rows_to_targets)
   const std::size_t columns = m_sources.size();
   AG::Solver_row_options options;
   options.targets = &m_sources;
-  for(const std::size_t threads : {1, 2})
+  for(const std::size_t threads : {1u, 2u})
   {
     options.number_of_threads = threads;
     std::vector<double> rows(columns * columns);
