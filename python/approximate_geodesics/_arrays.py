@@ -20,9 +20,12 @@ Points = Tuple[Integers, Optional[Floats]]
 def numbers(values: Any, name: str, shape: tuple[int, ...]) -> Floats:
     """The values as `float64`, not copied if C++ can read them. `-1` in `shape` fits any size."""
     try:
-        result = _readable(values, np.dtype(np.float64))
+        array = np.asanyarray(values)
+        _check_kind(array, name, "fiubO", "real numbers")
+        result: Floats = _readable(array, np.dtype(np.float64))
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} cannot be read as numbers: {error}") from None
+    _check_mask(array, name)
     _check_shape(result, name, shape)
     return result
 
@@ -30,15 +33,15 @@ def numbers(values: Any, name: str, shape: tuple[int, ...]) -> Floats:
 def integers(values: Any, name: str, shape: tuple[int, ...]) -> npt.NDArray[Any]:
     """The values as `int32` or `int64`, not copied if C++ can read them. An empty list fits."""
     try:
-        result = np.asarray(values)
+        result: npt.NDArray[Any] = np.asanyarray(values)
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} cannot be read as integers: {error}") from None
+    _check_mask(result, name)
     if result.shape == (0,) and result.dtype.kind == "f":
         result = np.empty([max(size, 0) for size in shape], dtype=np.int64)
     if result.dtype.kind == "O":
         _check_sizes(result, name)
-    if result.dtype.kind not in "iu":
-        raise ValueError(f"{name} must be integers, and are {result.dtype}")
+    _check_kind(result, name, "iu", "integers")
     if result.dtype.kind == "u":
         _check_sizes(result, name)
     is_fitting = result.dtype in (np.dtype(np.int32), np.dtype(np.int64))
@@ -53,6 +56,8 @@ def points(values: Any, name: str) -> tuple[Points, bool]:
         return _points_of_faces([values], name), True
     if isinstance(values, tuple) and list(map(_number_of_dimensions, values)) == [1, 2]:
         return _arrays_of_faces(values, name), False
+    if isinstance(values, (str, bytes)):
+        raise ValueError(f"the {name} {values!r} is not a point")
     if isinstance(values, Iterable) and not isinstance(values, (np.ndarray, list, tuple)):
         values = list(values)  # as that of a range
     if _has_point_of_face(values):
@@ -75,6 +80,19 @@ def _readable(values: Any, dtype: np.dtype[Any]) -> npt.NDArray[Any]:
     return np.require(values, dtype, ["C_CONTIGUOUS", "ALIGNED", "ENSUREARRAY"])
 
 
+def _check_kind(array: npt.NDArray[Any], name: str, kinds: str, wanted: str) -> None:
+    """Refuses what NumPy would convert, but means something else."""
+    if array.dtype.kind not in kinds:
+        raise ValueError(f"{name} must be {wanted}, and are {array.dtype}")
+
+
+def _check_mask(array: npt.NDArray[Any], name: str) -> None:
+    """Refuses masked elements, which are no numbers."""
+    if isinstance(array, np.ma.MaskedArray) and np.any(array.mask):
+        place = ", ".join(map(str, np.argwhere(array.mask)[0]))
+        raise ValueError(f"{name} are masked at [{place}]")
+
+
 def _check_shape(array: npt.NDArray[Any], name: str, shape: tuple[int, ...]) -> None:
     fits = array.ndim == len(shape) and all(
         wanted in (-1, size) for wanted, size in zip(shape, array.shape)
@@ -95,6 +113,8 @@ def _check_sizes(values: npt.NDArray[Any], name: str) -> None:
 def _vertex(value: Any, name: str) -> int:
     try:
         result = operator.index(value)
+        if isinstance(value, (bool, np.bool_)):
+            raise TypeError
     except TypeError:
         raise ValueError(f"the {name} {value!r} is not a vertex, which is an integer") from None
     if abs(result) > _LARGEST:
@@ -142,7 +162,26 @@ def _arrays_of_faces(values: Any, name: str) -> Points:
         raise ValueError(
             f"there are {len(faces)} {name} faces, and coordinates of {len(coordinates)} points"
         )
-    return faces, coordinates
+    return faces, _barycentric(coordinates, name)
+
+
+def _barycentric(coordinates: Floats, name: str) -> Floats:
+    """Coordinates whose sum is 1, without what can only be rounding errors of `float32`."""
+    tolerance = 1e-6
+    sums = coordinates.sum(axis=1)
+    is_right = (np.abs(sums - 1) <= tolerance) & (coordinates.min(axis=1, initial=0) >= -tolerance)
+    wrong = np.flatnonzero(~is_right)  # also those that are not numbers
+    if len(wrong) > 0:
+        text = ", ".join(f"{x:g}" for x in coordinates[wrong[0]])
+        raise ValueError(
+            f"{name} {wrong[0]} has the barycentric coordinates {text}; "
+            "they must not be negative, and their sum must be 1"
+        )
+    if np.all(np.abs(sums - 1) <= 1e-15) and np.all(coordinates >= 0):
+        return coordinates
+    positive = np.maximum(coordinates, 0)
+    result: Floats = positive / positive.sum(axis=1, keepdims=True)
+    return result
 
 
 def _has_point_of_face(values: Any) -> bool:

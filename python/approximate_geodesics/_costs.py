@@ -21,9 +21,11 @@ class DirectionalCost:
 
     def _numbers(self, values: npt.ArrayLike, name: str, width: int) -> _arrays.Floats:
         self._name = name
-        return _arrays.numbers(values, name, (-1, width))
+        return _arrays.numbers(values, name, (-1, width)).copy()
 
     def _native(self, number_of_faces: int) -> tuple[int, list[float], _arrays.Floats]:
+        if type(self) is DirectionalCost:
+            raise TypeError("a DirectionalCost is none itself; take one of the classes derived")
         if self._of_faces.ndim == 2 and len(self._of_faces) != number_of_faces:
             raise ValueError(
                 f"{self._name} are those of {len(self._of_faces)} faces, "
@@ -70,7 +72,8 @@ class DriftTime(DirectionalCost):
     Parameters
     ----------
     velocities : (m, 3) array of float
-        The velocity of the drift in each face, in its plane.
+        The velocity of the drift in each face, in its plane: what is not in it makes ways longer.
+        Project a wind, which also blows up and down, onto the faces first.
     speed : float
         The speed of the boat through the drift, in the same unit. Where the drift is faster,
         directions that the boat cannot get to are forbidden.
@@ -89,7 +92,8 @@ class OneWay(DirectionalCost):
     Parameters
     ----------
     ways : (m, 3) array of float
-        The direction of each face, of any length; zero allows all.
+        The direction of each face, in its plane, of any length; zero allows all. The angle with
+        what is not in the plane is larger.
     cost : float
         What a path costs per unit of length where it is allowed.
     smallest_cosine : float
@@ -110,8 +114,8 @@ class TensorCost(DirectionalCost):
     Parameters
     ----------
     tensors : (m, 3, 3) or (m, 6) array of float
-        Symmetric matrices that are positive semidefinite in the planes of their faces; or their
-        entries xx, xy, xz, yy, yz and zz.
+        Symmetric matrices, up to rounding, that are positive semidefinite in the planes of their
+        faces; or their entries xx, xy, xz, yy, yz and zz.
     """
 
     def __init__(self, tensors: npt.ArrayLike) -> None:
@@ -122,11 +126,15 @@ class TensorCost(DirectionalCost):
 
 
 def _upper_triangles(matrices: _arrays.Floats) -> _arrays.Floats:
-    wrong = np.flatnonzero(np.any(matrices != matrices.transpose(0, 2, 1), axis=(1, 2)))
+    transposed = matrices.transpose(0, 2, 1)
+    largest = np.abs(matrices).max(axis=(1, 2), initial=0)
+    with np.errstate(invalid="ignore"):  # C++ tells of what is not finite
+        differences = np.abs(matrices - transposed).max(axis=(1, 2), initial=0)
+    wrong = np.flatnonzero(differences > 1e-6 * largest)  # rounding errors of `float32`
     if len(wrong) > 0:
         raise ValueError(f"the tensor of face {wrong[0]} is not symmetric")
     rows, columns = np.triu_indices(3)
-    result: _arrays.Floats = matrices[:, rows, columns]
+    result: _arrays.Floats = (matrices / 2 + transposed / 2)[:, rows, columns]
     return result
 
 

@@ -47,7 +47,7 @@ def compute_gdist(
     vertices = _arrays.numbers(vertices, "vertices", (-1, 3))
     solver = Solver(vertices, _from_zero(triangles, is_one_indexed, len(vertices)), epsilon)
     sources = [0] if source_indices is None else source_indices
-    distances: _arrays.Floats = solver.distances(sources, max_distance=max_distance)
+    distances = solver.distances(sources, max_distance=max_distance)
     if target_indices is None:
         return distances
     targets = _arrays.integers(target_indices, "target_indices", (-1,))
@@ -81,8 +81,9 @@ def local_gdist_matrix(
     is_one_indexed : bool
         Whether the vertices of triangles are numbered from 1.
     epsilon : float, optional
-        As for `Solver`. `0` gives the exact distances of gdist; the default takes a small part of
-        the time, and is at most 5 % too long, and less than 0.1 % on average on smooth surfaces.
+        As for `Solver`. `0` gives the exact distances of gdist; the default is at most 5 % too
+        long, less than 0.1 % on average on smooth surfaces, and faster where hundreds of vertices
+        are within the distance.
     threads : int, optional
         One per core by default. gdist has one.
     progress : callable, optional
@@ -103,10 +104,11 @@ def local_gdist_matrix(
         everything,
         everything,
         max_distance=max_distance,
-        symmetric=epsilon != 0,  # searches from either end can find different paths then
+        symmetric=True,  # searches from either end can find different paths, or round differently
         progress=progress,
     )
-    result = scipy.sparse.csc_matrix(rows)
+    arrays = rows.data, rows.indices, rows.indptr  # as columns are the same as rows
+    result = scipy.sparse.csc_matrix(arrays, shape=rows.shape, copy=False)
     result.eliminate_zeros()
     return result
 

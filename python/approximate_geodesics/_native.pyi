@@ -20,6 +20,7 @@ class Solver:
         accept_weaker_bound: bool,
         barriers: Optional[_Integers],
         threads: int,
+        progress: _Progress,
     ) -> None: ...
     @staticmethod
     def load(file: str, threads: int) -> Solver: ...

@@ -5,7 +5,8 @@
 >>> distances = solver.compute_distance(7)
 
 There is no heat method behind them: distances are the lengths of paths on the surface, and have a
-bound. What only the heat method needs is accepted, and ignored.
+bound. What only the heat method needs is accepted, and ignored. Loops, vector transport, signed
+distances and point clouds are not here.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _arrays
+from ._files import read_mesh
 from ._solver import Solver
 
 __all__ = [
@@ -23,6 +25,7 @@ __all__ = [
     "MeshHeatMethodDistanceSolver",
     "compute_distance",
     "compute_distance_multisource",
+    "read_mesh",
 ]
 
 
@@ -56,8 +59,8 @@ class MeshHeatMethodDistanceSolver:
 
     def compute_distance_multisource(self, v_inds: npt.ArrayLike) -> _arrays.Floats:
         """Distances of all vertices from the nearest of several, (n,) float64."""
-        result: _arrays.Floats = self._solver.distances(np.asarray(v_inds))
-        return result
+        vertices = _arrays.integers(v_inds, "v_inds", (-1,))
+        return self._solver.distances(vertices)
 
 
 def compute_distance(V: npt.ArrayLike, F: npt.ArrayLike, v_ind: int) -> _arrays.Floats:
@@ -109,8 +112,8 @@ class EdgeFlipGeodesicSolver:
         `max_iterations` and `max_relative_length_decrease` are ignored: paths are straightened to
         the end, which is as short as more iterations would make them.
         """
-        result: _arrays.Floats = self._solver.path(v_start, v_end, straighten=True)
-        return result
+        ends = (_arrays.integers([v], "vertices", (1,)) for v in (v_start, v_end))
+        return self._solver.path(*(int(v[0]) for v in ends), straighten=True)
 
     def find_geodesic_path_poly(
         self,

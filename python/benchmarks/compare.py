@@ -11,8 +11,10 @@ count.
 import argparse
 import csv
 import pathlib
+import signal
 import subprocess
 import sys
+import threading
 import time
 
 import numpy as np
@@ -164,6 +166,57 @@ def local_matrices(effort):
                    f"{100 * errors.max():.2f}"]
 
 
+def seconds_until_interrupted(run, seconds):
+    """How long `run` goes on after a signal, which stands for Ctrl-C."""
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    start = time.perf_counter()
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        run()
+        raise RuntimeError("the run has ended before the signal")
+    except KeyboardInterrupt:
+        return time.perf_counter() - start - seconds
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def in_two_threads(run):
+    threads = [threading.Thread(target=run) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+
+
+def running(meshes, effort):
+    yield ["mesh", "two threads : one after the other", "Ctrl-C amid rows ms", "amid construction ms"]
+    for mesh in meshes:
+        solver = ag.Solver.from_file(mesh, 0.1, threads=1)
+        vertices, faces = solver.vertices, solver.faces
+
+        def search():
+            for v in some_vertices(solver, effort.searches).tolist():
+                solver.distances(v)
+
+        together, each = effort.shortest_times(
+            lambda: in_two_threads(search), lambda: [search() for _ in range(2)]
+        )
+        latencies = [
+            max(seconds_until_interrupted(run, 0.02 * (i + 1)) for i in range(effort.rounds))
+            for run in (
+                lambda: solver.distance_matrix(range(solver.number_of_vertices), [0]),
+                lambda: ag.Solver(vertices, faces, 1e-6),
+            )
+        ]
+        yield [pathlib.Path(mesh).stem, f"{together / each:.2f}",
+               *(f"{1000 * latency:.0f}" for latency in latencies)]
+
+
 def memory(meshes):
     """What a process takes that reads a mesh and finds distances, beyond one that imports this."""
     program = """
@@ -206,6 +259,9 @@ def main():
     tables.print("local", f"local_gdist_matrix on a sphere of {effort.sphere} vertices, one thread, "
                  f"beside the {GDIST_MICROSECONDS} microseconds that gdist's documentation tells",
                  list(local_matrices(effort)))
+    tables.print("running", f"Twice {effort.searches} searches by two threads of Python; the longest "
+                 f"time until a run ends after a signal, of {effort.rounds}",
+                 list(running(meshes, effort)))
     tables.print("memory", "Memory of a solver and one search", list(memory(meshes)))
 
 

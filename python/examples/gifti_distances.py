@@ -3,7 +3,7 @@
 Usage: gifti_distances.py [SURFACE [VERTEX [OUTPUT]]]
 
 Without a surface, an ellipsoid of the size of one takes its place. Distances are in millimeters, as
-coordinates are.
+coordinates are, and not numbers where no path leads to.
 """
 
 import sys
@@ -35,23 +35,31 @@ def ellipsoid(rows=60, columns=120):
 
 
 def write_surface(file, points, faces):
+    meta = nib.gifti.GiftiMetaData(AnatomicalStructurePrimary="CortexLeft")
     arrays = [
-        nib.gifti.GiftiDataArray(points, intent="NIFTI_INTENT_POINTSET"),
+        nib.gifti.GiftiDataArray(points, intent="NIFTI_INTENT_POINTSET", meta=meta),
         nib.gifti.GiftiDataArray(faces, intent="NIFTI_INTENT_TRIANGLE"),
     ]
     nib.save(nib.gifti.GiftiImage(darrays=arrays), file)
 
 
-def main(surface=None, vertex="0", output="distances.func.gii"):
+def write_distances(file, distances, surface):
+    """Writes them with what the surface says of itself, such as its hemisphere."""
+    of_points = surface.get_arrays_from_intent("NIFTI_INTENT_POINTSET")[0].meta
+    array = nib.gifti.GiftiDataArray(distances, intent="NIFTI_INTENT_SHAPE", meta=of_points)
+    nib.save(nib.gifti.GiftiImage(darrays=[array], meta=surface.meta), file)
+
+
+def main(surface=None, vertex="0", output="distances.shape.gii"):
     if surface is None:
         surface = "ellipsoid.surf.gii"
         write_surface(surface, *ellipsoid())
-    points, faces = nib.load(surface).agg_data(("pointset", "triangle"))
-    solver = ag.Solver(points, faces, epsilon=0.1)
+    image = nib.load(surface)
+    solver = ag.Solver(*image.agg_data(("pointset", "triangle")), epsilon=0.1)
     distances = solver.distances(int(vertex)).astype(np.float32)
-    array = nib.gifti.GiftiDataArray(distances, intent="NIFTI_INTENT_SHAPE")
-    nib.save(nib.gifti.GiftiImage(darrays=[array]), output)
-    print(f"{solver}: up to {distances.max():.1f} mm from vertex {vertex}; see {output}")
+    distances[np.isinf(distances)] = np.nan
+    write_distances(output, distances, image)
+    print(f"{solver}: up to {np.nanmax(distances):.1f} mm from vertex {vertex}; see {output}")
 
 
 main(*sys.argv[1:])

@@ -72,9 +72,13 @@ inline std::unique_ptr<AG::Solver> load(const std::string& file, const std::size
 
 inline py::bytes to_bytes(const AG::Solver& solver)
 {
-  std::ostringstream out(std::ios::binary);
-  solver.save(out);
-  return out.str();
+  const std::string result = [&] {
+    const Unlocked unlocked;
+    std::ostringstream out(std::ios::binary);
+    solver.save(out);
+    return out.str();
+  }();
+  return result;
 }
 
 inline std::unique_ptr<AG::Solver> from_bytes(const py::bytes& bytes, const std::size_t threads)
@@ -90,7 +94,11 @@ inline py::tuple read_mesh(const std::string& file)
     throw_error_of_file(file);
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
-  if(!CGAL::IO::read_polygon_soup(file, points, faces))
+  const bool is_read = [&] {
+    const Unlocked unlocked;
+    return CGAL::IO::read_polygon_soup(file, points, faces);
+  }();
+  if(!is_read)
     throw std::invalid_argument("no mesh could be read from " + file);
   std::vector<double> coordinates;
   for(const auto& p : points)

@@ -51,7 +51,8 @@ std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
                                         const std::optional<Cost>& costs,
                                         const bool accept_weaker_bound,
                                         const std::optional<Numbers>& barriers,
-                                        const std::size_t threads)
+                                        const std::size_t threads,
+                                        const py::object& progress)
 {
   AG::Solver_options options;
   options.epsilon = epsilon;
@@ -66,7 +67,7 @@ std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
     options.number_of_barriers = static_cast<std::size_t>(barriers->shape(0));
   }
   options.number_of_threads = threads;
-  return run(py::none(), [&](const AG::Solver_watch& watch) {
+  return run(progress, [&](const AG::Solver_watch& watch) {
     return std::make_unique<AG::Solver>(vertices.data(),
                                         static_cast<std::size_t>(vertices.shape(0)), faces.data(),
                                         static_cast<std::size_t>(faces.shape(0)), options, watch);
@@ -79,7 +80,7 @@ void add_constructor(py::class_<AG::Solver>& solver)
   solver.def(py::init(&make_solver<Integer>), py::arg("vertices").noconvert(),
              py::arg("faces").noconvert(), py::arg("epsilon"), py::arg("face_weights").noconvert(),
              py::arg("costs"), py::arg("accept_weaker_bound"), py::arg("barriers").noconvert(),
-             py::arg("threads"));
+             py::arg("threads"), py::arg("progress"));
 }
 
 py::tuple distances(const AG::Solver& solver,
@@ -182,14 +183,24 @@ py::tuple farthest_points(const AG::Solver& solver,
 Array<double> gradient(const AG::Solver& solver, const Array<double>& values)
 {
   Array<double> result({static_cast<py::ssize_t>(solver.number_of_faces()), py::ssize_t(3)});
-  solver.find_gradient(values.data(), result.mutable_data());
+  const double* const data = values.data();
+  double* const vectors = result.mutable_data();
+  {
+    const Unlocked unlocked;
+    solver.find_gradient(data, vectors);
+  }
   return result;
 }
 
 py::list isolines(const AG::Solver& solver, const Array<double>& values, const double level)
 {
+  const double* const data = values.data();
+  auto lines = [&] {
+    const Unlocked unlocked;
+    return solver.find_isolines(data, level);
+  }();
   py::list result;
-  for(auto& line : solver.find_isolines(values.data(), level))
+  for(auto& line : lines)
     result.append(moved_points(std::move(line)));
   return result;
 }

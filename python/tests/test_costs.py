@@ -81,6 +81,11 @@ def test_tensors():
     ]
     distances = [solver.distances(0) for solver in solvers]
     np.testing.assert_array_equal(*distances)
+    turn, _ = np.linalg.qr(np.random.default_rng(0).normal(size=(3, 3)))
+    rounded = turn @ np.diag([4.0, 1, 1]) @ turn.T  # not symmetric to the last bit
+    rounded[0, 1] += 1e-12
+    for kind in (np.float64, np.float32):
+        ag.Solver(VERTICES, FACES, 0.1, costs=ag.TensorCost(np.array([rounded] * SIZE, kind)))
     expected = np.sqrt(np.einsum("ni,ij,nj->n", VERTICES, matrix, VERTICES))
     assert np.all(distances[0] >= expected * (1 - 1e-9))
     assert np.all(distances[0] <= expected * 1.1)
@@ -125,6 +130,16 @@ def test_copies_of_solvers_are_the_same(costs, options, tmp_path):
 def test_costs_that_cannot_be_right(make, message):
     with pytest.raises(ValueError, match=message):
         ag.Solver(VERTICES, FACES, 0.5, costs=make())
+
+
+def test_costs_do_not_change_with_the_array():
+    velocities = everywhere((0.5, 0.1, 0))
+    costs = ag.DriftTime(velocities, 2)
+    expected = ag.Solver(VERTICES, FACES, 0.5, costs=costs).distances(0)
+    velocities *= -1
+    np.testing.assert_array_equal(
+        ag.Solver(VERTICES, FACES, 0.5, costs=costs).distances(0), expected
+    )
 
 
 def test_parameters_that_do_not_go_with_costs():

@@ -51,6 +51,12 @@ def test_points_of_faces():
         point = np.array(weights) @ vertices[faces[face]]
         expected = np.linalg.norm(vertices - point, axis=1)
         np.testing.assert_allclose(solver.distances((face, weights)), expected, atol=1e-12)
+    single = np.random.default_rng(0).dirichlet([1, 1, 1], 100).astype(np.float32)
+    faces_of_single = np.arange(100) % len(faces)
+    points = np.einsum("ij,ijk->ik", single, vertices[faces[faces_of_single]])
+    expected = np.linalg.norm(points[:, None] - vertices, axis=2)
+    found = solver.distance_matrix((faces_of_single, single))
+    np.testing.assert_allclose(found, expected, atol=1e-6)
     points = [(7, (0.2, 0.3, 0.5)), (30, (0.5, 0.5, 0))]
     as_arrays = (np.array([7, 30]), np.array([(0.2, 0.3, 0.5), (0.5, 0.5, 0)]))
     as_lists = tuple(part.tolist() for part in as_arrays)

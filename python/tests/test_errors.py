@@ -1,3 +1,5 @@
+import sys
+
 import numpy as np
 import pytest
 
@@ -61,8 +63,15 @@ def test_parameters_that_cannot_be_right(options, message):
         ([0, -1], "source 1 is vertex -1"),
         (1.5, "not a vertex"),
         ([0.5], "must be integers"),
+        (True, "the source True is not a vertex"),
+        ("0", "the source '0' is not a point"),
+        (b"ab", "is not a point"),
+        (np.ma.masked_equal([1, 2], 2), r"the source vertices are masked at \[1\]"),
         ((18, (1, 0, 0)), "source 0 is face 18"),
-        ((0, (1, 1, 0)), "barycentric coordinates are 1, 1, 0"),
+        (([0, 1], [[1, 0, 0], [0.5, 0.6, 0]]), "source 1 has the barycentric .* 0.5, 0.6, 0"),
+        ((0, (1, np.nan, 0)), "source 0 has the barycentric coordinates 1, nan, 0"),
+        ((0, (1.5, -0.5, 0)), "must not be negative"),
+        ((0, (1, 1, 0)), "source 0 has the barycentric coordinates 1, 1, 0"),
         ([(0, (1, 0, 0)), 3], "source 1 is not a face and three"),
         ((np.array([1, 2]), np.ones((3, 3)) / 3), "2 source faces, and coordinates of 3"),
         (([0, 1], [[1, 0, 0]]), "2 source faces, and coordinates of 1"),
@@ -89,9 +98,15 @@ def test_sources_that_cannot_be_right(sources, message):
         (lambda: SOLVER.distance_matrix([0, 1], [1, 0], symmetric=True), "not the same points"),
         (lambda: SOLVER.distance_matrix([0], [0], k=1, symmetric=True), "nearest columns"),
         (lambda: SOLVER.gradient(np.ones(3)), "values must have the shape"),
+        (lambda: SOLVER.gradient(np.ones(16) * 1j), "values must be real numbers"),
+        (lambda: SOLVER.gradient(np.zeros(16, "M8[s]")), "values must be real numbers"),
         (lambda: SOLVER.isolines(np.ones(16), np.nan), "not a number"),
+        (lambda: SOLVER.isolines(np.ones(16), "3"), "the level must be real numbers"),
+        (lambda: SOLVER.isolines(np.ones(16), [1, 2, np.inf]), "level 2 is inf"),
         (lambda: SOLVER.farthest_points(-1), "number of points is -1"),
-        (lambda: list(SOLVER.iter_blocks([0], block_size=0)), "block_size is 0"),
+        (lambda: SOLVER.iter_blocks([0], block_size=0), "block_size is 0"),
+        (lambda: ag.Solver(np.ma.masked_equal(VERTICES, 3), FACES), r"vertices are masked at \[3, 0"),
+        (lambda: ag.Solver(VERTICES, np.ma.masked_equal(FACES, 1)), r"faces are masked at \[0, 1\]"),
         (lambda: ag.compute_gdist(VERTICES, FACES, [0], [99]), "target 0 is vertex 99"),
     ],
 )
@@ -102,8 +117,27 @@ def test_calls_that_cannot_be_right(call, message):
 
 
 @pytest.mark.parametrize(
+    "call, message",
+    [
+        (lambda: ag.Solver(VERTICES, FACES, "0.1"), "epsilon is '0.1'; it must be a number"),
+        (lambda: ag.Solver(VERTICES, FACES, True), "epsilon is True; it must be a number"),
+        (lambda: ag.Solver(VERTICES, FACES, threads=1.5), "threads is 1.5; it must be an integer"),
+        (lambda: SOLVER.distances(0, max_distance="1"), "max_distance is '1'; it must be a number"),
+        (lambda: SOLVER.distance_matrix([0], k=2.5), "k is 2.5; it must be an integer"),
+        (lambda: SOLVER.farthest_points(2.5), "number of points is 2.5; it must be an integer"),
+        (lambda: SOLVER.iter_blocks([0], [0], symmetric=True), "symmetric"),
+        (lambda: ag.Solver(VERTICES, FACES, costs=ag.DirectionalCost()), "classes derived"),
+    ],
+)
+def test_types_that_cannot_be_right(call, message):
+    with pytest.raises(TypeError, match=message):
+        call()
+
+
+@pytest.mark.parametrize(
     "call",
     [
+        lambda progress: ag.Solver(VERTICES, FACES, progress=progress),
         lambda progress: SOLVER.distances(0, progress=progress),
         lambda progress: SOLVER.distance_matrix([0], progress=progress),
         lambda progress: SOLVER.voronoi(0, progress=progress),
@@ -113,6 +147,14 @@ def test_calls_that_cannot_be_right(call, message):
 def test_progress_that_cannot_be_called(call):
     with pytest.raises(TypeError, match="progress is 5; it must be callable"):
         call(5)
+
+
+def test_want_of_scipy_is_told_before_the_run(monkeypatch):
+    monkeypatch.setitem(sys.modules, "scipy.sparse", None)
+    assert SOLVER.distance_matrix([0]).shape == (1, 16)
+    for options in ({"max_distance": 1}, {"k": 2}):
+        with pytest.raises(ImportError, match="which need SciPy"):
+            SOLVER.distance_matrix([0], progress=lambda *numbers: 1 / 0, **options)
 
 
 def test_folders_are_not_files(tmp_path):

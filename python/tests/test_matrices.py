@@ -85,6 +85,20 @@ def test_blocks_are_parts_of_the_matrix(solver):
     np.testing.assert_array_equal(np.concatenate([block for _, block in parts]), whole)
     sparse = [block for _, block in solver.iter_blocks(sources, max_distance=0.3)]
     assert sparse[0].nnz == (whole <= 0.3).sum()
+    told = []
+    blocks = solver.iter_blocks(
+        iter([3, 4, 5]), (v for v in (7, 8)), block_size=2, progress=lambda *n: told.append(n)
+    )
+    parts = [block for _, block in blocks]
+    np.testing.assert_array_equal(
+        np.concatenate(parts), solver.distance_matrix([3, 4, 5], [7, 8])
+    )
+    assert told == [(2, 3), (3, 3)]
+    places = ([0, 1, 2], np.full((3, 3), 1 / 3))
+    blocks = [block for _, block in solver.iter_blocks(places, places, block_size=1)]
+    np.testing.assert_array_equal(
+        np.concatenate(blocks), solver.distance_matrix(places, places)
+    )
 
 
 def test_the_largest_distance_from_some_points_falls(solver):
@@ -96,6 +110,9 @@ def test_the_largest_distance_from_some_points_falls(solver):
     assert larger > radius
     away = solver.farthest_points(1, sources=[0])
     assert away[0] == np.argmax(solver.distances(0))
+    told = []
+    everything = solver.farthest_points(1000, progress=lambda *numbers: told.append(numbers))
+    assert len(everything) == 642 and told[-1] == (642, 642)
 
 
 def test_faces_belong_to_the_nearest_source(solver):
@@ -125,4 +142,6 @@ def test_isolines_lie_on_their_level(solver):
     np.testing.assert_array_equal(lines[0][0], lines[0][-1])
     several = solver.isolines(heights, [0.25, 2])
     assert len(several) == 2 and several[1] == []
+    north = solver.isolines(np.ma.masked_less(heights, 0), [-0.2, 0.25])
+    assert north[0] == [] and len(north[1]) == 1
     np.testing.assert_array_equal(several[0][0], lines[0])

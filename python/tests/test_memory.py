@@ -20,7 +20,7 @@ def test_fitting_arrays_are_read_where_they_are(kind):
     assert address(_arrays.numbers(VERTICES, "vertices", (-1, 3))) == address(VERTICES)
     assert address(_arrays.integers(faces, "faces", (-1, 3))) == address(faces)
     # the module underneath refuses what it would have to convert
-    _native.Solver(VERTICES, faces, 0.1, None, None, False, None, 0)
+    _native.Solver(VERTICES, faces, 0.1, None, None, False, None, 0, None)
     for vertices, corners in [
         (VERTICES.astype(np.float32), faces),
         (np.asfortranarray(VERTICES), faces),
@@ -28,7 +28,7 @@ def test_fitting_arrays_are_read_where_they_are(kind):
         (VERTICES, faces[::2]),
     ]:
         with pytest.raises(TypeError):
-            _native.Solver(vertices, corners, 0.1, None, None, False, None, 0)
+            _native.Solver(vertices, corners, 0.1, None, None, False, None, 0, None)
 
 
 def test_other_arrays_are_converted():
@@ -82,9 +82,9 @@ def test_sparse_rows_are_those_of_the_sink():
     request = (np.arange(50), None, None, 0.5, None, False, False, 0, None)
     distances, columns, starts = solver._solver.matrix(*request)
     assert distances.base is not None and columns.base is distances.base
-    from approximate_geodesics._solver import _compressed_rows
+    from approximate_geodesics._solver import _sparse_arrays
 
-    matrix = _compressed_rows((distances, columns, starts), (50, 642))
+    matrix = _sparse_arrays()((distances, columns, starts), shape=(50, 642), copy=False)
     assert address(matrix.data) == address(distances)
     assert address(matrix.indices) == address(columns)
     assert address(matrix.indptr) == address(starts)

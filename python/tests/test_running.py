@@ -152,6 +152,12 @@ def test_progress_grows_and_ends_with_all(solver):
     told.clear()
     solver.distances(0, progress=lambda *numbers: told.append(numbers))
     assert told[-1] == (40962, 40962)
+    told.clear()
+    ag.Solver(*sphere(5), 0.001, progress=lambda *numbers: told.append(numbers))
+    assert len(told) > 1 and told == sorted(told) and told[-1] == (10242, 10242)
+    told.clear()
+    solver.distance_matrix([], progress=lambda done, number: told.append(done / number))
+    assert told == []
 
 
 def test_what_progress_raises_ends_the_run(solver):

@@ -53,7 +53,7 @@ void expect_same_as_class(const Solver& solver, const Mesh& mesh, const NamedPar
   Values expected(mesh.number_of_vertices());
   paths.shortest_distances_to_source_points(
       CGAL::make_property_map(expected)); // numbers are those of the arrays
-  EXPECT_EQ(distances(solver), expected);
+  EXPECT_EQ(solver_distances(solver), expected);
 }
 
 TEST(Solver, finds_the_distances_of_the_class)
@@ -79,7 +79,7 @@ TEST(Solver, takes_points_of_faces_by_the_order_of_their_corners)
     const Point p = CGAL::barycenter(soup.points[t[0]], weights[0], soup.points[t[1]], weights[1],
                                      soup.points[t[2]], weights[2]);
     const auto found =
-        distances(solver, {Solver_point::in_face(static_cast<std::int64_t>(f), weights)});
+        solver_distances(solver, {Solver_point::in_face(static_cast<std::int64_t>(f), weights)});
     for(std::size_t v = 0; v < found.size(); ++v)
       EXPECT_NEAR(found[v], std::sqrt(CGAL::squared_distance(p, soup.points[v])), 1e-12);
   }
@@ -114,7 +114,7 @@ TEST(Solver, fills_rows_of_matrices)
 {
   const Solver_of solver(Soup_arrays(sphere(12, 9)), bound(0.1));
   const std::vector<Solver_point> sources{Solver_point::at_vertex(3), Solver_point::at_vertex(0)};
-  const Values expected = distances(solver);
+  const Values expected = solver_distances(solver);
   Values dense(2 * solver.number_of_vertices());
   solver.compute_matrix(dense.data(), sources);
   EXPECT_EQ(Values(dense.begin(), dense.begin() + std::ptrdiff_t(expected.size())), expected);
@@ -243,7 +243,7 @@ TEST(Solver, saves_directional_costs)
       std::stringstream file;
       solver.save(file);
       const Solver copy(file);
-      EXPECT_EQ(distances(copy), distances(solver));
+      EXPECT_EQ(solver_distances(copy), solver_distances(solver));
       EXPECT_EQ(copy.error_bound(), solver.error_bound());
       ASSERT_TRUE(copy.directional_cost().has_value());
       EXPECT_EQ(copy.directional_cost()->model, cost.model);
@@ -336,7 +336,7 @@ TEST(Solver, is_the_same_after_it_was_saved)
       solver.save(file);
       const std::string contents = file.str();
       const Solver copy(file);
-      EXPECT_EQ(distances(copy), distances(solver));
+      EXPECT_EQ(solver_distances(copy), solver_distances(solver));
       EXPECT_EQ(copy.epsilon(), epsilon);
       EXPECT_EQ(copy.has_face_weights(), (costs & 1) != 0);
       EXPECT_EQ(copy.has_barriers(), (costs & 2) != 0);
@@ -349,7 +349,7 @@ TEST(Solver, is_the_same_after_it_was_saved)
 TEST(Solver, can_be_interrupted_and_used_again)
 {
   const Solver_of solver(Soup_arrays(sphere(100, 50)), bound(0.1));
-  const Values expected = distances(solver);
+  const Values expected = solver_distances(solver);
   AG::Solver_watch watch;
   int number_of_calls = 0;
   watch.go_further = [&] { return ++number_of_calls < 2; };
@@ -360,7 +360,7 @@ TEST(Solver, can_be_interrupted_and_used_again)
   EXPECT_THROW(solver.compute_matrix(rows, all, radius_options(1, 2), watch),
                AG::Solver_interrupted);
   EXPECT_EQ(number_of_calls, 2);
-  EXPECT_EQ(distances(solver), expected);
+  EXPECT_EQ(solver_distances(solver), expected);
 }
 
 // A watch that ends everything as soon as it is asked, which is after some time.
@@ -468,14 +468,16 @@ TEST(Solver, names_what_is_wrong_with_a_question)
   const Solver_of solver(arrays);
   const auto number = static_cast<std::int64_t>(solver.number_of_vertices());
   expect_refused("source 0 is vertex " + std::to_string(number),
-                 [&] { distances(solver, {Solver_point::at_vertex(number)}); });
+                 [&] { solver_distances(solver, {Solver_point::at_vertex(number)}); });
   expect_refused("source 1 is vertex -1", [&] {
-    distances(solver, {Solver_point::at_vertex(0), Solver_point::at_vertex(-1)});
+    solver_distances(solver, {Solver_point::at_vertex(0), Solver_point::at_vertex(-1)});
   });
   expect_refused("source 0 is face 1000", [&] {
-    distances(solver, {Solver_point::in_face(1000, {1, 0, 0})});
+    solver_distances(solver, {Solver_point::in_face(1000, {1, 0, 0})});
   });
-  expect_refused("barycentric", [&] { distances(solver, {Solver_point::in_face(0, {1, 1, 0})}); });
+  expect_refused("barycentric", [&] {
+    solver_distances(solver, {Solver_point::in_face(0, {1, 1, 0})});
+  });
   expect_refused("epsilon is -1", [&] { Solver_of(arrays, bound(-1)); });
   const std::vector<std::int64_t> barrier{0, 0};
   Solver_options options;

@@ -55,13 +55,13 @@ TEST_F(Solver_results, tell_of_the_graph)
   EXPECT_EQ(Solver_of(m_arrays, bound(0)).error_bound(), 0);
   const std::size_t before = m_solver.memory();
   EXPECT_GT(before, m_arrays.number_of_vertices() * sizeof(double));
-  distances(m_solver);
+  solver_distances(m_solver);
   EXPECT_GT(m_solver.memory(), before); // of the search, which the next one takes up
 }
 
 TEST_F(Solver_results, tell_the_nearest_sources)
 {
-  std::vector<double> all = distances(m_solver, m_sources), each, near(all.size());
+  std::vector<double> all = solver_distances(m_solver, m_sources), each, near(all.size());
   Numbers nearest(all.size()), nearest_of_near(all.size());
   m_solver.find_distances(m_sources, all.data(), nearest.data());
   AG::Solver_search_options options;
@@ -70,7 +70,7 @@ TEST_F(Solver_results, tell_the_nearest_sources)
   std::size_t number_of_near = 0;
   for(std::size_t i = 0; i < m_sources.size(); ++i)
   {
-    each = distances(m_solver, {m_sources[i]});
+    each = solver_distances(m_solver, {m_sources[i]});
     for(std::size_t v = 0; v < all.size(); ++v)
       if(nearest[v] == static_cast<std::int64_t>(i))
       {
@@ -97,7 +97,7 @@ TEST_F(Solver_results, are_rows_to_targets)
     m_solver.compute_matrix(rows.data(), m_sources, options);
     for(std::size_t i = 0; i < columns; ++i)
     {
-      const std::vector<double> row = distances(m_solver, {m_sources[i]});
+      const std::vector<double> row = solver_distances(m_solver, {m_sources[i]});
       for(std::size_t j = 0; j < columns; ++j)
         EXPECT_EQ(rows[i * columns + j], row[m_vertices[j].idx()]);
     }
@@ -126,7 +126,7 @@ TEST_F(Solver_results, are_the_farthest_vertices)
 
 TEST_F(Solver_results, are_gradients_and_isolines)
 {
-  const std::vector<double> values = distances(m_solver);
+  const std::vector<double> values = solver_distances(m_solver);
   const auto map = CGAL::make_property_map(values);
   std::vector<double> found(3 * m_arrays.number_of_faces());
   m_solver.find_gradient(values.data(), found.data());

@@ -26,6 +26,7 @@
 #include <CGAL/for_each.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <istream>
 #include <ostream>
@@ -236,10 +237,11 @@ private:
     std::vector<internal::Compressed_arcs> blocks((number_of_vertices + SIZE_OF_BLOCK - 1) /
                                                   SIZE_OF_BLOCK);
     const double unit = internal::unit_of_arcs(m_triangulation);
+    std::atomic<std::size_t> number_done(0);
     CGAL::for_each<ConcurrencyTag>(blocks, [&](internal::Compressed_arcs& block) {
       const Node first = static_cast<Node>(&block - blocks.data()) * SIZE_OF_BLOCK;
       const Node size = (std::min)(SIZE_OF_BLOCK, number_of_vertices - first);
-      block = rows_of(unfolding, unit, first, size);
+      block = rows_of(unfolding, unit, first, size, number_done);
       return true;
     });
 
@@ -255,7 +257,8 @@ private:
   internal::Compressed_arcs rows_of(const internal::Unfolding& unfolding,
                                     const double unit,
                                     const Node first,
-                                    const Node size) const
+                                    const Node size,
+                                    std::atomic<std::size_t>& number_done) const
   {
     const internal::Cone_expansion<internal::Unfolding> expansion(
         m_cone_triangulation.get(m_triangulation), unfolding, m_rules);
@@ -263,7 +266,7 @@ private:
     std::vector<internal::Stored_arc> arcs;
     for(Node node = first; node < first + size; ++node)
     {
-      internal::check_for_interruption();
+      internal::check_for_interruption(number_done++, number_of_nodes());
       internal::find_stored_arcs(node, unit, arcs, [&](const auto f) {
         m_cone_triangulation.for_each_arc(m_triangulation, expansion, node, f);
       });

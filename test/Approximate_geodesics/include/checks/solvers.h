@@ -62,16 +62,17 @@ inline Solver_options bound(const std::optional<double> epsilon)
   return result;
 }
 
-inline std::vector<double> distances(const Solver& solver, const std::vector<Solver_point>& sources)
+inline std::vector<double> solver_distances(const Solver& solver,
+                                            const std::vector<Solver_point>& sources)
 {
   std::vector<double> result(solver.number_of_vertices());
   solver.find_distances(sources, result.data());
   return result;
 }
 
-inline std::vector<double> distances(const Solver& solver)
+inline std::vector<double> solver_distances(const Solver& solver)
 {
-  return distances(solver, {Solver_point::at_vertex(3)});
+  return solver_distances(solver, {Solver_point::at_vertex(3)});
 }
 
 inline void expect_refused(const std::string& message, const std::function<void()>& call)

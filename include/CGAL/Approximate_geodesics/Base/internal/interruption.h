@@ -20,13 +20,14 @@ namespace internal {
 
 /*
  * What may end the work of a thread, by an exception. Functions that take long and have no visitor
- * check for it from time to time. A caller further up sets it, if any does; threads that help with
- * a loop have none.
+ * check for it from time to time, and some tell how far they are. A caller further up sets it, if
+ * any does; threads that help with a loop have none.
  */
 class Interruption
 {
 public:
   virtual void check() = 0;
+  virtual void set_progress(std::size_t number_done, std::size_t number) = 0;
 
   static Interruption*& of_this_thread()
   {
@@ -54,7 +55,15 @@ inline void check_for_interruption()
 #endif
 }
 
-// The same in a loop whose turns are short, after many of them.
+// The same, and tells how much is done, by all threads together.
+inline void check_for_interruption(const std::size_t number_done, const std::size_t number)
+{
+  if(Interruption* const interruption = Interruption::of_this_thread())
+    interruption->set_progress(number_done, number);
+  check_for_interruption();
+}
+
+// The same as the first one in a loop whose turns are short, after many of them.
 inline void check_for_interruption_at(const std::size_t turn)
 {
   constexpr std::size_t turns_between_checks = 4096;

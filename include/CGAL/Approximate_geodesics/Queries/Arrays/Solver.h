@@ -174,6 +174,7 @@ public:
   {
     internal::Solver_visitor visitor(watch);
     build(coordinates, number_of_vertices, corners, number_of_faces, options, nullptr);
+    visitor.finish();
   }
 
   /// reads from a binary stream what `save()` has written there.
@@ -203,6 +204,7 @@ public:
       internal::reject("the file of the solver has arrays whose sizes do not fit each other");
     build(file.coordinates.data(), file.coordinates.size() / 3, file.corners.data(),
           file.corners.size() / 3, options, &in);
+    visitor.finish();
   }
 
   Solver(const Solver&) = delete;

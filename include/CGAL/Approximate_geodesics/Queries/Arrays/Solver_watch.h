@@ -27,7 +27,8 @@ struct Solver_watch
   std::function<bool()> go_further;
 
   /// receives how many pieces of work are done, and how many there are: vertices of a search or of
-  /// a graph that is built, rows of a matrix, or points of a sample.
+  /// a graph with a bound that is built, rows of a matrix, or points of a sample. It is not called
+  /// if there are none.
   std::function<void(std::size_t, std::size_t)> on_progress;
 };
 

@@ -19,6 +19,7 @@
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -128,14 +129,15 @@ public:
     const auto distance = [&](const std::size_t i) {
       return search.distance(triangulation().vertex(i));
     };
-    Farthest_first farthest_first(triangulation().number_of_vertices());
+    const std::size_t number_of_vertices = triangulation().number_of_vertices();
+    Farthest_first farthest_first(number_of_vertices);
     auto farthest = farthest_first.find(distance);
     for(std::size_t i = 0; i < number && farthest.distance > 0 && visitor.go_further(); ++i)
     {
       search.run_further({{triangulation().vertex(farthest.number)}});
       vertices.push_back(static_cast<std::int64_t>(farthest.number));
       farthest = farthest_first.find(distance);
-      visitor.set_progress(i + 1, number);
+      visitor.set_progress(i + 1, (std::min)(number, number_of_vertices));
     }
     visitor.finish();
     return farthest.distance;

@@ -41,7 +41,7 @@ public:
   Solver_visitor(const Solver_visitor&) = delete;
   Solver_visitor& operator=(const Solver_visitor&) = delete;
 
-  void set_progress(const std::size_t number_done, const std::size_t number)
+  void set_progress(const std::size_t number_done, const std::size_t number) override
   {
     m_number_done = (std::min)(number_done, number); // nodes may count more than once
     m_number = number;
@@ -89,7 +89,7 @@ public:
 private:
   void tell() const
   {
-    if(m_watch.on_progress)
+    if(m_watch.on_progress && m_number > 0)
       m_watch.on_progress(m_number_done, m_number);
   }
 

@@ -1,0 +1,28 @@
+"""What type checkers are to know: mypy reads this, and nobody runs it."""
+
+from typing import assert_type
+
+import numpy as np
+import numpy.typing as npt
+
+import approximate_geodesics as ag
+
+Floats = npt.NDArray[np.float64]
+Integers = npt.NDArray[np.int64]
+
+
+class Named(ag.Solver):
+    pass
+
+
+def check(solver: ag.Solver, values: Floats) -> None:
+    assert_type(solver.distances(0), Floats)
+    assert_type(solver.distances([0, 1], return_nearest=True), tuple[Floats, Integers])
+    assert_type(solver.path(0, 1), Floats)
+    assert_type(solver.path(0, 1, return_length=True), tuple[Floats, float])
+    assert_type(solver.farthest_points(5), Integers)
+    assert_type(solver.farthest_points(5, return_radius=True), tuple[Integers, float])
+    assert_type(solver.isolines(values, 0.5), list[Floats])
+    assert_type(solver.isolines(values, [0.5, 1]), list[list[Floats]])
+    assert_type(Named.load("file"), Named)
+    assert_type(Named.from_file("file"), Named)
