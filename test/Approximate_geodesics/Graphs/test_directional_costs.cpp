@@ -278,6 +278,11 @@ TEST(Directional_costs, ModelsHaveTheirPublishedValues)
   EXPECT_NEAR(2.5, energy(0, Vector(1, 0, 0)), 1e-12);
   EXPECT_NEAR(17.3, energy(0, Vector(1, 0, 0.45)), 0.5); // as measured
   EXPECT_EQ(infinity, energy(0, Vector(1, 0, 0.5)));
+  for(const double up : {1., -1.})
+  {
+    EXPECT_EQ(infinity, time(0, Vector(0, 0, up)));
+    EXPECT_EQ(infinity, energy(0, Vector(0, 0, up)));
+  }
   const AG::Drift_time drift(Constant_map<Vector>(Vector(3, 0, 0)), 5);
   EXPECT_NEAR(1 / 8., drift(Face(0), Vector(1, 0, 0)), 1e-15);
   EXPECT_NEAR(1 / 2., drift(Face(0), Vector(-1, 0, 0)), 1e-15);

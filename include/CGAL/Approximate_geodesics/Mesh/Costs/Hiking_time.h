@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/slope.h>
 
 #include <cmath>
 
@@ -47,9 +47,7 @@ public:
   template <typename Face, typename Vector_3>
   double operator()(const Face& /* face */, const Vector_3& direction) const
   {
-    const double x = CGAL::to_double(direction.x()), y = CGAL::to_double(direction.y());
-    const double slope = CGAL::to_double(direction.z()) / std::sqrt(x * x + y * y);
-    return 0.6 / m_factor * std::exp(3.5 * std::abs(slope + 0.05));
+    return 0.6 / m_factor * std::exp(3.5 * std::abs(internal::slope(direction) + 0.05));
   }
 
 private:

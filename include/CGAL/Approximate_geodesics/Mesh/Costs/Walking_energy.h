@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/slope.h>
 
 #include <cmath>
 #include <limits>
@@ -39,8 +39,7 @@ public:
   template <typename Face, typename Vector_3>
   double operator()(const Face& /* face */, const Vector_3& direction) const
   {
-    const double x = CGAL::to_double(direction.x()), y = CGAL::to_double(direction.y());
-    const double s = CGAL::to_double(direction.z()) / std::sqrt(x * x + y * y);
+    const double s = internal::slope(direction);
     if(!(std::abs(s) <= STEEPEST_SLOPE))
       return std::numeric_limits<double>::infinity();
     return ((((280.5 * s - 58.7) * s - 76.8) * s + 51.9) * s + 19.6) * s + 2.5;
