@@ -66,6 +66,9 @@ double write_path(const TriangleMesh& tmesh,
  * straight line through space, unless there are weights, edge lengths, or a visitor. The length is
  * that of the polyline, up to rounding.
  *
+ * With weights, "length" reads "cost", and `epsilon` bounds that between vertices; points of edges
+ * and faces add to the bound what `Approximate_geodesics::Steiner_graph::cost_to_corner()` tells.
+ *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
  * \tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
