@@ -7,6 +7,7 @@
 #define APPROXIMATE_GEODESICS_TEST_GOLDEN_GRAPHS_H
 
 #include "golden_names.h"
+#include "meshes/test_costs.h"
 #include "meshes/test_weights.h"
 
 #include <CGAL/Named_function_parameters.h>
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace geodesics_test {
 namespace golden {
@@ -51,6 +53,7 @@ void for_each_graph_of_vertices(const Mesh& mesh, F f)
   if(mesh.number_of_vertices() <= 700)
     f("lazy 0.01", Lazy(triangulation, epsilon(0.01)));
   f("lazy 0.1 kept", Lazy(triangulation, epsilon(0.1), Lazy::Arcs::KEPT));
+  f("exact", Exact(triangulation));
 }
 
 // Calls `f(name, graph)` unless that would take too long: for the mesh is large, or its faces are
@@ -88,11 +91,35 @@ void for_each_graph_with_points_on_edges(const Mesh& mesh, F f)
   with_points(mesh, "published 1", plain, Published_points(1), 360, f);
 }
 
+// ... for graphs whose costs depend on the direction.
+template <typename F>
+void for_each_graph_with_directional_costs(const Mesh& mesh, F f)
+{
+  if(mesh.number_of_vertices() > 700)
+    return;
+  Random random(7);
+  const std::vector<Slant> slants = random_slants(mesh, random, 0.6);
+  const auto slanted = with_cost(cost_of_faces(slants));
+  const auto hiking = with_cost(AG::Hiking_time());
+  const auto add = [&](const std::string& name, const auto& np, const bool is_to_sources) {
+    f(name, With_costs<Spaced_points>(Triangulation(mesh, np), Spaced_points(2), is_to_sources));
+  };
+  add("slants", slanted, false);
+  add("hiking", hiking, false);
+  add("hiking to sources", hiking, true);
+  if(mesh.number_of_vertices() > 300)
+    return;
+  const auto np =
+      slanted.epsilon(1.).accept_weaker_bound(true).maximum_number_of_points_per_edge(40);
+  f("slants with a bound", With_costs<Directional_points>(Triangulation(mesh, np), np));
+}
+
 template <typename F>
 void for_each_golden_graph(const Mesh& mesh, F f)
 {
   for_each_graph_of_vertices(mesh, f);
   for_each_graph_with_points_on_edges(mesh, f);
+  for_each_graph_with_directional_costs(mesh, f);
 }
 
 } // namespace golden

@@ -8,6 +8,8 @@
 
 #include "meshes/test_soup.h"
 
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
@@ -15,7 +17,9 @@
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
 #include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
@@ -38,13 +42,18 @@ using Triangulation = AG::Intrinsic_triangulation;
 using Edges = AG::Edge_graph;
 using Built = AG::Discrete_geodesic_graph;
 using Lazy = AG::Lazy_discrete_geodesic_graph;
+using Exact = AG::Saddle_vertex_graph;
 using Spaced_points = AG::Fixed_number_of_points;
 using Dense_points = AG::Points_at_interval;
 using Geometric_points = AG::Geometric_points;
 using Published_points = AG::Published_geometric_points;
+using Directional_points = AG::Directional_points;
 
 template <typename Placement>
 using With_points = AG::Steiner_graph<Placement>;
+
+template <typename Placement>
+using With_costs = AG::Directional_graph<Placement>;
 
 using Buckets = AG::Adaptive_bucket_queue;
 using Published_buckets = AG::Published_bucket_queue;

@@ -168,8 +168,9 @@ void add_all_queries(const Mesh& mesh,
   add_paths(paths, targets, CGAL::parameters::default_values(), plain);
   results.add(name + ", points of paths", plain.distances, plain.points);
   results.add(name + ", lengths of paths", plain.lengths);
-  if(paths.graph().triangulation().has_weights()) // cheapest paths are not straight
-    return;
+  const Triangulation& triangulation = paths.graph().triangulation();
+  if(triangulation.has_weights() || triangulation.has_directional_costs())
+    return; // cheapest paths are not straight
   add_paths(paths, targets, CGAL::parameters::straighten(true), straight);
   results.add(name + ", points of straightened paths", straight.points);
   results.add(name + ", lengths of straightened paths", straight.lengths);

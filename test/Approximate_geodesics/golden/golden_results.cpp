@@ -44,7 +44,7 @@ Hash hash_of_c_library()
     const double x = random.between(0, 4), y = random.between(0, 4);
     for(const double value :
         {std::sin(x), std::cos(x), std::atan(x), std::atan2(x, y), std::pow(x, y), std::log(x),
-         std::log2(x), std::log1p(x), std::expm1(x), std::hypot(x, y)})
+         std::log2(x), std::log1p(x), std::exp(x), std::expm1(x), std::hypot(x, y)})
       result.add(value);
   }
   return result;
