@@ -11,6 +11,7 @@
 #include "meshes/surface_points.h"
 #include "oracles/test_oracles.h"
 
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
@@ -28,9 +29,18 @@
 
 // Distances and paths between any points, on a graph that several threads share.
 
+namespace AG = CGAL::Approximate_geodesics;
+
+// All members compile for every graph, called or not.
+template class AG::Surface_search<AG::Directional_graph<>>;
+template class AG::Surface_search<AG::Discrete_geodesic_graph>;
+template class AG::Surface_search<AG::Edge_graph>;
+template class AG::Surface_search<AG::Lazy_discrete_geodesic_graph>;
+template class AG::Surface_search<AG::Saddle_vertex_graph>;
+template class AG::Surface_search<AG::Steiner_graph<>>;
+
 namespace {
 
-namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
 
 class Surface_searches : public testing::Test

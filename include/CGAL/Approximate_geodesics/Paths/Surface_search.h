@@ -169,7 +169,7 @@ public:
     const auto seeds = this->seeds(sources);
     const auto rule = rule_for_nodes(stop);
     run_and_adopt(sources, std::move(points), stop.maximum_distance,
-                  [&] { run_search(sources, seeds, rule, visitor); });
+                  [&] { m_search.run(seeds, rule, visitor, seeds_found_from(sources)); });
   }
 
   /*!
@@ -193,11 +193,13 @@ public:
     const auto seeds = this->seeds(sources);
     const auto rule = rule_for_nodes({limit, {target}});
     run_and_adopt(sources, std::move(points), maximum_distance, [&] {
+      const auto search_toward = [&](const auto& heuristic) {
+        m_search.run_toward(seeds, rule, heuristic, seeds_found_from(sources));
+      };
       if(positions.are_known() && is_goal_for_heuristic(target))
-        run_search_toward(sources, seeds, rule,
-                          internal::Euclidean_heuristic<Graph>(*m_graph, positions, target));
+        search_toward(internal::Euclidean_heuristic<Graph>(*m_graph, positions, target));
       else
-        run_search_toward(sources, seeds, rule, internal::No_heuristic());
+        search_toward(internal::No_heuristic());
     });
   }
 
@@ -233,8 +235,7 @@ public:
       internal::attach_target(*m_graph, point)
           .for_each_node(
               [&](const Node node, const double length) { consider(node, length, result); });
-    if constexpr(internal::needs_bounds<Graph>)
-      consider_lines(point, result);
+    consider_lines(point, result);
     if(result.node != Search::null_node)
       result.source = m_search.source(result.node);
     return is_known(result.distance) ? result : Answer();
@@ -325,49 +326,36 @@ private:
     return !internal::needs_bounds<Graph> || target.is_vertex();
   }
 
-  template <typename Visitor>
-  void run_search(const std::vector<Source_point>& sources,
-                  const std::vector<typename Search::Seed>& seeds,
-                  const typename Search::Stop_rule& rule,
-                  Visitor&& visitor)
+  // Where a search starts: at the nodes around the sources, and for one with upper bounds at
+  // vertices, and where lines from other points end.
+  auto seeds_found_from([[maybe_unused]] const std::vector<Source_point>& sources) const
   {
     if constexpr(internal::needs_bounds<Graph>)
-      m_search.run(seeds, rule, visitor, lines_from(sources));
+      return [this, &sources](const auto& labels, const auto& enter) {
+        for(std::size_t i = 0; i < sources.size(); ++i)
+          enter_lines(sources[i], i, labels, enter);
+      };
     else
-      m_search.run(seeds, rule, visitor);
+      return internal::Same_seeds();
   }
 
-  template <typename Heuristic>
-  void run_search_toward(const std::vector<Source_point>& sources,
-                         const std::vector<typename Search::Seed>& seeds,
-                         const typename Search::Stop_rule& rule,
-                         const Heuristic& heuristic)
+  template <typename Labels, typename Enter>
+  void enter_lines(const Source_point& source,
+                   const std::size_t number,
+                   const Labels& labels,
+                   const Enter& enter) const
   {
-    if constexpr(internal::needs_bounds<Graph>)
-      m_search.run_toward(seeds, rule, heuristic, lines_from(sources));
-    else
-      m_search.run_toward(seeds, rule, heuristic);
-  }
-
-  // Where a search with upper bounds starts: at vertices, and where lines from other points end.
-  auto lines_from(const std::vector<Source_point>& sources) const
-  {
-    return [this, &sources](const auto& labels, const auto& enter) {
-      const auto bound = [&](const Node node) { return labels.bound(node); };
-      for(std::size_t i = 0; i < sources.size(); ++i)
-      {
-        const auto& [point, distance] = sources[i];
-        if(point.is_vertex())
-          enter({point.vertex, distance, i}, typename Graph::Arrival());
-        else
-          m_graph->attach(point).for_each_line(
-              distance / m_graph->unit(), bound, Points_by_face(),
-              [&, d = distance](const Node node, const double length, const auto& arrival) {
-                enter({node, d + length * m_graph->unit(), i}, arrival);
-              },
-              [](std::size_t, double) {});
-      }
-    };
+    const double distance = source.distance;
+    if(source.point.is_vertex())
+      return enter({source.point.vertex, distance, number}, typename Graph::Arrival());
+    m_graph->attach(source.point)
+        .for_each_line(
+            distance / m_graph->unit(), [&](const Node node) { return labels.bound(node); },
+            Points_by_face(),
+            [&](const Node node, const double length, const auto& arrival) {
+              enter({node, distance + length * m_graph->unit(), number}, arrival);
+            },
+            [](std::size_t, double) {});
   }
 
   // What labels of nodes may be at most, if a path over them is to lead to a point at the given
@@ -381,15 +369,19 @@ private:
   }
 
   // Considers lines that leave the faces of the point, from other nodes and from sources.
-  void consider_lines(const Intrinsic_point& point, Answer& best) const
+  void consider_lines([[maybe_unused]] const Intrinsic_point& point,
+                      [[maybe_unused]] Answer& best) const
   {
-    const double largest = (std::min)(best.distance, m_maximum_distance);
-    if(point.is_vertex() || std::isinf(largest))
-      return;
-    m_graph->attach(point).for_each_line(
-        0, bound_before(largest), m_points,
-        [&](const Node node, const double length, const auto&) { consider(node, length, best); },
-        [&](const std::size_t i, const double length) { consider(m_sources, i, length, best); });
+    if constexpr(internal::needs_bounds<Graph>)
+    {
+      const double largest = (std::min)(best.distance, m_maximum_distance);
+      if(point.is_vertex() || std::isinf(largest))
+        return;
+      m_graph->attach(point).for_each_line(
+          0, bound_before(largest), m_points,
+          [&](const Node node, const double length, const auto&) { consider(node, length, best); },
+          [&](const std::size_t i, const double length) { consider(m_sources, i, length, best); });
+    }
   }
 
   // Results fit the sources, also if the run fails: input that the search refuses changes nothing;
