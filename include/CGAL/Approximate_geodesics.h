@@ -20,11 +20,11 @@
 #include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
 
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Balanced_bucket_width.h>
 #include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
 

@@ -11,9 +11,9 @@
 #include "meshes/Weighted_terrain.h"
 #include "output/Options.h"
 #include "output/Table.h"
+#include "peers/Published_geometric_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>

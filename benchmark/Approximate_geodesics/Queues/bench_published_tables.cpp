@@ -11,13 +11,13 @@
 #include "meshes/Mesh.h"
 #include "output/Options.h"
 #include "output/Table.h"
+#include "peers/Published_bucket_queue.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
 

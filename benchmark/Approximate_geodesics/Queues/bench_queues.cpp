@@ -12,17 +12,17 @@
 #include "output/Options.h"
 #include "output/Table.h"
 #include "peers/Boost_dijkstra.h"
+#include "peers/Pairing_heap_queue.h"
+#include "peers/Published_bucket_queue.h"
 #include "peers/searches_of_arrays.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <algorithm>

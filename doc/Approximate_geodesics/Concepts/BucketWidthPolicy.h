@@ -10,7 +10,6 @@ The choice affects only the run time, never the distances.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Balanced_bucket_width}
-\cgalHasModels{CGAL::Approximate_geodesics::Published_bucket_width}
 \cgalHasModelsEnd
 */
 class BucketWidthPolicy

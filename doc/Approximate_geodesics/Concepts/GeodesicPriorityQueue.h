@@ -45,7 +45,6 @@ comparisons in the queue.
 \cgalHasModels{CGAL::Approximate_geodesics::Basic_published_bucket_queue}
 \cgalHasModels{CGAL::Approximate_geodesics::Radix_heap_queue}
 \cgalHasModels{CGAL::Approximate_geodesics::D_ary_heap_queue}
-\cgalHasModels{CGAL::Approximate_geodesics::Pairing_heap_queue}
 \cgalHasModels{CGAL::Approximate_geodesics::Fibonacci_heap_queue}
 \cgalHasModels{CGAL::Approximate_geodesics::Array_queue}
 \cgalHasModelsEnd

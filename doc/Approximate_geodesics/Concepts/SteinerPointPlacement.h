@@ -15,7 +15,6 @@ of the halfedge and the point; if it is negative, minus the part between the poi
 \cgalHasModels{CGAL::Approximate_geodesics::Points_at_interval}
 \cgalHasModels{CGAL::Approximate_geodesics::Geometric_points}
 \cgalHasModels{CGAL::Approximate_geodesics::Directional_points}
-\cgalHasModels{CGAL::Approximate_geodesics::Published_geometric_points}
 \cgalHasModelsEnd
 */
 class SteinerPointPlacement

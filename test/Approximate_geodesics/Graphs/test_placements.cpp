@@ -6,10 +6,10 @@
 #include "checks/expect_costs.h"
 #include "checks/expect_message.h"
 #include "meshes/steiner_meshes.h"
+#include "peers/Published_geometric_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
-#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
 #include <CGAL/approximate_geodesic_path.h>
 
 #include <gtest/gtest.h>

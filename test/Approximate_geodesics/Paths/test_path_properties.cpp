@@ -6,10 +6,10 @@
 #include "checks/graphs_of_all_kinds.h"
 #include "meshes/random_soups.h"
 #include "meshes/surface_points.h"
+#include "peers/Pairing_heap_queue.h"
+#include "peers/Published_bucket_queue.h"
 
-#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>

@@ -6,14 +6,14 @@
 #include "checks/fixed_bucket_width.h"
 #include "checks/random_gap.h"
 #include "checks/test_random.h"
+#include "peers/Pairing_heap_queue.h"
+#include "peers/Published_bucket_queue.h"
+#include "peers/Published_bucket_width.h"
 
+#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_width.h>
 
 #include <gtest/gtest.h>
 

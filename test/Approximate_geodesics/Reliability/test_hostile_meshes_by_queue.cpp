@@ -5,16 +5,16 @@
 
 #include "meshes/test_weights.h"
 #include "oracles/known_distances.h"
+#include "peers/Pairing_heap_queue.h"
+#include "peers/Published_bucket_queue.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <gtest/gtest.h>

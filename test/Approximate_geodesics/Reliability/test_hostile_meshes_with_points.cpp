@@ -7,11 +7,11 @@
 #include "checks/expect_message.h"
 #include "meshes/Cut_mesh.h"
 #include "meshes/test_weights.h"
+#include "peers/Published_geometric_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
-#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 
 #include <gtest/gtest.h>

@@ -6,13 +6,13 @@
 #include "checks/failing_allocation.h"
 #include "checks/graphs_of_all_kinds.h"
 #include "checks/test_recorder.h"
+#include "peers/Pairing_heap_queue.h"
+#include "peers/Published_bucket_queue.h"
 
+#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 
 #include <gtest/gtest.h>
 

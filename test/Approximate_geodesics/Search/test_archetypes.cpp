@@ -5,14 +5,14 @@
 
 #include "checks/fixed_bucket_width.h"
 #include "oracles/test_oracles.h"
+#include "peers/Pairing_heap_queue.h"
+#include "peers/Published_bucket_queue.h"
 
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>

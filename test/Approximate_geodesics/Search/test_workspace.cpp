@@ -5,9 +5,9 @@
 
 #include "checks/test_recorder.h"
 #include "oracles/test_oracles.h"
+#include "peers/Published_bucket_queue.h"
 
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <gtest/gtest.h>

@@ -4,13 +4,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fuzzed_meshes.h"
+#include "peers/Published_bucket_queue.h"
+#include "peers/Published_geometric_points.h"
 #include "require.h"
 
 #include <CGAL/Approximate_geodesics.h>
-#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,9 @@
 #define APPROXIMATE_GEODESICS_TEST_GOLDEN_NAMES_H
 
 #include "meshes/test_soup.h"
+#include "peers/Pairing_heap_queue.h"
+#include "peers/Published_bucket_queue.h"
+#include "peers/Published_geometric_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
@@ -16,17 +19,14 @@
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
-#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Pairing_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>

@@ -42,8 +42,8 @@ namespace Approximate_geodesics {
  *
  * So there are \cgalBigO{\log(1 / \varepsilon) / \sqrt\varepsilon} points on an edge, times a
  * factor that depends on the angles. The idea of progressions is that of Aleksandrov, Lanthier,
- * Maheshwari and Sack \cgalCite{alms-eawsp-98}, whose own progressions,
- * `Published_geometric_points`, have \cgalBigO{\log(1 / \varepsilon) / \varepsilon} points, and a
+ * Maheshwari and Sack \cgalCite{alms-eawsp-98}, whose own progressions
+ * have \cgalBigO{\log(1 / \varepsilon) / \varepsilon} points, and a
  * factor that grows with the ratio of the weights.
  *
  * <b>Thin faces.</b> The number of points is in inverse proportion to the sine of the smallest

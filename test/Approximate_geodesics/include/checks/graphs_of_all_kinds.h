@@ -8,13 +8,13 @@
 
 #include "meshes/test_weights.h"
 #include "oracles/test_oracles.h"
+#include "peers/Published_geometric_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
-#include <CGAL/Approximate_geodesics/Graphs/Reference/Published_geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 

@@ -3,10 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_WIDTH_H
-#define CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_WIDTH_H
-
-#include <CGAL/license/Approximate_geodesics.h>
+#ifndef BENCHMARK_PUBLISHED_BUCKET_WIDTH_H
+#define BENCHMARK_PUBLISHED_BUCKET_WIDTH_H
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
@@ -17,24 +15,20 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 
-/*!
- * \ingroup PkgApproximateGeodesicsComparison
- *
+/*
  * The policy of Schwartz, de Rezende and Pedrini for the width of buckets
- * \cgalCite{srp-fasgp-15}: the longest arc divided by a number. This number is 100 at first, and
+ * (2015): the longest arc divided by a number. This number is 100 at first, and
  * grows by 100 after every run whose buckets held more than 64 entries on average, empty ones not
  * counted.
  *
  * The publication leaves open the lower bound of the width, which depends on the mesh. Here it is a
  * hundredth of the shortest arc, and at least a millionth of the longest one; scanned models never
  * reach it.
- *
- * \cgalModels{BucketWidthPolicy}
  */
 class Published_bucket_width
 {
 public:
-  /// chooses the width for the first run.
+  // chooses the width for the first run.
   explicit Published_bucket_width(const Arc_lengths& arcs = Arc_lengths())
     : m_longest_arc(arcs.longest > 0 ? arcs.longest : 1),
       m_narrowest(
@@ -42,10 +36,10 @@ public:
   {
   }
 
-  /// returns the width of the buckets, in units of the graph.
+  // returns the width of the buckets, in units of the graph.
   double width() const { return (std::max)(m_longest_arc / m_divisor, m_narrowest); }
 
-  /// chooses the width for the next run, given the figures of the last one.
+  // chooses the width for the next run, given the figures of the last one.
   void update(const Bucket_statistics& last_run)
   {
     if(last_run.mean_occupancy() > LARGEST_OCCUPANCY && width() > m_narrowest)
@@ -66,4 +60,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_WIDTH_H
+#endif // BENCHMARK_PUBLISHED_BUCKET_WIDTH_H

@@ -3,14 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_QUEUE_H
-#define CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_QUEUE_H
+#ifndef BENCHMARK_PUBLISHED_BUCKET_QUEUE_H
+#define BENCHMARK_PUBLISHED_BUCKET_QUEUE_H
 
-#include <CGAL/license/Approximate_geodesics.h>
+#include "peers/Published_bucket_width.h"
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
-#include <CGAL/Approximate_geodesics/Queues/Reference/Published_bucket_width.h>
 #include <CGAL/Approximate_geodesics/Queues/internal/Ordered_queue_base.h>
 #include <CGAL/assertions.h>
 
@@ -23,11 +22,9 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 
-/*!
- * \ingroup PkgApproximateGeodesicsComparison
- *
+/*
  * The adaptive bucket queue as Schwartz, de Rezende and Pedrini published it
- * \cgalCite{srp-fasgp-15}, provided for comparison with `Basic_adaptive_bucket_queue`. Buckets
+ * (2015), provided for comparison with `Basic_adaptive_bucket_queue`. Buckets
  * follow each other from key 0 to the largest key. `extract_min()` searches the first bucket that
  * is not empty for its smallest key. A node whose key is lowered moves from one bucket to another.
  *
@@ -40,17 +37,12 @@ namespace Approximate_geodesics {
  * of entries that each of them held, and of a slot for each node.
  *
  * \tparam WidthPolicy a model of `BucketWidthPolicy`
- *
- * \cgalModels{GeodesicPriorityQueue}
  */
 template <typename WidthPolicy = Published_bucket_width>
-class Basic_published_bucket_queue
-#ifndef DOXYGEN_RUNNING
-  : public internal::Ordered_queue_base
-#endif
+class Basic_published_bucket_queue : public internal::Ordered_queue_base
 {
 public:
-  /// makes an empty queue for a graph with `number_of_nodes` nodes and the given arcs.
+  // makes an empty queue for a graph with `number_of_nodes` nodes and the given arcs.
   explicit Basic_published_bucket_queue(const std::size_t number_of_nodes = 0,
                                         const Arc_lengths& arcs = Arc_lengths())
     : m_largest_number((std::min)(16 * number_of_nodes + FIRST_NUMBER, LARGEST_NUMBER)),
@@ -61,11 +53,11 @@ public:
     start();
   }
 
-  /// returns whether no entry is left.
+  // returns whether no entry is left.
   bool is_empty() const { return m_size == 0; }
 
-  /// enters `node` with `key`, or lowers its key.
-  /// \pre the node exists, and `key` is not below the key extracted last.
+  // enters `node` with `key`, or lowers its key.
+  // \pre the node exists, and `key` is not below the key extracted last.
   void push(const Node node, const Key key)
   {
     CGAL_precondition(node < m_slot.size() && !is_final(key));
@@ -80,7 +72,7 @@ public:
     }
   }
 
-  /// removes the entry with the smallest key, and returns it. \pre `!is_empty()`
+  // removes the entry with the smallest key, and returns it. \pre `!is_empty()`
   Batch extract_min()
   {
     CGAL_precondition(!is_empty());
@@ -99,7 +91,7 @@ public:
     return hand_out(result);
   }
 
-  /// calls `f(node)` for the nodes of all entries.
+  // calls `f(node)` for the nodes of all entries.
   template <typename F>
   void for_each_node(F f) const
   {
@@ -108,7 +100,7 @@ public:
         f(e.node);
   }
 
-  /// removes all entries, and adapts the width of the buckets to the last run.
+  // removes all entries, and adapts the width of the buckets to the last run.
   void clear()
   {
     for(std::size_t i = m_current; i < m_beyond_used; ++i)
@@ -121,8 +113,8 @@ public:
     start();
   }
 
-  /// returns the figures of the run since the last call of `clear()`. The occupancy of a bucket is
-  /// the number of entries extracted from it.
+  // returns the figures of the run since the last call of `clear()`. The occupancy of a bucket is
+  // the number of entries extracted from it.
   Bucket_statistics statistics() const
   {
     Bucket_statistics result = m_statistics;
@@ -131,7 +123,7 @@ public:
     return result;
   }
 
-  /// returns the number of bytes that the queue takes.
+  // returns the number of bytes that the queue takes.
   std::size_t memory() const
   {
     std::size_t entries = 0;
@@ -216,9 +208,7 @@ private:
   Bucket_statistics m_statistics;
 };
 
-/*!
- * \ingroup PkgApproximateGeodesicsComparison
- *
+/*
  * The published adaptive bucket queue with the published widths.
  */
 using Published_bucket_queue = Basic_published_bucket_queue<Published_bucket_width>;
@@ -226,4 +216,4 @@ using Published_bucket_queue = Basic_published_bucket_queue<Published_bucket_wid
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_PUBLISHED_BUCKET_QUEUE_H
+#endif // BENCHMARK_PUBLISHED_BUCKET_QUEUE_H

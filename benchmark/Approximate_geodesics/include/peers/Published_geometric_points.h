@@ -3,10 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_REFERENCE_PUBLISHED_GEOMETRIC_POINTS_H
-#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_REFERENCE_PUBLISHED_GEOMETRIC_POINTS_H
-
-#include <CGAL/license/Approximate_geodesics.h>
+#ifndef BENCHMARK_PUBLISHED_GEOMETRIC_POINTS_H
+#define BENCHMARK_PUBLISHED_GEOMETRIC_POINTS_H
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
@@ -23,49 +21,44 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 
-/*!
- * \ingroup PkgApproximateGeodesicsComparison
- *
- * The geometric progressions of Aleksandrov, Lanthier, Maheshwari and Sack
- * \cgalCite{alms-eawsp-98}, to compare with: `Geometric_points` gives the same bound with a small
- * part of these points.
+/*
+ * The geometric progressions of Aleksandrov, Lanthier, Maheshwari and Sack (1998), to compare with:
+ * `Geometric_points` gives the same bound with a small part of these points.
  *
  * From either end of an edge, points follow each other at distances that grow by the factor
- * \f$1 + \delta \sin\theta\f$, where \f$\theta\f$ is the smallest angle at the vertex (and the
- * factor is \f$1 + \delta\f$ if that is obtuse). They start at \f$\delta\f$ times the radius of the
- * star of the vertex, and end where the spacings of the two progressions are equal. Paths then cost
- * at most \f$1 + \delta (1 + 2 W / ((1 - 2 \delta) w))\f$ times as much as the cheapest ones, for
- * \f$\delta < 1/2\f$, where \f$W\f$ is the largest finite weight of a face and \f$w\f$ the smallest
- * one, which must not be `0`; so \f$\delta\f$ is chosen for this to be \f$1 + \varepsilon\f$.
+ * 1 + delta sin(theta), where theta is the smallest angle at the vertex (and the factor is
+ * 1 + delta if that is obtuse). They start at delta times the radius of the star of the vertex, and
+ * end where the spacings of the two progressions are equal. Paths then cost at most
+ * 1 + delta (1 + 2 W / ((1 - 2 delta) w)) times as much as the cheapest ones, for delta < 1/2,
+ * where W is the largest finite weight of a face and w the smallest one, which must not be 0; so
+ * delta is chosen for this to be 1 + epsilon.
  *
  * `SMALLEST_SINE` is used, and ends the bound, as in `Geometric_points`.
- *
- * \cgalModels{SteinerPointPlacement}
  */
 class Published_geometric_points
 {
 public:
-  /// the number of a halfedge.
+  // the number of a halfedge.
   using Index = Intrinsic_triangulation::Index;
 
-  /// points do not divide edges into equal parts.
+  // points do not divide edges into equal parts.
   static constexpr bool makes_equal_parts = false;
 
-  /// angles are taken to have at least this sine.
+  // angles are taken to have at least this sine.
   static constexpr double SMALLEST_SINE = 0.02;
 
-  /// progressions start at least this far from the end, in lengths of the edge.
+  // progressions start at least this far from the end, in lengths of the edge.
   static constexpr double SMALLEST_START = 1e-36;
 
-  /// places points for the bound `epsilon`.
-  /// \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
+  // places points for the bound `epsilon`.
+  // \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
   explicit Published_geometric_points(const double epsilon = 0.1)
     : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon)))
   {
   }
 
-  /// reads the bound from the named parameter `epsilon`, whose default is `0.1`.
-  /// \throws std::invalid_argument if it is not a finite number above `0`.
+  // reads the bound from the named parameter `epsilon`, whose default is `0.1`.
+  // \throws std::invalid_argument if it is not a finite number above `0`.
   template <typename T, typename Tag, typename Base>
   explicit Published_geometric_points(const Named_function_parameters<T, Tag, Base>& np)
     : m_epsilon(internal::checked_epsilon(np))
@@ -78,10 +71,10 @@ public:
                   "own, use Fixed_number_of_points or Points_at_interval");
   }
 
-  /// computes where the progressions of every vertex start, and their factors.
-  /// \throws std::invalid_argument if some faces, but not all, have weight `0`.
-  ///
-  /// Run time is \cgalBigO{n}.
+  // computes where the progressions of every vertex start, and their factors.
+  // \throws std::invalid_argument if some faces, but not all, have weight `0`.
+  //
+  // Run time is O(n).
   void prepare(const Intrinsic_triangulation& triangulation)
   {
     const double ratio = ratio_of_weights(triangulation);
@@ -99,13 +92,13 @@ public:
     }
   }
 
-  /// returns the number of points on the edge of `h`.
+  // returns the number of points on the edge of `h`.
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
     return progressions(triangulation, h).number_of_points();
   }
 
-  /// writes the positions of these points to `positions`.
+  // writes the positions of these points to `positions`.
   void place(const Intrinsic_triangulation& triangulation,
              const Index h,
              float* positions,
@@ -114,8 +107,8 @@ public:
     progressions(triangulation, h).place(positions);
   }
 
-  /// returns the bound that holds with the present weights of `triangulation`.
-  /// Run time is \cgalBigO{n}.
+  // returns the bound that holds with the present weights of `triangulation`.
+  // Run time is O(n).
   double epsilon(const Intrinsic_triangulation& triangulation) const
   {
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
@@ -127,7 +120,7 @@ public:
     return result <= m_epsilon * (1 + tolerance) ? m_epsilon : result;
   }
 
-  /// returns the number of bytes that are stored per element of the mesh.
+  // returns the number of bytes that are stored per element of the mesh.
   std::size_t memory() const { return m_ends.capacity() * sizeof(End); }
 
 private:
@@ -194,4 +187,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_REFERENCE_PUBLISHED_GEOMETRIC_POINTS_H
+#endif // BENCHMARK_PUBLISHED_GEOMETRIC_POINTS_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_ARRAY_QUEUE_H
-#define CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_ARRAY_QUEUE_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUEUES_ARRAY_QUEUE_H
+#define CGAL_APPROXIMATE_GEODESICS_QUEUES_ARRAY_QUEUE_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsComparison
+ * \ingroup PkgApproximateGeodesicsQueues
  *
  * A priority queue that keeps its entries in an unordered array, and searches all of them for the
  * smallest key. Dijkstra's algorithm was published with this queue \cgalCite{d-ntpcg-59}; it is
@@ -110,4 +110,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_REFERENCE_ARRAY_QUEUE_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_ARRAY_QUEUE_H
