@@ -9,7 +9,7 @@
 // Between arrays of NumPy and those of C++, without copies: arguments are read where they are, and
 // results are owned by the arrays that are returned.
 
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_point.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_point.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

@@ -12,7 +12,7 @@
 #include "interpreter_lock.h"
 #include "running.h"
 
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
 

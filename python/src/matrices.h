@@ -11,7 +11,7 @@
 #include "arrays.h"
 #include "running.h"
 
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver.h>
 
 #include <pybind11/numpy.h>
 

@@ -12,7 +12,7 @@
 #include "matrices.h"
 #include "running.h"
 
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>

@@ -11,7 +11,7 @@
 
 #include "interpreter_lock.h"
 
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_watch.h>
 
 #include <pybind11/pybind11.h>
 

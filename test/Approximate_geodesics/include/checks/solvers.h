@@ -9,7 +9,7 @@
 #include "checks/expect_message.h"
 #include "meshes/test_soup.h"
 
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver.h>
 
 #include <cstddef>
 #include <functional>

@@ -3,12 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_TWO_WAY_GRAPH_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_TWO_WAY_GRAPH_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_TWO_WAY_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_TWO_WAY_GRAPH_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_graph.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 
 #include <cstddef>
 #include <memory>
@@ -57,4 +57,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_TWO_WAY_GRAPH_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_TWO_WAY_GRAPH_H

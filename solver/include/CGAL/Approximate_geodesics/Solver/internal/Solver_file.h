@@ -3,17 +3,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_FILE_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_FILE_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_FILE_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_FILE_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_cost.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_costs.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_mesh.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/make_solver_graph.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_cost.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Array_costs.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Array_mesh.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/make_solver_graph.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -166,4 +166,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_FILE_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_FILE_H

@@ -3,17 +3,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_ARRAY_COSTS_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_ARRAY_COSTS_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_ARRAY_COSTS_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_ARRAY_COSTS_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_cost.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_mesh.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/cost_function.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_cost.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Array_mesh.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/cost_function.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -132,4 +132,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_ARRAY_COSTS_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_ARRAY_COSTS_H

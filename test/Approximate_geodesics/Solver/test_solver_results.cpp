@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver.h>
 
 #include "checks/solvers.h"
 #include "meshes/test_meshes.h"

@@ -3,15 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_VISITOR_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_VISITOR_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_VISITOR_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_VISITOR_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_watch.h>
 
 #include <algorithm>
 #include <atomic>
@@ -149,4 +149,4 @@ inline Solver_visitor::Of_search Solver_visitor::visitor_of_search() { return {*
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_VISITOR_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_VISITOR_H

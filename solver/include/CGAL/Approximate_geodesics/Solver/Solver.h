@@ -3,31 +3,31 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_cost.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_point.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_watch.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Any_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_costs.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Array_mesh.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_file.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_visitor.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Two_way_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/make_solver_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/with_threads.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_cost.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_point.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_watch.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Any_rows.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Array_costs.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Array_mesh.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Solver_file.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Solver_visitor.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Two_way_graph.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/make_solver_graph.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/with_threads.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -44,6 +44,15 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+/*!
+ * \defgroup PkgApproximateGeodesicsArrays Plain Arrays
+ * \ingroup PkgApproximateGeodesicsUsers
+ * The class `CGAL::Approximate_geodesics::Solver` takes vertices and faces as arrays of numbers,
+ * for programs without mesh types, and for other languages. Its headers are in the folder `solver`,
+ * and CMake's target is `Approximate_geodesics::Solver`. The Python package in the folder `python`
+ * wraps it.
+ */
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -550,4 +559,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_WATCH_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_WATCH_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_WATCH_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_WATCH_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -46,4 +46,4 @@ struct Solver_interrupted : std::runtime_error
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_ARRAYS_SOLVER_WATCH_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_WATCH_H

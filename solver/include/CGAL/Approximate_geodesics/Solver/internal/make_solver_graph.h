@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_MAKE_SOLVER_GRAPH_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_MAKE_SOLVER_GRAPH_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_MAKE_SOLVER_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_MAKE_SOLVER_GRAPH_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -16,10 +16,10 @@
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Optional_points.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_graph_of.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Watched_exact_graph.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Optional_points.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph_of.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Watched_exact_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <istream>
@@ -89,4 +89,4 @@ inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation t
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_MAKE_SOLVER_GRAPH_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_MAKE_SOLVER_GRAPH_H

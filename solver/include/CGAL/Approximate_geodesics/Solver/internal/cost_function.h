@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_COST_FUNCTION_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_COST_FUNCTION_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_COST_FUNCTION_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_COST_FUNCTION_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -15,7 +15,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Costs/One_way.h>
 #include <CGAL/Approximate_geodesics/Mesh/Costs/Tensor_cost.h>
 #include <CGAL/Approximate_geodesics/Mesh/Costs/Walking_energy.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver_cost.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_cost.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -116,4 +116,4 @@ inline Cost_function cost_function(const Solver_cost& cost, const std::size_t nu
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_COST_FUNCTION_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_COST_FUNCTION_H

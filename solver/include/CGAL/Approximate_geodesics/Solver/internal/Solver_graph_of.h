@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_GRAPH_OF_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_GRAPH_OF_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_GRAPH_OF_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_GRAPH_OF_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -14,9 +14,9 @@
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Solver_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Arrays/Workspaces.h>
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Workspaces.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 
 #include <algorithm>
@@ -166,4 +166,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_ARRAYS_SOLVER_GRAPH_OF_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_GRAPH_OF_H
