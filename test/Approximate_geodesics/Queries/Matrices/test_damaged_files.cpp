@@ -177,7 +177,7 @@ TEST_P(Damaged_file, has_a_journal_of_another_version)
 {
   const auto change = [](std::string& bytes) { bytes[8] = 7; };
   expect_error(changed(contents_after(4), journal, change),
-               folder.file(journal) + " has version 7; this program reads version 1");
+               folder.file(journal) + " has version 7; this program reads version 2");
 }
 
 TEST_P(Damaged_file, has_a_journal_that_is_none)

@@ -104,6 +104,9 @@ TEST(Refused_file, belongs_to_another_job)
   };
   const std::vector<Difference> differences{
       {[](auto& j) { j.graph = Matrix_job(5, 6).graph; }, "another mesh, or other lengths"},
+      {[](auto& j) { j.sources.pop_back(); }, "another number of sources (25, not 24);"},
+      {[](auto& j) { j.sources.push_back(0); }, "another number of sources (25, not 26);"},
+      {[](auto& j) { j.targets.resize(3); }, "another number of targets (25, not 3);"},
       {[](auto& j) { j.sources[24] = j.sources[0]; }, "other sources"},
       {[](auto& j) { std::swap(j.targets[3], j.targets[4]); }, "other targets"},
       {[](auto& j) { j.maximum_distance = 1e9; }, "another maximum_distance or number"}};

@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,8 +37,10 @@ struct Matrix_identity
     KIND,
     MESH,
     GRAPH,
+    NUMBER_OF_SOURCES, // as it is
+    NUMBER_OF_TARGETS,
     SOURCES,
-    COLUMNS,
+    TARGETS,
     LIMIT,
     DISTANCES,
     NUMBER_OF_PARTS
@@ -50,11 +53,22 @@ struct Matrix_identity
         "another kind of file or of numbers",
         "another mesh, or other lengths, weights or barriers",
         "another graph, or another bound epsilon",
+        "another number of sources",
+        "another number of targets",
         "other sources",
         "other targets",
         "another maximum_distance or number of nearest",
         "distances that differ, as another version or compilation of the program gives them"};
     return names[part];
+  }
+
+  // The same, of this matrix beside another one.
+  std::string difference(const std::size_t part, const Matrix_identity& other) const
+  {
+    if(part != NUMBER_OF_SOURCES && part != NUMBER_OF_TARGETS)
+      return name(part);
+    return std::string(name(part)) + " (" + std::to_string(parts[part]) + ", not " +
+           std::to_string(other.parts[part]) + ')';
   }
 
   std::array<std::uint64_t, NUMBER_OF_PARTS> parts{};

@@ -125,8 +125,10 @@ Matrix_identity identity_of_matrix(const Graph& graph,
   Matrix_identity result;
   result.parts[Matrix_identity::MESH] = checksum(graph.triangulation());
   result.parts[Matrix_identity::GRAPH] = checksum_of_graph(graph);
+  result.parts[Matrix_identity::NUMBER_OF_SOURCES] = points.sources.size();
+  result.parts[Matrix_identity::NUMBER_OF_TARGETS] = points.targets.size();
   result.parts[Matrix_identity::SOURCES] = checksum(points.sources);
-  result.parts[Matrix_identity::COLUMNS] = checksum(points.targets);
+  result.parts[Matrix_identity::TARGETS] = checksum(points.targets);
   Bulk_checksum limit, distances;
   limit.add_value(limits.maximum_distance);
   limit.add_value(static_cast<std::uint64_t>(limits.number_of_nearest));

@@ -71,12 +71,11 @@ protected:
   {
     m_plan = &plan;
     Matrix_identity identity = plan.identity();
-    Bulk_checksum checksum;
-    checksum.add(kind.data(), kind.size());
-    for(const std::size_t number : {sizeof(T), plan.number_of_rows(), plan.number_of_columns(),
-                                    plan.rows_per_block(), std::size_t(plan.is_symmetric())})
-      checksum.add_value(static_cast<std::uint64_t>(number));
-    identity.parts[Matrix_identity::KIND] = checksum.value();
+    identity.parts[Matrix_identity::KIND] = checksum_of_kind(kind, plan.is_symmetric());
+    Bulk_checksum version; // for the same rows, only another one has other blocks
+    version.add_value(identity.parts[Matrix_identity::DISTANCES]);
+    version.add_value(static_cast<std::uint64_t>(plan.rows_per_block()));
+    identity.parts[Matrix_identity::DISTANCES] = version.value();
     m_blocks.start(identity, plan, are_changed_at_the_end, is_there, prepare);
   }
 
@@ -91,6 +90,15 @@ protected:
   }
 
 private:
+  static std::uint64_t checksum_of_kind(const std::string& kind, const bool is_symmetric)
+  {
+    Bulk_checksum result;
+    result.add(kind.data(), kind.size());
+    result.add_value(static_cast<std::uint64_t>(sizeof(T)));
+    result.add_value(static_cast<std::uint64_t>(is_symmetric));
+    return result.value();
+  }
+
   std::unique_ptr<Team> m_own_team; // if none was given
   Team& m_team;
   Blocks m_blocks;

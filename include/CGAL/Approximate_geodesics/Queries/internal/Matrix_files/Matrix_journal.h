@@ -46,7 +46,7 @@ struct Block_record
 class Matrix_journal
 {
   static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4d44474741; // AGGDM, and what text modes spoil
-  static constexpr std::uint32_t VERSION = 1;
+  static constexpr std::uint32_t VERSION = 2;
 
 public:
   static constexpr std::uint64_t LENGTH_OF_HEADER =

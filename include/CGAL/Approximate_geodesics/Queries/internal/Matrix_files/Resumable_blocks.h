@@ -238,8 +238,8 @@ private:
   {
     for(std::size_t part = 0; part < other.parts.size(); ++part)
       if(m_identity.parts[part] != other.parts[part])
-        reject(journal + " belongs to a computation with " + Matrix_identity::name(part) + "; " +
-               Matrix_journal::remedy());
+        reject(journal + " belongs to a computation with " + other.difference(part, m_identity) +
+               "; " + Matrix_journal::remedy());
   }
 
   void check_files(const bool has_begun, const bool are_all_there) const
