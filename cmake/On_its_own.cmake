@@ -13,6 +13,6 @@ else()
   message(STATUS "Using the headers of the source tree")
   add_subdirectory(${CMAKE_CURRENT_LIST_DIR}/.. headers EXCLUDE_FROM_ALL)
 endif()
-list(APPEND CMAKE_MODULE_PATH ${CGAL_MODULES_DIR})
+list(APPEND CMAKE_MODULE_PATH ${CGAL_MODULES_DIR} ${CMAKE_CURRENT_LIST_DIR})
 
 include(${CMAKE_CURRENT_LIST_DIR}/Developer_settings.cmake)
