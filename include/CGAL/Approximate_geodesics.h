@@ -65,10 +65,7 @@
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Npy_file.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Npz_file.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Single_process.h>
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Sparse_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/distance_intervals.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>

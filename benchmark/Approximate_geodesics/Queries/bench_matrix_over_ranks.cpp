@@ -13,9 +13,9 @@
 #include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Mpi_team.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Mpi_team.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Npy_file.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 
 #include <boost/program_options.hpp>

@@ -1,10 +1,10 @@
 #ifndef GEODESIC_MATRIX_PROCESSES_H
 #define GEODESIC_MATRIX_PROCESSES_H
 
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Single_process.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Single_process.h>
 
 #ifdef GEODESIC_MATRIX_WITH_MPI
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Mpi_team.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Mpi_team.h>
 
 #include <mpi.h>
 #endif

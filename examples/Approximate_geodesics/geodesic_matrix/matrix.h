@@ -5,8 +5,8 @@
 #include "Processes.h"
 #include "Vertex_choice.h"
 
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Npy_file.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Npz_file.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Npz_file.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 
 #include <functional>

@@ -62,10 +62,6 @@ public:
     return part(m_rows.distances.get(), row);
   }
 
-  /// writes the matrix to a file that `scipy.sparse.load_npz()` reads.
-  /// \throws std::runtime_error if the file cannot be written. The message says why.
-  void save(const std::string& file) const { m_rows.save(file, m_number_of_columns); }
-
   /// \name What a Sink Does
   /// @{
 

@@ -10,14 +10,11 @@
 
 #include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Sparse_block.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrix_files/Csr_writer.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <numeric>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -67,21 +64,6 @@ struct Compressed_rows
       result.distances[i++] = distance;
     });
     *this = std::move(result);
-  }
-
-  void save(const std::string& file, const std::size_t number_of_columns) const
-  {
-    std::vector<std::uint32_t> numbers;
-    for(std::size_t row = 0; row + 1 < starts.size(); ++row)
-      numbers.push_back(static_cast<std::uint32_t>(starts[row + 1] - starts[row]));
-    Csr_writer writer(file, {numbers.size(), number_of_columns, starts.back()});
-    writer.begin_rows();
-    writer.append_rows(numbers.data(), numbers.size());
-    writer.begin_columns();
-    writer.append_columns(columns.get(), starts.back());
-    writer.begin_values<T>();
-    writer.append_values(distances.get(), starts.back());
-    writer.finish();
   }
 
 private:

@@ -1,0 +1,50 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MATRIX_FILES_INTERNAL_NPY_HEADER_H
+#define CGAL_APPROXIMATE_GEODESICS_MATRIX_FILES_INTERNAL_NPY_HEADER_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// NumPy's name of a type of little-endian numbers
+template <typename T>
+std::string npy_type()
+{
+  static_assert(std::is_arithmetic_v<T> && (sizeof(T) == 4 || sizeof(T) == 8));
+  const char kind = std::is_floating_point_v<T> ? 'f' : std::is_signed_v<T> ? 'i' : 'u';
+  return std::string("<") + kind + std::to_string(sizeof(T));
+}
+
+// What a NPY file, of version 1.0 of the format, begins with: the type of the elements and the
+// lengths of an array that follows row by row.
+inline std::string npy_header(const std::string& descr, const std::vector<std::uint64_t>& shape)
+{
+  constexpr std::size_t alignment = 64, length_of_prefix = 10;
+  std::string text = "{'descr': '" + descr + "', 'fortran_order': False, 'shape': (";
+  for(std::size_t i = 0; i < shape.size(); ++i)
+    text += (i > 0 ? ", " : "") + std::to_string(shape[i]);
+  text += shape.size() == 1 ? ",), }" : "), }"; // as Python writes tuples
+  text.append(alignment - 1 - (length_of_prefix + text.size()) % alignment, ' ');
+  text += '\n';
+  return "\x93NUMPY" + packed(std::uint16_t(1), static_cast<std::uint16_t>(text.size())) + text;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MATRIX_FILES_INTERNAL_NPY_HEADER_H

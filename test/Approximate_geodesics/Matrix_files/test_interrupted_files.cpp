@@ -1,0 +1,201 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Matrix_files/internal/Resumable_blocks.h>
+
+#include "checks/expect_message.h"
+#include "files/Temporary_folder.h"
+#include "files/matrix_job.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// A file that is computed in several runs is that of one run, and no row is computed twice.
+
+namespace {
+
+using namespace geodesics_test;
+
+class Interrupted_file : public testing::TestWithParam<std::string>
+{
+protected:
+  const Temporary_folder folder;
+  const Matrix_file_job file{GetParam(), folder.file("distances"), 1, 1e9}; // commits at the end
+
+  static std::string undisturbed(const Matrix_job& job)
+  {
+    const Temporary_folder other;
+    EXPECT_TRUE((Matrix_file_job{GetParam(), other.file("distances")}).compute(job));
+    return other.bytes("distances");
+  }
+
+  // that there is nothing beside the file
+  void expect_complete(const Matrix_job& job) const
+  {
+    const Temporary_folder::Contents contents = folder.contents();
+    EXPECT_EQ(contents.size(), 1u);
+    EXPECT_TRUE(contents.at("distances") == undisturbed(job));
+  }
+
+  void expect_incomplete() const
+  {
+    EXPECT_FALSE(folder.has("distances"));
+    EXPECT_TRUE(folder.has("distances.part"));
+    EXPECT_TRUE(folder.has("distances.journal"));
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, Interrupted_file, testing::ValuesIn(kinds_of_matrix_files()));
+
+TEST_P(Interrupted_file, goes_on_where_a_visitor_has_ended_it)
+{
+  const Matrix_job job(8);
+  for(std::size_t done = 0; done + 5 < 64; done += 5)
+  {
+    Matrix_watcher watcher = that_stops_at(done + 5);
+    EXPECT_FALSE(file.compute(job, watcher));
+    expect_incomplete();
+    EXPECT_EQ(watcher.numbers_done.front(), done + 1);
+    EXPECT_EQ(watcher.numbers_done.back(), done + 5);
+  }
+  EXPECT_TRUE(file.compute(job));
+  expect_complete(job);
+}
+
+TEST_P(Interrupted_file, goes_on_before_the_first_row_and_after_the_last_one)
+{
+  const Matrix_job job(4);
+  Matrix_watcher none = that_stops_at(0);
+  none.on_progress({16, 0, 0, 0});
+  EXPECT_FALSE(file.compute(job, none));
+  EXPECT_EQ(none.numbers_done.size(), 1u);
+  expect_incomplete();
+  Matrix_watcher watcher = that_stops_at(16); // none is left to ask for
+  EXPECT_TRUE(file.compute(job, watcher));
+  EXPECT_EQ(watcher.numbers_done.size(), 16u);
+  expect_complete(job);
+}
+
+TEST_P(Interrupted_file, goes_on_after_an_error)
+{
+  const Matrix_job job(8);
+  Matrix_file_job run = file;
+  run.seconds_between_commits = 0;
+  for(const std::size_t last : {10u, 30u, 64u})
+  {
+    Matrix_watcher watcher([=](const std::size_t number_done) {
+      if(number_done == last)
+        throw std::domain_error("Approximate_geodesics' visitor");
+      return true;
+    });
+    expect_message<std::domain_error>([&] { run.compute(job, watcher); }, "visitor");
+    expect_incomplete();
+  }
+  Matrix_watcher watcher;
+  EXPECT_TRUE(run.compute(job, watcher));
+  EXPECT_EQ(watcher.numbers_done.size(), 0u);
+  expect_complete(job);
+}
+
+TEST_P(Interrupted_file, is_not_taken_for_one_that_was_put_there_meanwhile)
+{
+  const Matrix_job job(4);
+  Matrix_watcher watcher([&](const std::size_t number_done) {
+    if(number_done == 5)
+      std::ofstream(folder.file("distances")) << "another";
+    return true;
+  });
+  expect_message<std::invalid_argument>([&] { file.compute(job, watcher); }, " is there already");
+  EXPECT_EQ(folder.bytes("distances"), "another");
+  std::filesystem::remove(folder.file("distances"));
+  expect_incomplete();
+  EXPECT_TRUE(file.compute(job));
+  expect_complete(job);
+}
+
+TEST_P(Interrupted_file, is_computed_by_one_object_at_a_time)
+{
+  const Matrix_job job(4);
+  Matrix_watcher watcher([&](const std::size_t number_done) {
+    if(number_done == 5)
+      expect_message<std::invalid_argument>([&] { file.compute(job); },
+                                            " is being computed by this program already");
+    return true;
+  });
+  EXPECT_TRUE(file.compute(job, watcher));
+  expect_complete(job);
+}
+
+TEST_P(Interrupted_file, goes_on_with_any_number_of_threads)
+{
+  Matrix_job job(16);
+  job.maximum_distance = 5;
+  Matrix_file_job run = file;
+  std::size_t done = 0, step = 40;
+  for(const int number_of_threads : {1, 3, 2, 4, 1})
+  {
+    run.number_of_threads = number_of_threads;
+    Matrix_watcher watcher = that_stops_at(done += step);
+    EXPECT_FALSE(run.compute(job, watcher));
+    EXPECT_GT(watcher.numbers_done.front(), done - step);
+    EXPECT_GE(watcher.numbers_done.back(), done);
+    expect_incomplete();
+  }
+  EXPECT_TRUE(run.compute(job));
+  expect_complete(job);
+}
+
+TEST_P(Interrupted_file, notes_blocks_at_the_interval_given)
+{
+  const Matrix_job job(8);
+  Matrix_file_job run = file;
+  for(const double seconds : {0., 1e9})
+  {
+    run.seconds_between_commits = seconds;
+    std::vector<std::size_t> lengths;
+    Matrix_watcher watcher([&](const std::size_t number_done) {
+      lengths.push_back(folder.bytes("distances.journal").size());
+      return number_done < (seconds == 0 ? 10u : 20u);
+    });
+    EXPECT_FALSE(run.compute(job, watcher));
+    ASSERT_EQ(lengths.size(), 10u);
+    for(std::size_t i = 0; i < lengths.size(); ++i)
+      EXPECT_EQ(lengths[i],
+                AG::internal::Matrix_journal::LENGTH_OF_HEADER +
+                    AG::internal::Matrix_journal::LENGTH_OF_RECORD * (seconds == 0 ? i + 1 : 10));
+  }
+  EXPECT_EQ(AG::internal::Matrix_journal::read(folder.file("distances.journal")).records.size(),
+            20u); // those of the end included
+}
+
+// What was not noted is computed again.
+TEST(Interrupted_files, go_on_by_the_same_object)
+{
+  const Temporary_folder folder;
+  const Matrix_job job(8);
+  AG::Npz_file<float> file(folder.file("distances"), 1e9);
+  Matrix_watcher watcher([](const std::size_t number_done) {
+    if(number_done == 30)
+      throw std::domain_error("Approximate_geodesics' visitor");
+    return true;
+  });
+  expect_message<std::domain_error>([&] { job.compute(file, watcher); }, "visitor");
+  Matrix_watcher another;
+  EXPECT_TRUE(job.compute(file, another));
+  EXPECT_EQ(another.numbers_done.front(), 1u);
+  AG::Npz_file<float> undisturbed(folder.file("undisturbed"));
+  EXPECT_TRUE(job.compute(undisturbed));
+  const Temporary_folder::Contents contents = folder.contents();
+  EXPECT_EQ(contents.size(), 2u);
+  EXPECT_TRUE(contents.at("distances") == contents.at("undisturbed"));
+}
+
+} // namespace

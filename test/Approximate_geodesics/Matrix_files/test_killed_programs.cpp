@@ -1,0 +1,234 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Matrix_files/internal/File_lock.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_journal.h>
+
+#include "checks/expect_message.h"
+#include "checks/test_random.h"
+#include "files/Temporary_folder.h"
+#include "files/matrix_job.h"
+
+#include <gtest/gtest.h>
+
+#ifdef APPROXIMATE_GEODESICS_TEST_MATRIX_PROGRAM
+
+#include "files/Child_process.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+// Programs that are killed, and two of them at the same time.
+
+namespace {
+
+using namespace geodesics_test;
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+// the words that run compute_matrix_file
+template <typename... Arguments>
+std::vector<std::string>
+program(const Temporary_folder& folder, const std::string& kind, const Arguments&... arguments)
+{
+  return {APPROXIMATE_GEODESICS_TEST_MATRIX_PROGRAM, "file=" + folder.file("distances"),
+          "kind=" + kind, arguments...};
+}
+
+// How far a program has come, as its files tell.
+enum Phase
+{
+  BEFORE,
+  COMPUTING,
+  BETWEEN, // all blocks are noted, or none is missing any more
+  FINISHING,
+  REMOVING,
+  AFTER,
+  NUMBER_OF_PHASES
+};
+
+Phase phase(const Temporary_folder& folder, const std::size_t number_of_blocks)
+{
+  const bool has_journal = folder.has("distances.journal");
+  if(folder.has("distances"))
+    return has_journal ? REMOVING : AFTER;
+  if(!has_journal || !folder.has("distances.part"))
+    return BEFORE;
+  std::vector<AG::internal::Block_record> records;
+  try
+  {
+    records = AG::internal::Matrix_journal::read(folder.file("distances.journal")).records;
+  }
+  catch(const std::runtime_error&)
+  {
+    return AFTER; // it was there a moment ago
+  }
+  if(folder.has("distances.new") || records.size() > number_of_blocks)
+    return FINISHING;
+  return records.size() == number_of_blocks ? BETWEEN : COMPUTING;
+}
+
+/*
+ * Lets programs compute a file, and kills them at random: after some time, or when a phase has
+ * begun.
+ */
+class Killer
+{
+public:
+  Killer(const std::string& kind, const std::size_t side) : m_kind(kind), m_side(side)
+  {
+    const Clock::time_point start = Clock::now();
+    EXPECT_TRUE(Child_process(words("1", "0.01")).succeeds());
+    m_duration = Clock::now() - start;
+    m_expected = m_folder.bytes("distances");
+    EXPECT_FALSE(m_expected.empty());
+    m_folder.fill({});
+  }
+
+  void kill(const std::size_t times)
+  {
+    for(std::size_t number = 0; number < times;)
+    {
+      Child_process child(words(std::to_string(1 + m_random.below(3)), "0.002"));
+      await(child);
+      if(child.kill())
+      {
+        ++number;
+        ++m_hits[phase(m_folder, number_of_blocks())];
+      }
+      if(m_folder.has("distances")) // with traces or without
+        complete();
+    }
+    complete();
+  }
+
+  ~Killer()
+  {
+    std::cout << m_kind << ", kills by phase:";
+    for(const std::size_t hits : m_hits)
+      std::cout << ' ' << hits;
+    std::cout << std::endl;
+  }
+
+private:
+  std::vector<std::string> words(const std::string& threads, const std::string& seconds) const
+  {
+    return program(m_folder, m_kind, "side=" + std::to_string(m_side), "threads=" + threads,
+                   "seconds=" + seconds);
+  }
+
+  std::size_t number_of_blocks() const
+  {
+    const std::size_t rows = m_side * m_side;
+    return AG::Distance_matrix_plan(std::vector<std::size_t>(rows), rows).number_of_blocks();
+  }
+
+  void await(Child_process& child)
+  {
+    const auto wanted = m_random.below(NUMBER_OF_PHASES);
+    if(m_random.below(2) == 0)
+      std::this_thread::sleep_for(m_duration * m_random.between(0, 1));
+    else
+      while(!child.has_ended() && phase(m_folder, number_of_blocks()) < wanted)
+        std::this_thread::yield();
+  }
+
+  // and begins anew
+  void complete()
+  {
+    if(!m_folder.has("distances") || m_folder.has("distances.journal"))
+    {
+      EXPECT_TRUE(Child_process(words("2", "0.01")).succeeds());
+    }
+    Temporary_folder::Contents contents = m_folder.contents();
+    contents.erase("distances.lock"); // stays if that comes last
+    EXPECT_EQ(contents.size(), 1u);
+    EXPECT_TRUE(contents["distances"] == m_expected);
+    m_folder.fill({});
+  }
+
+  const Temporary_folder m_folder{std::filesystem::temp_directory_path()}; // of a true disk
+  std::string m_kind;
+  std::size_t m_side;
+  Random m_random{test_seed()};
+  std::string m_expected;
+  Seconds m_duration;
+  std::size_t m_hits[NUMBER_OF_PHASES] = {};
+};
+
+TEST(Killed_program, is_gone_on_with)
+{
+  for(const std::string& kind : kinds_of_matrix_files())
+    Killer(kind, 24).kill(5);
+}
+
+TEST(Killed_program, is_gone_on_with_many_times)
+{
+  for(const std::string& kind : kinds_of_matrix_files())
+    Killer(kind, 40).kill(50);
+}
+
+// those noted before it was killed
+TEST(Killed_program, has_its_rows_kept)
+{
+  for(const std::string& kind : kinds_of_matrix_files())
+  {
+    const Temporary_folder folder;
+    Child_process child(
+        program(folder, kind, "side=8", "signal=" + std::to_string(SIGKILL), "rows=40"));
+    EXPECT_TRUE(child.was_killed());
+    const Matrix_job job(8);
+    Matrix_watcher watcher;
+    EXPECT_TRUE((Matrix_file_job{kind, folder.file("distances")}).compute(job, watcher));
+    EXPECT_EQ(watcher.numbers_done.front(), 41u);
+    EXPECT_EQ(folder.contents().size(), 1u);
+  }
+}
+
+TEST(Two_programs, do_not_compute_a_file_at_the_same_time)
+{
+  const Matrix_job job(8);
+  for(const std::string& kind : kinds_of_matrix_files())
+  {
+    const Temporary_folder folder;
+    Child_process child(
+        program(folder, kind, "side=8", "signal=" + std::to_string(SIGSTOP), "rows=20"));
+    ASSERT_TRUE(child.halts());
+    const Temporary_folder::Contents before = folder.contents();
+    const Matrix_file_job run{kind, folder.file("distances")};
+    for(int i = 0; i < 2; ++i) // the first one does not open the door for the second one
+      expect_message<std::invalid_argument>([&] { run.compute(job); },
+                                            folder.file("distances") +
+                                                " is being computed by another program");
+    EXPECT_TRUE(folder.contents() == before);
+    EXPECT_TRUE(child.kill());
+    EXPECT_TRUE(run.compute(job));
+    EXPECT_EQ(folder.contents().size(), 1u);
+  }
+}
+
+// The lock goes with whoever has it.
+TEST(Two_programs, follow_each_other)
+{
+  const Temporary_folder folder;
+  const std::string name = folder.file("lock");
+  {
+    const AG::internal::File_lock lock(name, "something");
+    EXPECT_TRUE(folder.has("lock"));
+  }
+  EXPECT_FALSE(folder.has("lock"));
+  const AG::internal::File_lock another(name, "something");
+}
+
+} // namespace
+
+#endif

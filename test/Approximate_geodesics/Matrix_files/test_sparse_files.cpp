@@ -1,0 +1,155 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Matrix_files/Npz_file.h>
+
+#include "checks/expect_message.h"
+#include "files/Temporary_folder.h"
+#include "files/matrix_job.h"
+#include "files/npz_reader.h"
+
+#include <CGAL/Approximate_geodesics/Matrix_files/save_npz.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Files of some distances have what matrices in memory have.
+
+namespace {
+
+using namespace geodesics_test;
+
+// the entries of rows, as SciPy has them
+template <typename T>
+struct Sparse_entries
+{
+  std::vector<std::int32_t> starts{0}, columns;
+  std::vector<T> distances;
+
+  explicit Sparse_entries(const AG::Sparse_rows<T>& rows)
+  {
+    for(std::size_t row = 0; row < rows.number_of_rows(); ++row)
+    {
+      for(const auto column : rows.columns(row))
+        columns.push_back(static_cast<std::int32_t>(column));
+      distances.insert(distances.end(), rows.distances(row).begin(), rows.distances(row).end());
+      starts.push_back(static_cast<std::int32_t>(columns.size()));
+    }
+  }
+
+  void expect_in(const std::string& bytes, const std::size_t number_of_columns) const
+  {
+    const auto arrays = arrays_of(Zip_reader(bytes));
+    EXPECT_EQ(arrays.size(), 5u);
+    EXPECT_TRUE(arrays.at("indptr").numbers<std::int32_t>() == starts);
+    EXPECT_TRUE(arrays.at("indices").numbers<std::int32_t>() == columns);
+    EXPECT_TRUE(arrays.at("data").numbers<T>() == distances);
+    EXPECT_EQ(arrays.at("shape").numbers<std::int64_t>(),
+              (std::vector<std::int64_t>{std::int64_t(starts.size()) - 1,
+                                         std::int64_t(number_of_columns)}));
+    EXPECT_EQ(arrays.at("format").bytes, "csr");
+  }
+};
+
+// the same in memory, in a file that was saved, and in one that was computed
+template <typename Rows, typename File>
+void expect_same(const Matrix_job& job,
+                 Rows&& rows,
+                 File&& file,
+                 const Temporary_folder& folder,
+                 const int number_of_threads)
+{
+  Matrix_watcher watcher;
+  EXPECT_TRUE(job.compute(rows));
+  AG::save_npz(rows, folder.file("saved.npz"));
+  EXPECT_TRUE(job.compute(file, watcher, number_of_threads));
+  const Temporary_folder::Contents contents = folder.contents();
+  EXPECT_EQ(contents.size(), 2u);
+  Sparse_entries(rows).expect_in(contents.at("saved.npz"), job.targets.size());
+  EXPECT_TRUE(contents.at("saved.npz") == contents.at("computed.npz"));
+}
+
+template <typename T>
+void expect_same_entries(Matrix_job job, const int number_of_threads = 1)
+{
+  for(const double radius : {0., 2.5, 1e300})
+  {
+    const Temporary_folder folder;
+    job.maximum_distance = radius;
+    expect_same(job, AG::Radius_rows<T>(), AG::Npz_file<T>(folder.file("computed.npz")), folder,
+                number_of_threads);
+  }
+  job.maximum_distance = std::numeric_limits<double>::infinity();
+  for(const std::size_t number : {1u, 7u, 1000u})
+  {
+    const Temporary_folder folder;
+    AG::Npz_file<T> file(folder.file("computed.npz"));
+    file.keep_nearest(number);
+    EXPECT_EQ(file.number_of_nearest(), number);
+    expect_same(job, AG::Nearest_rows<T>(number), file, folder, number_of_threads);
+  }
+}
+
+template <typename T>
+class Npz_file_of : public testing::Test
+{
+};
+
+using Numbers = testing::Types<float, double>;
+TYPED_TEST_SUITE(Npz_file_of, Numbers, );
+
+TYPED_TEST(Npz_file_of, has_the_entries_of_rows_in_memory)
+{
+  Matrix_job job(8);
+  expect_same_entries<TypeParam>(job);
+  job.sources.resize(20);
+  job.sources[3] = job.sources[7];
+  job.targets.resize(9);
+  expect_same_entries<TypeParam>(job);
+}
+
+TYPED_TEST(Npz_file_of, can_be_small)
+{
+  for(const std::size_t rows : {0u, 1u, 2u})
+    for(const std::size_t columns : {0u, 1u, 2u})
+    {
+      Matrix_job job(4);
+      job.sources.resize(rows);
+      job.targets.resize(columns);
+      SCOPED_TRACE(std::to_string(rows) + " x " + std::to_string(columns));
+      expect_same_entries<TypeParam>(job);
+    }
+}
+
+// and threads
+TYPED_TEST(Npz_file_of, has_blocks_of_several_rows)
+{
+  Matrix_job job(6);
+  job.repeat_sources(1100);
+  job.maximum_distance = 4;
+  for(const int number_of_threads : {1, 3})
+  {
+    const Temporary_folder folder;
+    expect_same(job, AG::Radius_rows<TypeParam>(),
+                AG::Npz_file<TypeParam>(folder.file("computed.npz")), folder, number_of_threads);
+  }
+}
+
+TEST(Npz_file, keeps_at_least_one_entry)
+{
+  AG::Npz_file<float> file("distances.npz");
+  expect_message<std::invalid_argument>([&] { file.keep_nearest(0); },
+                                        "the number of nearest columns is 0");
+}
+
+} // namespace
