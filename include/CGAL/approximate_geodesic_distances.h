@@ -124,7 +124,10 @@ void write_distances(const TriangleMesh& tmesh,
  *                           points on their edge, at equal distances. There is no error bound.}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{none: paths run along edges}
- *     \cgalParamExtra{It cannot be given together with `epsilon`.}
+ *     \cgalParamExtra{It cannot be given together with `epsilon`. It is a name of \cgal, so that
+ *                     other names follow only if the chain begins with one of this package, as in
+ *                     `face_weight_map(weights).number_of_points_per_edge(1)`; see
+ *                     \ref AG_chains.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_weight_map}
  *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: what a path

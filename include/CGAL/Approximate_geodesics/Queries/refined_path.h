@@ -105,6 +105,8 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
  *     \cgalParamDescription{the number of points on every edge for the first path}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{`3`}
+ *     \cgalParamExtra{Names of this package do not follow a chain that begins with it, see
+ *                     \ref AG_chains.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{relative_tolerance}
  *     \cgalParamDescription{The last refinement is the one that makes the path shorter by at most
