@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <functional>
 #include <queue>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -128,6 +129,20 @@ TEST(Directional_costs, SlantedPlane)
   const Mesh mesh = to_mesh(flat_grid(6, 7).transformed(
       [](const Point& p) { return Point(p.x(), p.y(), p.x() - p.y()); }));
   expect_straight_lines(mesh, Slant{3, Vector(0.5, 0.2, -0.3)}, 0.1);
+}
+
+// Costs with flat pieces, which make corners between any two directions.
+TEST(Directional_costs, PolyhedralNorms)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(flat_grid(4, 5));
+  for(const int sides : {3, 4, 6, 7})
+    for(const double turn : {0., 0.3, 0.7})
+    {
+      SCOPED_TRACE(std::to_string(sides) + " sides, turned by " + std::to_string(turn));
+      expect_straight_lines(mesh, Half_planes::regular(sides, turn), 0.1);
+      expect_straight_lines(mesh, Half_planes::random(random, sides), 0.3);
+    }
 }
 
 // Two winds, one on each side of a straight line: where a way crosses it is a problem of one
@@ -322,6 +337,26 @@ TEST(Directional_costs, BoundWithCorners)
   const auto reference = distances(mesh, dense_graph(mesh, cost, 60), Vertex(0));
   for(const Vertex v : mesh.vertices())
     EXPECT_LE(found[v], (1 + 1e-9) * (1 + epsilon) * reference[v]);
+}
+
+TEST(Directional_costs, BoundWithPolyhedralNorms)
+{
+  Random random(test_seed());
+  for(const Soup& soup : {terrain(5, 4, random), sphere(5, 4)})
+  {
+    const Mesh mesh = to_mesh(soup);
+    std::vector<Half_planes> norms;
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      norms.push_back(Half_planes::random(random, 3 + int(f % 4)));
+    const auto cost = [&](const Face f, const Vector& d) {
+      return norms[f.idx()].cost(d) + 0.3 * std::abs(d.z());
+    };
+    const double epsilon = 0.4;
+    const auto found = distances(mesh, bounded_graph(mesh, cost, epsilon), Vertex(0));
+    const auto reference = distances(mesh, dense_graph(mesh, cost, 60), Vertex(0));
+    for(const Vertex v : mesh.vertices())
+      EXPECT_LE(found[v], (1 + 1e-9) * (1 + epsilon) * reference[v]);
+  }
 }
 
 TEST(Directional_costs, SamplingErrorIsAsWanted)

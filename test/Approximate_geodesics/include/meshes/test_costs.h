@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -71,6 +72,48 @@ struct Slant
 
   double factor;
   Vector slant; // shorter than 1
+};
+
+// A polyhedral norm of the xy-plane, which need not be symmetric: the largest of several linear
+// functions.
+struct Half_planes
+{
+  static constexpr double full_circle = 6.283185307179586;
+
+  // with so many sides, the first one of which is turned by a part of its angle
+  static Half_planes regular(const int number, const double turn)
+  {
+    Half_planes result;
+    for(int i = 0; i < number; ++i)
+      result.add(full_circle * (i + turn) / number, 1);
+    return result;
+  }
+
+  // some of which may not matter
+  static Half_planes random(Random& random, const int number)
+  {
+    Half_planes result;
+    const double turn = random.between(0, 1);
+    for(int i = 0; i < number; ++i)
+      result.add(full_circle * (i + turn + random.between(-0.2, 0.2)) / number,
+                 random.between(0.6, 1.4));
+    return result;
+  }
+
+  double cost(const Vector& v) const
+  {
+    double result = 0;
+    for(const Vector& side : sides)
+      result = (std::max)(result, side * v);
+    return result;
+  }
+
+  void add(const double angle, const double size)
+  {
+    sides.push_back(size * Vector(std::cos(angle), std::sin(angle), 0));
+  }
+
+  std::vector<Vector> sides;
 };
 
 // Different ones for each face; in some of them, a direction costs several times as much as the

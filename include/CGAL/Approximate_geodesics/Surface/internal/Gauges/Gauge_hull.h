@@ -69,64 +69,64 @@ public:
             (m_costs[k] * a.x - m_costs[i] * b.x) / determinant};
   }
 
-  // How much too large the gauge can be in a sector, relatively: this is not below what the
-  // neighboring sectors continue to, if costs are those of a convex gauge. Where zigzags cost less,
-  // sectors are bridges, and nothing follows from them: costs beside and below their ends may
-  // continue as they come from outside. The gauge is taken to be right beside directions without
-  // end.
+  // How much too large the gauge can be in a sector, relatively. If costs are those of a convex
+  // gauge, they are not below what the neighboring sectors continue to, and a bridge is a flat
+  // piece that they share with the gauge. If not, nothing follows from bridges: costs beside and
+  // below their ends may continue as they come from outside. What is assumed is always the larger
+  // error of these, so that it is valid in the first case. The gauge is taken to be right beside
+  // directions without end.
   double error(const std::size_t s) const
   {
-    const bool looks_back = !is_bridge(previous(s)), looks_ahead = !is_bridge(next(s));
-    if(is_bridge(s) || !looks_back || !looks_ahead)
-      return (std::max)(looks_back ? error_at_start(s) : 0, looks_ahead ? error_at_end(s) : 0);
-    if(!is_finite(s) || !is_finite(previous(s)) || !is_finite(next(s)))
-      return 0;
-    const Plane_vector before = functional(previous(s)), behind = functional(next(s));
-    const Plane_vector difference = behind - before;
-    const double scale = (std::max)(std::abs(difference.x), std::abs(difference.y));
-    if(scale == 0)
-      return 0;
-    Plane_vector d{-difference.y / scale, difference.x / scale}; // where both are the same
-    if(dot(d, m_directions[m_corners[s]] + m_directions[m_corners[next(s)]]) < 0)
-      d = -1 * d;
-    return excess(s, before, d);
+    if(is_bridge(s))
+      return (std::max)(error_at_start(s), error_at_end(s));
+    const bool follows_bridge = is_bridge(previous(s)), precedes_bridge = is_bridge(next(s));
+    if(follows_bridge != precedes_bridge)
+      return follows_bridge ? error_at_end(s) : error_at_start(s);
+    const double at_start = drop_at_start(s), at_end = drop_at_end(s);
+    return at_start > 0 && at_end > 0 ? error_of_drop(1 / (1 / at_start + 1 / at_end)) : 0;
   }
 
-  // Whether directions were given inside a sector, where zigzags between its corners cost less.
+  // Whether directions were given inside a sector, where zigzags between its corners cost no more.
   bool is_bridge(const std::size_t s) const
   {
     return (m_corners[s] + 1) % m_directions.size() != m_corners[next(s)];
   }
 
-  // The same if costs continue from the first corner on as they come there, up to the next
+  // The error if costs continue from the first corner on as they come there, up to the next
   // direction that was given.
-  double error_at_start(const std::size_t s) const
-  {
-    if(!is_finite(s) || !is_finite(previous(s)))
-      return 0;
-    return excess(s, functional(previous(s)),
-                  m_directions[(m_corners[s] + 1) % m_directions.size()]);
-  }
+  double error_at_start(const std::size_t s) const { return error_of_drop(drop_at_start(s)); }
 
   // ... in the opposite direction, from the other corner on
-  double error_at_end(const std::size_t s) const
-  {
-    if(!is_finite(s) || !is_finite(next(s)))
-      return 0;
-    return excess(s, functional(next(s)), m_directions[before(m_corners[next(s)])]);
-  }
+  double error_at_end(const std::size_t s) const { return error_of_drop(drop_at_end(s)); }
 
   // the direction before the one with the number `i`
   std::size_t before(const std::size_t i) const { return (i == 0 ? m_directions.size() : i) - 1; }
 
 private:
-  // How much more the gauge of a sector is than another one, relatively.
-  double excess(const std::size_t s, const Plane_vector other, const Plane_vector d) const
+  // By which part of itself the gauge drops to what the sector before continues to.
+  double drop_at_start(const std::size_t s) const
   {
-    const double largest = dot(functional(s), d), smallest = dot(other, d);
+    return drop(s, previous(s), m_directions[(m_corners[s] + 1) % m_directions.size()]);
+  }
+
+  double drop_at_end(const std::size_t s) const
+  {
+    return drop(s, next(s), m_directions[before(m_corners[next(s)])]);
+  }
+
+  double drop(const std::size_t s, const std::size_t other, const Plane_vector d) const
+  {
+    if(!is_finite(s) || !is_finite(other))
+      return 0;
+    const double largest = dot(functional(s), d), smallest = dot(functional(other), d);
     if(!(largest > smallest))
       return 0;
-    return smallest > 0 ? largest / smallest - 1 : std::numeric_limits<double>::infinity();
+    return largest > 0 ? 1 - smallest / largest : std::numeric_limits<double>::infinity();
+  }
+
+  static double error_of_drop(const double drop)
+  {
+    return drop < 1 ? drop / (1 - drop) : std::numeric_limits<double>::infinity();
   }
 
   double sine(const std::size_t i, const std::size_t k) const
