@@ -114,7 +114,7 @@ private:
     {
       points.for_each_in_face(sight.halfedge, [&](const std::size_t i) {
         for_each_position(triangulation, points[i], sight, apex,
-                          [&](const Plane_vector position) { on_point(i, length(position)); });
+                          [&](Plane_vector /* position */, const double way) { on_point(i, way); });
       });
     }
 

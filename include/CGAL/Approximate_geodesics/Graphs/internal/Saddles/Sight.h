@@ -42,22 +42,28 @@ struct Sight_part
   }
 };
 
-// What closes a sight on one side: the direction of a vertex, or the boundary of a sector.
+// What closes a sight on one side: a vertex, or the boundary of a sector.
 struct Sight_ray
 {
-  // Vertices at smaller angles from a ray are on it. Where the way over the vertex P on the ray is
-  // the real one, it is longer than the line from s to the other vertex C by the part
-  // angle^2 |sP| / (2 |PC|): less than 1e-12, unless the edge is a millionth of the way or shorter,
-  // and less than the angle in any case.
+  // Vertices at smaller angles from a ray are on it.
   static constexpr double TOLERANCE = 1e-9;
+  // What rounding changes, as a part of that.
+  static constexpr double ROUNDING = 1e-3;
 
-  Plane_vector direction = {0, 0};
-  double margin = 0; // the length of the direction, times the tolerance
+  Plane_vector direction = {0, 0}; // the position of the vertex
+  double margin = 0;               // the length of the direction, times the tolerance
 
   Sight_ray() = default;
   Sight_ray(const Plane_vector d, const double length_of_d)
     : direction(d), margin(TOLERANCE * length_of_d)
   {
+  }
+
+  // The boundary of a sector hides nothing: it is as good as a vertex at the tip.
+  static Sight_ray boundary(const Plane_vector unit_vector, const double size)
+  {
+    constexpr double small = 0x1p-100;
+    return {small * size * unit_vector, small * size};
   }
 };
 
@@ -86,6 +92,32 @@ struct Sight
   Sight_ray left_ray, right_ray;
 
   /*
+   * The length of the path to a point ahead, at this distance: that of a straight line; or infinity
+   * if the point is not seen. If it is on a ray, give or take rounding errors, it may be hidden by
+   * the vertex there, or by an end of the edge: then the path leads over that.
+   */
+  double way_to(const Plane_vector point, const double distance) const
+  {
+    const double beyond_left = cross(left_ray.direction, point),
+                 beyond_right = cross(point, right_ray.direction),
+                 left_margin = left_ray.margin * distance,
+                 right_margin = right_ray.margin * distance;
+    if(!(beyond_left <= left_margin && beyond_right <= right_margin))
+      return std::numeric_limits<double>::infinity();
+    constexpr double rounding = Sight_ray::ROUNDING;
+    if(beyond_left < -rounding * left_margin && beyond_right < -rounding * right_margin)
+      return distance;
+    const Plane_vector right = left + edge;
+    return (std::max)(
+        {way_over(left_ray.direction, beyond_left, left_margin, point, distance),
+         way_over(right_ray.direction, beyond_right, right_margin, point, distance),
+         way_over(left, cross(left, point), Sight_ray::TOLERANCE * left_distance * distance, point,
+                  distance),
+         way_over(right, cross(point, right), Sight_ray::TOLERANCE * right_distance * distance,
+                  point, distance)});
+  }
+
+  /*
    * Whether all that is seen can be reached on a shorter way, over an end of the edge. With s the
    * label of the tip, and y a point of the edge between its ends a and b, the way through y is
    * longer than that over a, by
@@ -101,6 +133,24 @@ struct Sight
     const double squared_length = dot(edge, edge);
     return (excess > 0 && excess * excess > factor * squared_length) ||
            !(squared_length > SHORTEST_EDGE * SHORTEST_EDGE);
+  }
+
+private:
+  // The length of the path to a point over a vertex next to the line, if the vertex hides the
+  // point. It does so if the point is beyond the vertex, as seen from the tip; or nearer, as what
+  // is seen is behind an edge. If the sight is as wide as half a plane, the tip may be on that
+  // edge.
+  double way_over(const Plane_vector vertex,
+                  const double beyond,
+                  const double margin,
+                  const Plane_vector point,
+                  const double distance) const
+  {
+    const double rounding = Sight_ray::ROUNDING * margin;
+    const bool is_wide = dot(left_ray.direction, right_ray.direction) < 0,
+               is_nearer = dot(point, point) < dot(vertex, vertex);
+    const bool hides = beyond > (is_wide ? rounding : is_nearer ? -rounding : 0);
+    return hides ? length(vertex) + length(point - vertex) : distance;
   }
 };
 

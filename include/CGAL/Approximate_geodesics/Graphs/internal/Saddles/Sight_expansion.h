@@ -109,9 +109,12 @@ private:
     const double left_margin = sight.left_ray.margin * distance;
     const double right_margin = sight.right_ray.margin * distance;
 
-    if(beyond_left <= left_margin && beyond_right <= right_margin &&
-       m_label_of_tip + distance <= bound)
-      m_visitor.on_vertex(step.apex, distance, sight, apex, left_edge);
+    if(beyond_left <= left_margin && beyond_right <= right_margin)
+    {
+      const double way = sight.way_to(apex, distance);
+      if(m_label_of_tip + way <= bound)
+        m_visitor.on_vertex(step.apex, way, sight, apex, left_edge);
+    }
     if(!(distance > 0)) // nothing is seen through an edge with both ends where the tip is
       return sight.right_distance > 0 ? go_right(sight, step, apex, distance, bound)
                                       : go_left(sight, step, left_edge, distance, bound);
@@ -120,6 +123,9 @@ private:
       return go_right(sight, step, apex, distance, bound);
     if(is_beyond(sight.right_ray, apex, beyond_right, right_margin, hides_nothing))
       return go_left(sight, step, left_edge, distance, bound);
+    if(dot(sight.left_ray.direction, apex) < 0 && dot(sight.right_ray.direction, apex) < 0)
+      return beyond_left > beyond_right ? go_right(sight, step, apex, distance, bound)
+                                        : go_left(sight, step, left_edge, distance, bound);
     int side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
     if(side == 0)
       side = m_part.side(sight.splits++);
@@ -148,10 +154,9 @@ private:
                         const double margin,
                         const bool hides_nothing)
   {
-    constexpr double rounding_in_margin = 1e-3;
     if(std::abs(beyond) > margin)
       return beyond > 0;
-    const bool is_inside = !(beyond > (hides_nothing ? -rounding_in_margin * margin : 0));
+    const bool is_inside = !(beyond > (hides_nothing ? -Sight_ray::ROUNDING * margin : 0));
     return !is_inside && dot(ray.direction, apex) > 0;
   }
 

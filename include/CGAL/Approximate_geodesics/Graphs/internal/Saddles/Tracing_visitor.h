@@ -16,11 +16,14 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
+#include <limits>
+
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Where a point is that a sight sees in the face ahead. Calls `f(position)`.
+// Where a point is that a sight sees in the face ahead, and the length of the path there. Calls
+// `f(position, length)`.
 template <typename F>
 void for_each_position(const Intrinsic_triangulation& triangulation,
                        const Intrinsic_point& point,
@@ -31,10 +34,9 @@ void for_each_position(const Intrinsic_triangulation& triangulation,
   for_each_face_point(triangulation, point, sight.halfedge, [&](const Face_point& p) {
     const Plane_vector position = p.seen_from(triangulation, sight.halfedge)
                                       .position({sight.left, sight.left + sight.edge, apex});
-    const double distance = length(position);
-    if(cross(sight.left_ray.direction, position) <= sight.left_ray.margin * distance &&
-       cross(position, sight.right_ray.direction) <= sight.right_ray.margin * distance)
-      f(position);
+    const double way = sight.way_to(position, length(position));
+    if(way < std::numeric_limits<double>::infinity())
+      f(position, way);
   });
 }
 
@@ -64,8 +66,8 @@ struct Tracing_visitor : Sight_visitor_base
   void on_face(const Sight& sight, const Plane_vector apex)
   {
     if(!end.is_vertex())
-      for_each_position(triangulation, end, sight, apex, [&](const Plane_vector position) {
-        line.consider(length(position), position, first, trail.halfedges());
+      for_each_position(triangulation, end, sight, apex, [&](const Plane_vector position, const double way) {
+        line.consider(way, position, first, trail.halfedges());
       });
   }
 

@@ -127,9 +127,21 @@ private:
     sight.edge = step.right_edge({distance, 0});
     sight.left_distance = length(sight.left);
     sight.right_distance = distance;
-    sight.left_ray = Sight_ray(left_direction, 1);
-    sight.right_ray = Sight_ray(right_direction, 1);
+    sight.left_ray = ray(left_direction, unit_corner(step), sight.left, sight.left_distance);
+    sight.right_ray = ray(right_direction, {1, 0}, {distance, 0}, distance);
     on_sight(sight, step.apex, m_triangulation.target(h));
+  }
+
+  // The ray in a direction, which may be that of a vertex.
+  static Sight_ray ray(const Plane_vector direction,
+                       const Plane_vector direction_of_vertex,
+                       const Plane_vector vertex,
+                       const double distance)
+  {
+    const bool leads_to_vertex =
+        direction.x == direction_of_vertex.x && direction.y == direction_of_vertex.y;
+    return leads_to_vertex ? Sight_ray(vertex, distance)
+                           : Sight_ray::boundary(direction, distance);
   }
 
   const Intrinsic_triangulation& m_triangulation;
