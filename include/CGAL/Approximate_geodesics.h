@@ -58,15 +58,15 @@
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
+#include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Sparse_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/distance_intervals.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>

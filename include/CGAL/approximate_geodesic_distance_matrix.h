@@ -10,12 +10,12 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/Sequential_exact_graph.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/matrix_points.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/row_sinks.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Sequential_exact_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/distance_matrix.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/matrix_points.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/row_sinks.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
 
 #include <type_traits>

@@ -16,11 +16,11 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 

@@ -11,10 +11,10 @@
 #include "meshes/Sphere.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Csr_writer.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 
 #include <cmath>

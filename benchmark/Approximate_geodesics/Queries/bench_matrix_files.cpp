@@ -16,10 +16,10 @@
 #include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npz_file.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 

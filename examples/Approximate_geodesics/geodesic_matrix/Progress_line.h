@@ -5,7 +5,7 @@
 #include "Interruption.h"
 #include "texts.h"
 
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
 
 #include <unistd.h>
 

@@ -3,8 +3,8 @@
 
 #include "../command_line/Stopwatch.h"
 
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
 
 #include <algorithm>
 #include <atomic>

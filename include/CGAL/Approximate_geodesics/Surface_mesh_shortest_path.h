@@ -15,8 +15,8 @@
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
+#include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Pair_search.h>

@@ -9,7 +9,7 @@
 #include "files/matrix_job.h"
 #include "files/npz_reader.h"
 
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include "files/matrix_job.h"
 #include "files/npz_reader.h"
 
+#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/save_npz.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
 
 #include <gtest/gtest.h>
 

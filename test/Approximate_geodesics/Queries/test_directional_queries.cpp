@@ -10,9 +10,9 @@
 #include "meshes/test_costs.h"
 #include "meshes/test_weights.h"
 
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
 #include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
 #include <CGAL/Approximate_geodesics/Mesh/Costs/One_way.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/distance_intervals.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>

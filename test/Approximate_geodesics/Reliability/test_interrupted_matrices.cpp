@@ -6,9 +6,9 @@
 #include "checks/distance_matrices.h"
 #include "checks/failing_allocation.h"
 
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/tags.h>
 

@@ -10,12 +10,12 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Mesh/face_weights.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Connectivity_reader.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/face_gauges.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/thin_faces.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/read_face_gauges.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/read_thin_faces.h>
+#include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/assertions.h>

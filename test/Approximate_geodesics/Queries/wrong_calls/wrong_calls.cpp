@@ -8,10 +8,10 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
 #include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>

@@ -10,12 +10,12 @@
 #include "meshes/surface_points.h"
 #include "oracles/test_oracles.h"
 
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Dense_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 

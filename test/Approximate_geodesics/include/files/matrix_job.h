@@ -9,11 +9,11 @@
 #include "meshes/test_meshes.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npz_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Single_process.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_visitor_base.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/tags.h>
 

@@ -11,14 +11,14 @@
 #include <CGAL/Approximate_geodesics/Base/internal/Bulk_checksum.h>
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Single_process.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Local_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_file_base.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_journal.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/npy_header.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/symmetric_file.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -8,15 +8,15 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/Sparse_block.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/nearest_columns.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Single_process.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Local_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_file_base.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_journal.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Sparse_parts.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Sparse_block.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/nearest_columns.h>
 
 #include <atomic>
 #include <cstddef>

@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Csr_writer.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Sparse_rows.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -9,10 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>

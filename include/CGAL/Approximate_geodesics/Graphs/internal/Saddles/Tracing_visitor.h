@@ -66,9 +66,10 @@ struct Tracing_visitor : Sight_visitor_base
   void on_face(const Sight& sight, const Plane_vector apex)
   {
     if(!end.is_vertex())
-      for_each_position(triangulation, end, sight, apex, [&](const Plane_vector position, const double way) {
-        line.consider(way, position, first, trail.halfedges());
-      });
+      for_each_position(triangulation, end, sight, apex,
+                        [&](const Plane_vector position, const double way) {
+                          line.consider(way, position, first, trail.halfedges());
+                        });
   }
 
   const Intrinsic_triangulation& triangulation;

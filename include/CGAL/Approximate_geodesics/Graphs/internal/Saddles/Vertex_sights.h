@@ -140,8 +140,7 @@ private:
   {
     const bool leads_to_vertex =
         direction.x == direction_of_vertex.x && direction.y == direction_of_vertex.y;
-    return leads_to_vertex ? Sight_ray(vertex, distance)
-                           : Sight_ray::boundary(direction, distance);
+    return leads_to_vertex ? Sight_ray(vertex, distance) : Sight_ray::boundary(direction, distance);
   }
 
   const Intrinsic_triangulation& m_triangulation;

@@ -9,9 +9,9 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Bulk_checksum.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_identity.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Resumable_blocks.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Matrix_identity.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -10,8 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_identity.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Local_file.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Matrix_identity.h>
 
 #include <algorithm>
 #include <array>

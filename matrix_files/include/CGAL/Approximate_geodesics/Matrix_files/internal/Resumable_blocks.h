@@ -9,11 +9,11 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_identity.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/File_lock.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_file_names.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_journal.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Matrix_identity.h>
 
 #include <algorithm>
 #include <atomic>

@@ -9,12 +9,12 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Bulk_checksum.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/Sparse_block.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Csr_writer.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Local_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_file_names.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_journal.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/Sparse_block.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -9,11 +9,11 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Distance_row.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/Matrices/Radius_rows.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Matrices/make_symmetric.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/make_symmetric.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,131 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MATRICES_DENSE_ROWS_H
+#define CGAL_APPROXIMATE_GEODESICS_MATRICES_DENSE_ROWS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/make_symmetric.h>
+#include <CGAL/Iterator_range.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <new>
+#include <type_traits>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsMatrices
+ *
+ * A distance matrix in memory. It takes `sizeof(T)` bytes per distance.
+ *
+ * \tparam T the type of distances, `double` or `float`; infinity stands for columns that were not
+ *         reached
+ *
+ * \cgalModels{DistanceRowSink}
+ */
+template <typename T = double>
+class Dense_rows
+{
+  static_assert(std::is_floating_point_v<T>, "distances are floating-point numbers");
+
+public:
+  /// a row.
+  using Row = Iterator_range<const T*>;
+
+  /// returns the number of rows; `0` if they were not completed.
+  std::size_t number_of_rows() const { return m_number_of_rows; }
+
+  /// returns the number of columns.
+  std::size_t number_of_columns() const { return m_number_of_columns; }
+
+  /// returns the distance from a source to a target. \pre Row and column exist.
+  T operator()(const std::size_t row, const std::size_t column) const
+  {
+    CGAL_precondition(row < number_of_rows() && column < number_of_columns());
+    return m_distances[row * number_of_columns() + column];
+  }
+
+  /// returns a row. \pre It exists.
+  Row row(const std::size_t number) const
+  {
+    CGAL_precondition(number < number_of_rows());
+    const T* const first = data() + number * number_of_columns();
+    return {first, first + number_of_columns()};
+  }
+
+  /// returns the first of all distances, which are stored row by row.
+  const T* data() const { return m_distances.get(); }
+
+  /// \name What a Sink Does
+  /// @{
+
+  /// nothing but what is in the matrix.
+  struct Block
+  {
+  };
+
+  /// distances of both directions can be compared.
+  static constexpr bool can_be_symmetric = true;
+
+  /// makes room.
+  void start(const Distance_matrix_plan& plan)
+  {
+    m_number_of_rows = 0;
+    m_number_of_columns = plan.number_of_columns();
+    m_distances.reset(); // before there is another one
+    if(m_number_of_columns > 0 &&
+       plan.number_of_rows() >
+           (std::numeric_limits<std::size_t>::max)() / sizeof(T) / m_number_of_columns)
+      throw std::bad_array_new_length();
+    // not initialized: each thread is the first that touches the pages of its rows
+    m_distances.reset(new T[plan.number_of_rows() * plan.number_of_columns()]);
+    m_rows_to_come = plan.number_of_rows();
+    m_is_symmetric = plan.is_symmetric();
+  }
+
+  /// writes a row.
+  void collect(Block& /* block */, const std::size_t row, const Distance_row& distances)
+  {
+    std::transform(distances.begin(), distances.end(), m_distances.get() + row * distances.size(),
+                   [](const double d) { return static_cast<T>(d); });
+  }
+
+  /// does nothing more.
+  void add(std::size_t /* number */, Block& /* block */) {}
+
+  /// completes the matrix.
+  bool finish(const bool is_done)
+  {
+    if(!is_done)
+      return false;
+    m_number_of_rows = m_rows_to_come;
+    if(m_is_symmetric)
+      internal::make_symmetric(m_distances.get(), m_number_of_rows);
+    return true;
+  }
+
+  /// @}
+
+private:
+  std::unique_ptr<T[]> m_distances;
+  std::size_t m_number_of_rows = 0;
+  std::size_t m_number_of_columns = 0;
+  std::size_t m_rows_to_come = 0;
+  bool m_is_symmetric = false;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_DENSE_ROWS_H

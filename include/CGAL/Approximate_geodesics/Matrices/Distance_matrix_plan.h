@@ -1,0 +1,122 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MATRICES_DISTANCE_MATRIX_PLAN_H
+#define CGAL_APPROXIMATE_GEODESICS_MATRICES_DISTANCE_MATRIX_PLAN_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_identity.h>
+#include <CGAL/Iterator_range.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsMatrices
+ *
+ * What a row sink is told of a distance matrix before the first of its rows: its size, and the
+ * blocks of rows that it is computed in.
+ *
+ * Rows with sources that are near each other are in one block, as they use the same memory. Blocks
+ * depend on the mesh and on the sources only, and not on the number of threads.
+ */
+class Distance_matrix_plan
+{
+public:
+  /// the rows of a block.
+  using Rows = Iterator_range<std::vector<std::size_t>::const_iterator>;
+
+  /// returns the number of rows.
+  std::size_t number_of_rows() const { return m_order.size(); }
+
+  /// returns the number of columns.
+  std::size_t number_of_columns() const { return m_number_of_columns; }
+
+  /// returns the distance beyond which columns are not reached, in the unit of the mesh.
+  double maximum_distance() const { return m_maximum_distance; }
+
+  /// returns whether each distance is to be replaced by the smaller one of both directions, once
+  /// all rows are there.
+  bool is_symmetric() const { return m_is_symmetric; }
+
+  /// returns the number of blocks.
+  std::size_t number_of_blocks() const
+  {
+    return (number_of_rows() + m_rows_per_block - 1) / m_rows_per_block;
+  }
+
+  /// returns the number of rows of every block but the last one, which may have fewer.
+  std::size_t rows_per_block() const { return m_rows_per_block; }
+
+  /// returns the rows of a block, in the order in which they are computed.
+  Rows rows_of_block(const std::size_t number) const
+  {
+    const auto at = [this](const std::size_t i) {
+      return m_order.begin() + static_cast<std::ptrdiff_t>((std::min)(i, m_order.size()));
+    };
+    return {at(number * m_rows_per_block), at((number + 1) * m_rows_per_block)};
+  }
+
+  /// \cond SKIP_IN_MANUAL
+
+  using Identity = internal::Matrix_identity;
+
+  // `order` lists the rows in the order in which they are computed; `identity` is called if a sink
+  // wants to know whether two runs would give the same distances, which costs as much as a row.
+  Distance_matrix_plan(std::vector<std::size_t> order,
+                       const std::size_t number_of_columns,
+                       const double maximum_distance = std::numeric_limits<double>::infinity(),
+                       const std::size_t number_of_nearest = 0,
+                       std::function<Identity()> identity = {},
+                       const bool is_symmetric = false)
+    : m_order(std::move(order)),
+      m_number_of_columns(number_of_columns),
+      m_maximum_distance(maximum_distance),
+      m_number_of_nearest(number_of_nearest),
+      m_rows_per_block(suitable_rows_per_block()),
+      m_identity(std::move(identity)),
+      m_is_symmetric(is_symmetric)
+  {
+  }
+
+  Identity identity() const { return m_identity(); }
+
+  /// \endcond
+
+private:
+  // So many that blocks can be dealt out to many threads, and that a block fits some memory.
+  std::size_t suitable_rows_per_block() const
+  {
+    constexpr std::size_t blocks = 512, most = 64, bytes = 16 << 20;
+    const std::size_t size_of_row =
+        (std::max<std::size_t>)(1, m_number_of_columns) * sizeof(double);
+    const bool is_sparse =
+        m_number_of_nearest > 0 || m_maximum_distance < std::numeric_limits<double>::infinity();
+    const std::size_t by_memory = (is_sparse ? 4 : 1) * bytes / size_of_row;
+    const std::size_t result = (std::min)({number_of_rows() / blocks, most, by_memory});
+    return (std::max<std::size_t>)(1, result);
+  }
+
+  std::vector<std::size_t> m_order;
+  std::size_t m_number_of_columns;
+  double m_maximum_distance;
+  std::size_t m_number_of_nearest;
+  std::size_t m_rows_per_block;
+  std::function<Identity()> m_identity;
+  bool m_is_symmetric;
+};
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_DISTANCE_MATRIX_PLAN_H

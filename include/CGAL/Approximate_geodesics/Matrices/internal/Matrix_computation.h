@@ -1,0 +1,221 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_MATRIX_COMPUTATION_H
+#define CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_MATRIX_COMPUTATION_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_columns.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_progress.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/Row_search.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/row_sinks.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <thread>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * Computes the rows of a distance matrix, by one thread or several, and hands them over: blocks of
+ * them to a sink as they are done, and single ones to a function object in their order.
+ */
+template <typename Graph, typename Rows, typename Visitor>
+class Matrix_computation
+{
+public:
+  // All are referred to, not copied.
+  Matrix_computation(const Graph& graph,
+                     const std::vector<Intrinsic_point>& sources,
+                     const Matrix_columns<Graph>& columns,
+                     const Row_limits& limits,
+                     const Distance_matrix_plan& plan,
+                     Rows& rows,
+                     Visitor& visitor)
+    : m_graph(graph),
+      m_sources(sources),
+      m_columns(columns),
+      m_limits(limits),
+      m_plan(plan),
+      m_rows(rows),
+      m_progress(visitor, plan.number_of_rows(), number_done())
+  {
+  }
+
+  // Returns whether the visitor let it come to the end.
+  bool run(const Loop& loop)
+  {
+    if(loop.is_parallel() && m_plan.number_of_rows() > 1)
+      loop.run(m_plan.number_of_blocks(),
+               [this](std::size_t /* block */, std::size_t /* thread */) { work_or_stop(); });
+    else
+      work();
+    return !m_is_stopped;
+  }
+
+private:
+  // The first turn of a thread takes rows until there are none left, and the others find none. A
+  // function object may have a parallel loop of its own, in which its thread comes by another turn
+  // of this one: that must not wait for what the thread is about to do.
+  void work_or_stop()
+  {
+    if(m_is_finished || m_is_stopped || !enter())
+      return;
+    try
+    {
+      work();
+    }
+    catch(...)
+    {
+      stop();
+      leave();
+      throw;
+    }
+    leave();
+  }
+
+  bool enter()
+  {
+    const std::lock_guard lock(m_mutex);
+    return m_threads.insert(std::this_thread::get_id()).second;
+  }
+
+  void leave()
+  {
+    const std::lock_guard lock(m_mutex);
+    m_threads.erase(std::this_thread::get_id());
+  }
+
+  void work()
+  {
+    Row_search<Graph> search(m_graph, m_columns, m_limits);
+    if constexpr(is_row_sink<Rows>)
+      compute_blocks(search);
+    else
+      compute_rows(search);
+    m_is_finished = true;
+  }
+
+  // For sinks
+
+  void compute_blocks(Row_search<Graph>& search)
+  {
+    typename Rows::Block block;
+    while(const std::optional<std::size_t> number = next_block())
+    {
+      const auto rows = m_plan.rows_of_block(*number);
+      for(const std::size_t row : rows)
+      {
+        if(!goes_further())
+          return;
+        m_rows.collect(block, row, search.find(m_sources[row], m_progress.visitor_of_search()));
+      }
+      m_rows.add(*number, block);
+      m_done += rows.size();
+      m_progress.report(number_done());
+    }
+  }
+
+  std::optional<std::size_t> next_block()
+  {
+    if constexpr(deals_out_blocks<Rows>)
+      return m_rows.next_block();
+    else
+    {
+      const std::size_t number = m_next++;
+      return number < m_plan.number_of_blocks() ? std::optional(number) : std::nullopt;
+    }
+  }
+
+  std::size_t number_done() const
+  {
+    if constexpr(knows_rows_done<Rows>)
+      return m_rows.number_of_rows_done();
+    else
+      return m_done;
+  }
+
+  // For function objects
+
+  void compute_rows(Row_search<Graph>& search)
+  {
+    for(std::size_t row = m_next++; row < m_plan.number_of_rows(); row = m_next++)
+      if(!goes_further() ||
+         !hand_over(row, search.find(m_sources[row], m_progress.visitor_of_search())))
+        return;
+  }
+
+  // Rows are dealt out in their order, so whoever has the next one does not wait.
+  bool hand_over(const std::size_t row, const Distance_row& distances)
+  {
+    {
+      std::unique_lock lock(m_mutex);
+      m_turn.wait(lock, [&] { return m_done == row || m_is_stopped; });
+    }
+    if(m_is_stopped)
+      return false;
+    m_rows(row, distances);
+    m_progress.report(row + 1);
+    {
+      const std::lock_guard lock(m_mutex);
+      ++m_done;
+    }
+    m_turn.notify_all();
+    return true;
+  }
+
+  // The end
+
+  bool goes_further()
+  {
+    if(!m_is_stopped && !m_progress.go_further())
+      stop();
+    return !m_is_stopped;
+  }
+
+  void stop()
+  {
+    {
+      const std::lock_guard lock(m_mutex); // or who is about to wait would not learn of it
+      m_is_stopped = true;
+    }
+    m_turn.notify_all();
+  }
+
+  const Graph& m_graph;
+  const std::vector<Intrinsic_point>& m_sources;
+  const Matrix_columns<Graph>& m_columns;
+  const Row_limits& m_limits;
+  const Distance_matrix_plan& m_plan;
+  Rows& m_rows;
+
+  std::atomic<std::size_t> m_next{0}; // row or block
+  std::atomic<std::size_t> m_done{0}; // rows
+  Matrix_progress<Visitor> m_progress;
+  std::atomic<bool> m_is_finished{false};
+  std::atomic<bool> m_is_stopped{false};
+  std::mutex m_mutex;
+  std::set<std::thread::id> m_threads; // that are at work
+  std::condition_variable m_turn;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_MATRIX_COMPUTATION_H

@@ -1,0 +1,155 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_ROW_SEARCH_H
+#define CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_ROW_SEARCH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_columns.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// How far the searches for the rows of a distance matrix go.
+struct Row_limits
+{
+  double maximum_distance = std::numeric_limits<double>::infinity();
+  std::size_t number_of_nearest = 0;    // columns; 0 stands for all of them
+  std::vector<Intrinsic_point> targets; // that a search may end with, if there are any
+
+  // Whether most columns may not be reached.
+  bool are_given() const
+  {
+    return number_of_nearest > 0 || maximum_distance < std::numeric_limits<double>::infinity();
+  }
+};
+
+// Ends a search when so many columns are settled, and all that are as far away as the last of them,
+// or if another visitor does.
+template <typename Columns, typename Visitor>
+class Nearest_columns_visitor : public Geodesic_visitor_base
+{
+public:
+  Nearest_columns_visitor(const Columns& columns, const std::size_t wanted, Visitor& visitor)
+    : m_columns(columns), m_wanted(wanted), m_visitor(visitor)
+  {
+  }
+
+  template <typename Node>
+  void on_settled(const Node node, const double distance)
+  {
+    m_is_done = m_is_done || (m_number >= m_wanted && distance > m_farthest);
+    const std::size_t number = m_columns.number_at(node);
+    if(m_number < m_wanted && number > 0)
+      m_farthest = distance;
+    m_number += number;
+  }
+
+  void on_progress(const std::size_t number_of_settled_nodes, const std::size_t number_of_nodes)
+  {
+    m_visitor.on_progress(number_of_settled_nodes, number_of_nodes);
+  }
+
+  bool go_further() { return !m_is_done && m_visitor.go_further(); }
+
+  // Whether as many as wanted were settled, and how far the last of them is.
+  bool is_enough() const { return m_number >= m_wanted; }
+  double farthest() const { return m_farthest; }
+
+private:
+  const Columns& m_columns;
+  std::size_t m_wanted;
+  Visitor& m_visitor;
+  std::size_t m_number = 0;
+  double m_farthest = 0;
+  bool m_is_done = false;
+};
+
+/*
+ * Finds rows of a distance matrix, one after the other: the workspace of a thread.
+ */
+template <typename Graph>
+class Row_search
+{
+public:
+  // All are referred to, not copied.
+  Row_search(const Graph& graph, const Matrix_columns<Graph>& columns, const Row_limits& limits)
+    : m_columns(columns), m_limits(limits), m_search(graph), m_row(columns.size())
+  {
+  }
+
+  // Returns the distances from `source`, which stay until the next call.
+  template <typename Visitor = Geodesic_visitor_base>
+  const Distance_row& find(const Intrinsic_point& source, Visitor visitor = Visitor())
+  {
+    m_row.clear();
+    if(m_limits.number_of_nearest > 0 && m_columns.are_vertices())
+      search_nearest(source, visitor);
+    else
+      m_search.run({{source}}, stop_rule(m_limits.maximum_distance), visitor);
+    if(m_limits.are_given())
+      m_columns.write_reached(m_search, m_row);
+    else
+      m_columns.write_all(m_search, m_row);
+    return m_row;
+  }
+
+private:
+  using Search = Surface_search<Graph>;
+
+  typename Search::Stop_rule stop_rule(const double maximum_distance) const
+  {
+    return {maximum_distance, m_limits.targets};
+  }
+
+  // Whether arcs depend on labels, and so distances, in their last bits, on how far a search goes.
+  static constexpr bool depends_on_limit = needs_bounds<Graph> || needs_expansion_history<Graph>;
+
+  // Most nodes that a search for few columns labels lie beyond them. It is spared these if it knows
+  // how far it has to go: about as far as for the row before, whose source is near.
+  template <typename Visitor>
+  void search_nearest(const Intrinsic_point& source, Visitor& visitor)
+  {
+    if(depends_on_limit || !search_nearest(source, m_expected_distance, visitor))
+      search_nearest(source, m_limits.maximum_distance, visitor);
+  }
+
+  // Returns whether there are enough columns within the distance.
+  template <typename Visitor>
+  bool search_nearest(const Intrinsic_point& source, const double distance, Visitor& visitor)
+  {
+    constexpr double margin = 1.25;
+    Nearest_columns_visitor nearest(m_columns, m_limits.number_of_nearest, visitor);
+    m_search.run({{source}}, stop_rule((std::min)(distance, m_limits.maximum_distance)), nearest);
+    m_expected_distance =
+        nearest.is_enough() ? margin * nearest.farthest() : m_limits.maximum_distance;
+    return nearest.is_enough() || distance >= m_limits.maximum_distance;
+  }
+
+  const Matrix_columns<Graph>& m_columns;
+  const Row_limits& m_limits;
+  Search m_search;
+  Distance_row m_row;
+  double m_expected_distance = std::numeric_limits<double>::infinity(); // of the nearest columns
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_ROW_SEARCH_H

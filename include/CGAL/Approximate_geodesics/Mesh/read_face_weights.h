@@ -1,0 +1,171 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_READ_FACE_WEIGHTS_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_READ_FACE_WEIGHTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/halfedge_groups.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
+#include <CGAL/Approximate_geodesics/Surface/Face_weights.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Expresses weights in a power of two, without rounding, so that products with lengths neither
+// overflow nor vanish: the largest finite one is from 1 to 2 then, or smaller if costs would have
+// too small a unit.
+inline void normalize(Face_weights& weights, const double unit_of_lengths)
+{
+  double largest = 0;
+  for(const double w : weights.of_halfedge)
+    largest = std::isinf(w) ? largest : (std::max)(largest, w);
+  if(largest == 0)
+    return;
+  constexpr int smallest_of_costs = -1000;
+  const int exponent =
+      (std::max)(std::ilogb(largest), smallest_of_costs - std::ilogb(unit_of_lengths));
+  weights.unit = std::ldexp(1., exponent);
+  for(double& w : weights.of_halfedge)
+    if(w > 0)
+      // not free yet, and not one of those numbers that processors take a hundred times as long for
+      w = (std::max)(std::ldexp(w, -exponent), Face_weights::SMALLEST_WEIGHT);
+}
+
+// Upper bound of the cost of any path that revisits nothing, in units of the lengths and the
+// weights. Each edge counts once per face, which covers the ends of a path inside faces, too.
+inline double cost_of_all_edges(const Face_weights& weights,
+                                const Intrinsic_triangulation& triangulation)
+{
+  double result = 0;
+  for(Intrinsic_triangulation::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+    if(!std::isinf(weights.of_halfedge[h]))
+      result += weights.of_halfedge[h] * triangulation.length(h);
+  return result;
+}
+
+// Reads the weights of the faces of a mesh, whose halfedges are given by their numbers in the
+// triangulation.
+template <typename TriangleMesh, typename Halfedges, typename FaceWeightMap>
+Face_weights weights_of_faces(const TriangleMesh& tmesh,
+                              const Halfedges& halfedges,
+                              const FaceWeightMap& face_weight_map,
+                              const Intrinsic_triangulation& triangulation)
+{
+  using Index = Intrinsic_triangulation::Index;
+  const auto name = [&](const Index h) { return std::to_string(triangulation.index(h)); };
+
+  Face_weights result;
+  result.of_halfedge.resize(halfedges.size(), std::numeric_limits<double>::infinity());
+  for(Index h = 0; h < halfedges.size(); ++h)
+  {
+    if(is_border(halfedges[h], tmesh))
+      continue;
+    const double weight = CGAL::to_double(get(face_weight_map, face(halfedges[h], tmesh)));
+    if(!(weight >= 0))
+    {
+      const Index g = triangulation.next(h);
+      reject("the face with vertices " + name(triangulation.source(h)) + ", " +
+             name(triangulation.target(h)) + ", " + name(triangulation.target(g)) + " has weight " +
+             text_of(weight) + "; it must be a number that is not negative, or infinity");
+    }
+    result.of_halfedge[h] = weight + 0.0; // turns a negative zero into a positive one
+  }
+  normalize(result, triangulation.unit());
+  const double unit_of_costs = triangulation.unit() * result.unit;
+  if(std::isinf(unit_of_costs) ||
+     std::isinf(cost_of_all_edges(result, triangulation) * unit_of_costs))
+    reject(
+        "the weights and the lengths of the mesh do not fit each other: costs would be beyond "
+        "what a double can hold. If a weight stands for a face that paths must not enter, infinity "
+        "is the one to use.");
+  return result;
+}
+
+// The halfedges of a mesh by their numbers in its triangulation.
+template <typename TriangleMesh, typename VertexIndexMap>
+auto halfedges_in_groups(const TriangleMesh& tmesh,
+                         const VertexIndexMap& vertex_index_map,
+                         const Intrinsic_triangulation& triangulation)
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+
+  std::vector<typename Graph_traits::halfedge_descriptor> result(
+      triangulation.number_of_halfedges(), Graph_traits::null_halfedge());
+  std::size_t number_of_vertices = 0, number_of_halfedges = 0;
+  for(const auto v : vertices(tmesh))
+  {
+    ++number_of_vertices;
+    const Index node = triangulation.vertex(static_cast<std::size_t>(get(vertex_index_map, v)));
+    const auto first = first_halfedge_from(v, tmesh);
+    if(node == Intrinsic_triangulation::null_index || first == Graph_traits::null_halfedge())
+      continue;
+    Index i = triangulation.first_halfedge(node);
+    auto h = first;
+    do
+    {
+      if(i < triangulation.beyond_halfedge(node))
+        result[i++] = h;
+      ++number_of_halfedges;
+      h = counterclockwise(h, tmesh);
+    } while(h != first);
+  }
+  if(number_of_vertices != triangulation.number_of_vertices() ||
+     number_of_halfedges != triangulation.number_of_halfedges() ||
+     std::count(result.begin(), result.end(), Graph_traits::null_halfedge()) > 0)
+    reject("the mesh is not the one that the triangulation was made from");
+  return result;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgApproximateGeodesicsMesh
+ *
+ * reads the weights of the faces of a mesh, for graphs whose weights are exchanged.
+ *
+ * \param tmesh the mesh that `triangulation` was made from
+ * \param triangulation the triangulation
+ * \param face_weight_map a property map with the faces of `tmesh` as keys and a number type
+ *        convertible by `CGAL::to_double()` as value type: what a path costs per unit of length
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
+ *           `vertex_index_map`, if one was given to the triangulation
+ *
+ * \throws std::invalid_argument if a weight is negative or not a number, if costs do not fit a
+ *         `double`, or if `tmesh` has another number of vertices or halfedges.
+ *
+ * Run time is \cgalBigO{n} for `n` vertices.
+ */
+template <typename TriangleMesh,
+          typename FaceWeightMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Face_weights read_face_weights(const TriangleMesh& tmesh,
+                               const Intrinsic_triangulation& triangulation,
+                               const FaceWeightMap& face_weight_map,
+                               const NamedParameters& np = parameters::default_values())
+{
+  const auto halfedges =
+      internal::halfedges_in_groups(tmesh, internal::vertex_index_map(tmesh, np), triangulation);
+  return internal::weights_of_faces(tmesh, halfedges, face_weight_map, triangulation);
+}
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_READ_FACE_WEIGHTS_H

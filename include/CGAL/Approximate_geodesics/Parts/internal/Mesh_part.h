@@ -1,0 +1,203 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_MESH_PART_H
+#define CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_MESH_PART_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
+#include <CGAL/Approximate_geodesics/Parts/internal/Descriptor_table.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+namespace parts { // beside it are functions of graphs, which must not hide others
+
+/*
+ * Some faces of a mesh, and what bounds them, in terms of the elements of the mesh: what it costs
+ * depends on the faces, and not on the mesh. `part_as_mesh.h` makes it a mesh of its own.
+ *
+ * A vertex may lie between several fans of faces. As in a mesh, there is one cycle of halfedges
+ * around it, in the order of the mesh, with a border where faces are missing. So paths go through.
+ *
+ * Faces are added one by one, and `close()` finds the border. Links are checked, but nothing is
+ * rejected: of a mesh that is not as usual there, no part is made, and who reads it all finds out
+ * what is wrong.
+ */
+template <typename TriangleMesh>
+class Mesh_part
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+
+public:
+  using Triangle_mesh = TriangleMesh;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Index = typename Descriptor_table<vertex_descriptor>::Index;
+
+  static constexpr Index null_index = Descriptor_table<vertex_descriptor>::null_index;
+
+  // The mesh is referred to, not copied.
+  explicit Mesh_part(const TriangleMesh& tmesh) : m_mesh(&tmesh) {}
+
+  const TriangleMesh& mesh() const { return *m_mesh; }
+
+  // ----- growth
+
+  // Adds a vertex, unless it is there already, and returns its number.
+  Index add_vertex(const vertex_descriptor v)
+  {
+    const Index next = static_cast<Index>(m_vertices.size());
+    const Index result = m_number_of_vertex.find_or_insert(v, next);
+    if(result == next)
+    {
+      m_vertices.push_back(v);
+      m_halfedge_to.push_back(Graph_traits::null_halfedge());
+    }
+    return result;
+  }
+
+  // Adds the face to the left of `h`, which has one that is not there yet. Returns whether it is
+  // linked as it should be.
+  bool add_face(const halfedge_descriptor h)
+  {
+    const face_descriptor f = face(h, *m_mesh);
+    if(halfedge(f, *m_mesh) == Graph_traits::null_halfedge() || !is_linked_triangle(f, *m_mesh) ||
+       !is_on_cycle_of_face(h, *m_mesh))
+      return false;
+    m_faces.push_back(f);
+    halfedge_descriptor side = h;
+    for(int i = 0; i < 3; ++i, side = next(side, *m_mesh))
+      if(!add_side(side))
+        return false;
+    return true;
+  }
+
+  // Finds the border. Returns whether it is linked as it should be.
+  bool close()
+  {
+    m_number_of_sides = m_halfedges.size();
+    for(std::size_t i = 0; i < m_number_of_sides; ++i)
+      add_halfedge(opposite(m_halfedges[i], *m_mesh));
+    const std::size_t size = m_halfedges.size() - m_number_of_sides;
+    m_after.assign(size, Graph_traits::null_halfedge());
+    m_before.assign(size, Graph_traits::null_halfedge());
+    for(std::size_t i = 0; i < size; ++i)
+      if(!link_border(i))
+        return false;
+    return true;
+  }
+
+  // ----- elements
+
+  const std::vector<vertex_descriptor>& list_of_vertices() const { return m_vertices; }
+  const std::vector<halfedge_descriptor>& list_of_halfedges() const { return m_halfedges; }
+  const std::vector<face_descriptor>& list_of_faces() const { return m_faces; }
+
+  // null_index if it does not belong to the part
+  Index number(const vertex_descriptor v) const { return m_number_of_vertex.find(v); }
+  Index number(const halfedge_descriptor h) const { return m_number_of_halfedge.find(h); }
+
+  bool contains(const halfedge_descriptor h) const { return number(h) != null_index; }
+
+  // ----- links, once the part is closed
+
+  halfedge_descriptor halfedge_to(const vertex_descriptor v) const
+  {
+    return m_halfedge_to[number(v)];
+  }
+
+  face_descriptor face_of(const halfedge_descriptor h) const
+  {
+    return number(h) < m_number_of_sides ? face(h, *m_mesh) : Graph_traits::null_face();
+  }
+
+  halfedge_descriptor after(const halfedge_descriptor h) const
+  {
+    const Index i = number(h);
+    return i < m_number_of_sides ? next(h, *m_mesh) : m_after[i - m_number_of_sides];
+  }
+
+  halfedge_descriptor before(const halfedge_descriptor h) const
+  {
+    const Index i = number(h);
+    return i < m_number_of_sides ? prev(h, *m_mesh) : m_before[i - m_number_of_sides];
+  }
+
+private:
+  bool add_side(const halfedge_descriptor h)
+  {
+    const halfedge_descriptor across = opposite(h, *m_mesh);
+    const vertex_descriptor v = target(h, *m_mesh);
+    if(v == Graph_traits::null_vertex() || across == h || opposite(across, *m_mesh) != h ||
+       source(next(h, *m_mesh), *m_mesh) != v || !add_halfedge(h))
+      return false;
+    m_halfedge_to[add_vertex(v)] = h;
+    return true;
+  }
+
+  // Returns whether it was not there.
+  bool add_halfedge(const halfedge_descriptor h)
+  {
+    const Index number = static_cast<Index>(m_halfedges.size());
+    const bool is_new = m_number_of_halfedge.find_or_insert(h, number) == number;
+    if(is_new)
+      m_halfedges.push_back(h);
+    return is_new;
+  }
+
+  // Links a halfedge of the border to the one that follows: the next one around its target that the
+  // part contains. Each step is checked to have an inverse, so that the walk cannot turn in a cycle
+  // that it has entered on the way.
+  bool link_border(const std::size_t i)
+  {
+    const halfedge_descriptor first = m_halfedges[m_number_of_sides + i];
+    halfedge_descriptor h = first, following = Graph_traits::null_halfedge();
+    do
+    {
+      following = next(h, *m_mesh);
+      if(following == Graph_traits::null_halfedge() || prev(following, *m_mesh) != h)
+        return false;
+      h = opposite(following, *m_mesh);
+      if(opposite(h, *m_mesh) != following)
+        return false;
+    } while(!contains(following));
+    const Index number_of_following = number(following);
+    if(number_of_following < m_number_of_sides)
+      return false;
+    m_after[i] = following;
+    m_before[number_of_following - m_number_of_sides] = first;
+    return true;
+  }
+
+  const TriangleMesh* m_mesh;
+  Descriptor_table<vertex_descriptor> m_number_of_vertex;
+  Descriptor_table<halfedge_descriptor> m_number_of_halfedge;
+  std::vector<vertex_descriptor> m_vertices;
+  std::vector<halfedge_descriptor>
+      m_halfedge_to;                            // from a face to each vertex, null if there is none
+  std::vector<halfedge_descriptor> m_halfedges; // sides of faces, then those of the border
+  std::vector<face_descriptor> m_faces;
+  std::size_t m_number_of_sides = 0;
+  std::vector<halfedge_descriptor> m_after, m_before; // of those of the border
+};
+
+} // namespace parts
+
+using parts::Mesh_part;
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_MESH_PART_H

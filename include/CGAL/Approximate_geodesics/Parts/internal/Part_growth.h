@@ -1,0 +1,192 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_PART_GROWTH_H
+#define CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_PART_GROWTH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
+#include <CGAL/Approximate_geodesics/Parts/internal/Mesh_place.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * A lower bound of the length of any path over a point in space: from the nearest of some places,
+ * with what their distances start with, and to a target, if there is one.
+ */
+struct Detour
+{
+  struct Start
+  {
+    Space_vector position;
+    double distance;
+  };
+
+  double over(const Space_vector& p) const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for(const Start& start : starts)
+      result = (std::min)(result, start.distance + accurate_length(difference(p, start.position)));
+    return target ? result + accurate_length(difference(p, *target)) : result;
+  }
+
+  // Whether a path may be short enough that crosses an edge of this length, of which the ends have
+  // these values. Along the edge, values change at most as fast as the place, or twice as fast if
+  // there is a target; where they are not finite, nothing is known.
+  bool may_cross(const double value_1, const double value_2, const double length) const
+  {
+    const double sum = value_1 + value_2, change = target ? 2 * length : length;
+    return !((sum - change) / 2 > limit + rounding * (sum + change));
+  }
+
+  bool may_meet(const double value) const { return !(value > limit + rounding * value); }
+
+  static constexpr double rounding = 1e-12; // of values and lengths
+
+  std::vector<Start> starts;
+  std::optional<Space_vector> target;
+  double limit = 0; // of paths that are asked for
+};
+
+/*
+ * Adds all faces to a part that any path from the starts may meet which is as short as the limit.
+ *
+ * Where such a path leaves a face, it crosses an edge at a point whose detour is within the limit;
+ * or it goes through a vertex, and then all edges around that contain such a point; or, if it comes
+ * to another fan of faces there, between which there is a border, the vertex itself is within the
+ * limit. So faces are entered across edges that may contain such a point, and, where there is a
+ * border, through vertices.
+ */
+template <typename TriangleMesh, typename Positions>
+class Part_growth
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+
+public:
+  // All are referred to, not copied. There is an end to the growth beyond so many faces.
+  Part_growth(Mesh_part<TriangleMesh>& part,
+              const Positions& positions,
+              const Detour& detour,
+              const std::size_t largest_number_of_faces)
+    : m_part(part),
+      m_mesh(part.mesh()),
+      m_positions(positions),
+      m_detour(detour),
+      m_largest_number_of_faces(largest_number_of_faces)
+  {
+  }
+
+  void start_at(const Mesh_place<TriangleMesh>& place)
+  {
+    if(place.halfedge == Graph_traits::null_halfedge())
+      m_part.add_vertex(place.corner[0]);
+    else
+      m_entries.push_back(place.halfedge);
+  }
+
+  // Returns whether the part has become as it should be.
+  bool run()
+  {
+    while(!m_entries.empty())
+    {
+      const halfedge_descriptor h = m_entries.back();
+      m_entries.pop_back();
+      if(!m_part.contains(h) && !enter(h))
+        return false;
+    }
+    return m_part.close();
+  }
+
+private:
+  struct Vertex
+  {
+    Space_vector position;
+    double detour;
+  };
+
+  bool enter(const halfedge_descriptor h)
+  {
+    if(m_part.list_of_faces().size() >= m_largest_number_of_faces || !m_part.add_face(h))
+      return false;
+    measure_new_vertices();
+    Vertex from = vertex(source(h, m_mesh));
+    halfedge_descriptor side = h;
+    for(int i = 0; i < 3; ++i, side = next(side, m_mesh))
+    {
+      const Vertex to = vertex(target(side, m_mesh));
+      const halfedge_descriptor across = opposite(side, m_mesh);
+      if(is_border(across, m_mesh))
+      {
+        if(!follow_border(across, from))
+          return false;
+      }
+      else if(may_cross(from, to) && !m_part.contains(across))
+        m_entries.push_back(across);
+      from = to;
+    }
+    return true;
+  }
+
+  // Enters the face beyond the border at the target of `h`. Returns whether there is one.
+  bool follow_border(const halfedge_descriptor h, const Vertex& end)
+  {
+    const halfedge_descriptor following = next(h, m_mesh);
+    if(following == Graph_traits::null_halfedge())
+      return false;
+    const halfedge_descriptor across = opposite(following, m_mesh);
+    if(is_border(across, m_mesh))
+      return false; // an edge without faces
+    if(m_detour.may_meet(end.detour))
+      m_entries.push_back(across);
+    return true;
+  }
+
+  bool may_cross(const Vertex& a, const Vertex& b) const
+  {
+    return m_detour.may_cross(a.detour, b.detour,
+                              accurate_length(difference(a.position, b.position)));
+  }
+
+  const Vertex& vertex(const vertex_descriptor v) const { return m_vertices[m_part.number(v)]; }
+
+  void measure_new_vertices()
+  {
+    for(std::size_t i = m_vertices.size(); i < m_part.list_of_vertices().size(); ++i)
+    {
+      const Space_vector p = m_positions(m_part.list_of_vertices()[i]);
+      m_vertices.push_back({p, m_detour.over(p)});
+    }
+  }
+
+  Mesh_part<TriangleMesh>& m_part;
+  const TriangleMesh& m_mesh;
+  const Positions& m_positions;
+  const Detour& m_detour;
+  const std::size_t m_largest_number_of_faces;
+  std::vector<halfedge_descriptor> m_entries; // with a face to the left that is to be added
+  std::vector<Vertex> m_vertices;             // by their numbers in the part
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_PART_GROWTH_H

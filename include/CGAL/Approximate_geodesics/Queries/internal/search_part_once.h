@@ -1,0 +1,125 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_PART_ONCE_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_PART_ONCE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
+#include <CGAL/Approximate_geodesics/Parts/internal/part_as_mesh.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Part_to_read.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Vertex_results.h>
+
+#include <stdexcept>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+// Calls `f` with a search of a part, as `search_once()` does. Returns whether the part could be
+// read; if not, something is wrong with it, or with what the named parameters say, and who reads
+// the whole mesh finds the words for it.
+template <typename TriangleMesh, typename NamedParameters, typename F>
+bool search_part_once(const Mesh_part<TriangleMesh>& part,
+                      const NamedParameters& np,
+                      const bool finds_path,
+                      F f)
+{
+  bool is_read = false;
+  try
+  {
+    search_once(part, np, finds_path, [&](auto& search) {
+      is_read = true;
+      f(search);
+    });
+  }
+  catch(const std::invalid_argument&)
+  {
+    if(is_read)
+      throw;
+  }
+  return is_read;
+}
+
+/*
+ * The vertices of a mesh by their numbers in a part, of which there is a translation. Others have
+ * no number.
+ */
+template <typename Translation>
+class Whole_translation
+{
+  using Part = typename Translation::Triangle_mesh;
+
+public:
+  using Triangle_mesh = typename Part::Triangle_mesh;
+  using vertex_descriptor = typename Part::vertex_descriptor;
+  using Index = typename Part::Index;
+
+  explicit Whole_translation(const Translation& translation) : m_translation(translation) {}
+
+  const Triangle_mesh& mesh() const { return m_translation.mesh().mesh(); }
+
+  Index node(const vertex_descriptor v) const
+  {
+    const bool is_in_part = m_translation.mesh().number(v) != Part::null_index;
+    return is_in_part ? m_translation.node(v) : Part::null_index;
+  }
+
+  vertex_descriptor vertex(const Index node) const { return m_translation.vertex(node); }
+
+private:
+  const Translation& m_translation;
+};
+
+// Calls `f` with a search of the part that a path from the nearest source to `target` needs, if
+// that is known before the mesh is read. Returns whether it is.
+template <typename TriangleMesh,
+          typename Sources,
+          typename Target,
+          typename NamedParameters,
+          typename F>
+bool search_part_between([[maybe_unused]] const TriangleMesh& tmesh,
+                         [[maybe_unused]] const Sources& sources,
+                         [[maybe_unused]] const Target& target,
+                         [[maybe_unused]] const NamedParameters& np,
+                         [[maybe_unused]] F f)
+{
+  if constexpr(may_read_part<TriangleMesh, NamedParameters>())
+    if(const auto part = Part_to_read(tmesh, np).between(sources, target))
+      return search_part_once(*part, np, true, f);
+  return false;
+}
+
+// Writes the distances, and what else the named parameters ask for, to property maps of the mesh,
+// if the part that they need is known before it is read. Returns whether it is.
+template <typename TriangleMesh,
+          typename VertexDistanceMap,
+          typename Sources,
+          typename NamedParameters>
+bool write_distances_of_part([[maybe_unused]] const TriangleMesh& tmesh,
+                             [[maybe_unused]] VertexDistanceMap distances,
+                             [[maybe_unused]] const Sources& sources,
+                             [[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr(may_read_part<TriangleMesh, NamedParameters>() &&
+               is_given<NamedParameters, internal_np::maximum_distance_t> &&
+               !is_given<NamedParameters, internal_np::targets_t>)
+    if(const auto part = Part_to_read(tmesh, np).around(sources))
+      return search_part_once(*part, np, false, [&](auto& search) {
+        search.run_from(sources, np);
+        Vertex_results(search.search().search(), Whole_translation(search.translation()))
+            .write(distances, np);
+      });
+  return false;
+}
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_PART_ONCE_H
