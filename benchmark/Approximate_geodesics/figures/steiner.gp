@@ -2,6 +2,11 @@
 # faces, and on a terrain with weights. Labels say how many points there are per edge, or for which
 # epsilon; the panel in the middle has the names of all curves.
 load 'style.gp'
+if (format eq 'svg') {
+  set terminal svg size 800,640 font 'sans,15'
+} else {
+  set terminal pngcairo size 1200,960 font 'sans,15'
+}
 set output figure . 'steiner.' . format
 set logscale xy
 set xlabel 'nodes per vertex'
@@ -17,7 +22,7 @@ of(name, points, y) = strcol('mesh') eq name && strcol('points') eq points && \
 spaced(y) = of(name, 'equally spaced', y)
 geometric(y) = of(name, 'geometric', y)
 label = "sprintf('%g', column('parameter'))"
-set multiplot layout 1, 3 margins 0.13, 0.985, 0.14, 0.92 spacing 0.02, 0
+set multiplot layout 1, 3 margins 0.12, 0.985, 0.11, 0.92 spacing 0.02, 0
 set ylabel 'error' offset 2, 0
 do for [name in 'elephant anchor terrain'] {
   file = data . (name eq 'terrain' ? 'steiner_weighted.csv' : 'steiner_convergence.csv')
@@ -26,11 +31,11 @@ do for [name in 'elephant anchor terrain'] {
   if (name eq 'anchor') { # which leaves room between the curves
     unset ylabel
     set format y ''
-    set label 1 'equally spaced, largest' at 30, 24 left font ',12' textcolor linetype 1
-    set label 2 'mean' at 18, 0.9 right font ',12' textcolor linetype 1
-    set label 3 'geometric, largest' at 150, 4.5 left font ',12' textcolor linetype 3
-    set label 4 'mean' at 1000, 0.015 right font ',12' textcolor linetype 3
-    set label 5 'slope -2' at 28, 0.04 left font ',12' textcolor linetype 2
+    set label 1 "equally spaced,\nlargest" at 40, 26 left font ',14' textcolor linetype 1
+    set label 2 'mean' at 18, 0.9 right font ',14' textcolor linetype 1
+    set label 3 "geometric,\nlargest" at 350, 5 left font ',14' textcolor linetype 3
+    set label 4 'mean' at 1000, 0.015 right font ',14' textcolor linetype 3
+    set label 5 'slope -2' at 28, 0.04 left font ',14' textcolor linetype 2
   } else {
     unset label
   }
@@ -40,8 +45,8 @@ do for [name in 'elephant anchor terrain'] {
        file using 'nodes/vertex':(geometric('largest %')) with lines linetype 3 dashtype 3, \
        [6:110] 20. / x**2 with lines linetype 2, \
        file using 'nodes/vertex':(spaced('mean %')):(@label) with labels right \
-         offset -0.7, -0.4 font ',10' textcolor linetype 1, \
+         offset -0.7, -0.4 font ',13' textcolor linetype 1, \
        file using 'nodes/vertex':(geometric('mean %')):(@label) with labels left \
-         offset 0.7, 0.4 font ',10' textcolor linetype 3
+         offset 0.7, 0.4 font ',13' textcolor linetype 3
 }
 unset multiplot
