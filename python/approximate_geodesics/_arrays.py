@@ -50,6 +50,17 @@ def integers(values: Any, name: str, shape: tuple[int, ...]) -> npt.NDArray[Any]
     return result
 
 
+def triangles(values: Any, name: str) -> npt.NDArray[Any]:
+    """Three vertices for each face. A flat array is not taken for them: it may be meant otherwise."""
+    if _number_of_dimensions(values) == 1 and len(values) > 0 and len(values) % 4 == 0:
+        if np.all(np.asarray(values)[::4] == 3):
+            raise ValueError(
+                f"{name} are a flat array in which each face starts with its size, as PyVista's are; "
+                f"give {name}.reshape(-1, 4)[:, 1:]"
+            )
+    return integers(values, name, (-1, 3))
+
+
 def points(values: Any, name: str) -> tuple[Points, bool]:
     """The points, and whether it is one, and not a sequence of them."""
     if _is_point_of_face(values):

@@ -82,7 +82,7 @@ class Solver:
         progress: Optional[Progress] = None,
     ) -> None:
         coordinates = _arrays.numbers(vertices, "vertices", (-1, 3))
-        corners = _arrays.integers(faces, "faces", (-1, 3))
+        corners = _arrays.triangles(faces, "faces")
         weights = ends = None
         if face_weights is not None:
             weights = _arrays.numbers(face_weights, "face_weights", (len(corners),))

@@ -7,6 +7,7 @@ import approximate_geodesics as ag
 from meshes import grid
 
 VERTICES, FACES = grid(4)
+FLAT_FACES = np.insert(FACES, 0, 3, axis=1).ravel()  # as PyVista has them
 SOLVER = ag.Solver(VERTICES, FACES, 0.1)
 
 
@@ -28,6 +29,8 @@ def changed(array, place, value):
         (VERTICES, [(0, 1, 2), (0, 3, 4)], "vertex 0 is not manifold"),
         (VERTICES[:, :2], FACES, "vertices must have the shape"),
         (VERTICES, FACES[:, :2], "faces must have the shape"),
+        (VERTICES, FACES.ravel(), "faces must have the shape"),
+        (VERTICES, FLAT_FACES, r"as PyVista's are; give faces\.reshape\(-1, 4\)\[:, 1:\]"),
         (VERTICES, FACES.astype(float), "faces must be integers"),
         ("abc", FACES, "vertices cannot be read as numbers"),
     ],
@@ -35,6 +38,10 @@ def changed(array, place, value):
 def test_meshes_that_cannot_be_right(vertices, faces, message):
     with pytest.raises(ValueError, match=message):
         ag.Solver(vertices, faces)
+
+
+def test_what_the_error_says_of_flat_faces_is_right():
+    assert np.array_equal(ag.Solver(VERTICES, FLAT_FACES.reshape(-1, 4)[:, 1:]).faces, FACES)
 
 
 @pytest.mark.parametrize(
