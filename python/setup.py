@@ -1,13 +1,18 @@
-"""Builds the module by CMake, which knows where CGAL is."""
+"""Builds the module by CMake, which knows where CGAL is; and source distributions, to which the
+headers are added, as they lie outside this folder."""
 
 import pathlib
+import shutil
 import subprocess
 import sys
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.sdist import sdist
 
 SOURCE = pathlib.Path(__file__).resolve().parent
+IN_SDIST = "library"  # where CMakeLists.txt looks for it
+LIBRARY = SOURCE / IN_SDIST if (SOURCE / IN_SDIST).exists() else SOURCE.parent
 
 
 class BuildByCMake(build_ext):
@@ -25,7 +30,18 @@ class BuildByCMake(build_ext):
         subprocess.run(["cmake", "--build", build], check=True)
 
 
+class SdistWithLibrary(sdist):
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        base = pathlib.Path(base_dir)
+        for name in ("include", "matrix_files", "solver", "cmake"):
+            shutil.copytree(LIBRARY / name, base / IN_SDIST / name)
+        shutil.copy(LIBRARY / "CMakeLists.txt", base / IN_SDIST)
+        (base / "LICENSE").unlink()  # it may be a link
+        shutil.copy(SOURCE / "LICENSE", base)
+
+
 setup(
     ext_modules=[Extension("approximate_geodesics._native", sources=[])],
-    cmdclass={"build_ext": BuildByCMake},
+    cmdclass={"build_ext": BuildByCMake, "sdist": SdistWithLibrary},
 )

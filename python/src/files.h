@@ -13,7 +13,7 @@
 #include "running.h"
 
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
-#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Approximate_geodesics/Solver/read_soup.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cerrno>
@@ -94,12 +94,10 @@ inline py::tuple read_mesh(const std::string& file)
     throw_error_of_file(file);
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
-  const bool is_read = [&] {
+  {
     const Unlocked unlocked;
-    return CGAL::IO::read_polygon_soup(file, points, faces);
-  }();
-  if(!is_read)
-    throw std::invalid_argument("no mesh could be read from " + file);
+    AG::read_soup(file, points, faces);
+  }
   std::vector<double> coordinates;
   for(const auto& p : points)
     coordinates.insert(coordinates.end(), p.cartesian_begin(), p.cartesian_end());

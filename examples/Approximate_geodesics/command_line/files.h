@@ -11,6 +11,12 @@
 
 // Files that cannot be opened are refused with the reason that the system has.
 
+[[noreturn]] inline void fail_to(const std::string& verb, const std::string& file, const int error)
+{
+  throw std::runtime_error("cannot " + verb + ' ' + file +
+                           (error != 0 ? std::string(": ") + std::strerror(error) : ""));
+}
+
 inline std::ifstream open_to_read(const std::string& file,
                                   const std::ios::openmode mode = std::ios::in)
 {
@@ -24,34 +30,5 @@ inline std::ifstream open_to_read(const std::string& file,
 }
 
 inline void check_readable(const std::string& file) { open_to_read(file); }
-
-inline std::ofstream open_to_write(const std::string& file,
-                                   const std::ios::openmode mode = std::ios::out)
-{
-  errno = 0;
-  std::ofstream out(file, mode);
-  if(!out)
-    throw std::runtime_error("cannot write " + file + ": " + std::strerror(errno));
-  out.precision(17);
-  return out;
-}
-
-// What was written may still be in memory.
-inline void finish(std::ofstream& out, const std::string& file)
-{
-  errno = 0;
-  if(!out.flush())
-    throw std::runtime_error("cannot write " + file +
-                             (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
-}
-
-// Tries to write a file, without changing what is there.
-inline void check_writable(const std::string& file)
-{
-  const bool is_new = !std::filesystem::exists(file);
-  open_to_write(file, std::ios::app);
-  if(is_new)
-    std::filesystem::remove(file);
-}
 
 #endif // COMMAND_LINE_FILES_H

@@ -4,13 +4,13 @@
 #include "Repaired_soup.h"
 #include "files.h"
 
+#include <CGAL/Approximate_geodesics/Solver/read_soup.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <cmath>
 #include <cstddef>
@@ -52,16 +52,14 @@ inline Mesh read_mesh(const std::string& file, const Faces faces = Faces::ANY)
   check_readable(file);
   std::vector<Mesh::Point> points;
   std::vector<std::vector<std::size_t>> polygons;
-  if(!CGAL::IO::read_polygon_soup(file, points, polygons))
-    throw std::runtime_error(
-        "cannot read a mesh from " + file +
-        ": the end of its name must be that of its format (off, obj, stl, ply, "
-        "vtp, ts), and coordinates must be numbers");
+  CGAL::Approximate_geodesics::read_soup(file, points, polygons);
   check_coordinates(points, file);
   if(polygons.empty())
     throw std::runtime_error("the mesh in " + file + " has no faces");
   Mesh mesh;
   const Repaired_soup<Mesh::Point> soup(std::move(points), std::move(polygons));
+  if(soup.polygons.empty())
+    throw std::runtime_error("the mesh in " + file + " has no face with three vertices");
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
   const bool has_triangles = CGAL::is_triangle_mesh(mesh);
   if(faces == Faces::OF_THE_FILE && (soup.is_changed() || !has_triangles))

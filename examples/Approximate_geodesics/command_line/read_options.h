@@ -3,6 +3,9 @@
 
 #include <boost/program_options.hpp>
 
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,18 +15,34 @@
   throw std::invalid_argument("--" + option + ": " + reason);
 }
 
-// Takes a word such as -1.5 or -1,0,2 for a value, and not for an option.
+// Whether a word is one such as -1.5 or -1,0,2, and so no option.
+inline bool is_negative_number(const std::string& word)
+{
+  return word.size() > 1 && word[0] == '-' && word.find_first_of("0123456789.", 1) == 1;
+}
+
+// Takes such a word for a value.
 inline std::vector<boost::program_options::option>
 read_negative_number(std::vector<std::string>& words)
 {
   const std::string word = words.front();
-  if(word.size() < 2 || word[0] != '-' || word.find_first_of("0123456789.", 1) != 1)
+  if(!is_negative_number(word))
     return {};
   words.erase(words.begin());
   boost::program_options::option result;
   result.value = {word};
   result.original_tokens = {word};
   return {result};
+}
+
+// Refuses an option whose value has been left out, so that the next option was taken for it.
+inline void check_values(const boost::program_options::parsed_options& parsed)
+{
+  for(const boost::program_options::option& option : parsed.options)
+    for(const std::string& word : option.value)
+      if(!option.string_key.empty() && word.size() > 1 && word[0] == '-' &&
+         !is_negative_number(word))
+        reject_option(option.string_key, "a value must follow, in place of " + word);
 }
 
 // Reads the options, whose names cannot be abbreviated, and the mesh, which comes without a name.
@@ -36,30 +55,71 @@ read_options(const int argc,
 {
   namespace po = boost::program_options;
   po::options_description all;
-  all.add(description).add_options()("mesh", po::value(&mesh), "the mesh");
+  std::vector<std::string> meshes;
+  all.add(description).add_options()("mesh", po::value(&meshes), "the mesh");
   po::positional_options_description positions;
-  positions.add("mesh", 1);
+  positions.add("mesh", -1);
 
   po::variables_map result;
   try
   {
-    po::store(
+    const po::parsed_options parsed =
         po::command_line_parser(argc, argv)
             .options(all)
             .positional(positions)
             .style(po::command_line_style::unix_style ^ po::command_line_style::allow_guessing)
             .extra_style_parser(read_negative_number)
-            .run(),
-        result);
+            .run();
+    check_values(parsed);
+    po::store(parsed, result);
   }
-  catch(const po::too_many_positional_options_error&)
+  catch(const po::invalid_command_line_syntax& e)
   {
-    throw std::invalid_argument("more than one mesh is given");
+    if(e.kind() == po::invalid_syntax::missing_parameter ||
+       e.kind() == po::invalid_syntax::empty_adjacent_parameter)
+      throw std::invalid_argument(e.get_option_name() + ": a value must follow");
+    throw;
   }
   po::notify(result);
+  if(meshes.size() > 1)
+    throw std::invalid_argument("more than one mesh is given: " + meshes[0] + " and " + meshes[1]);
+  if(!meshes.empty())
+    mesh = meshes.front();
   if(mesh.empty() && !result["help"].as<bool>())
     throw std::invalid_argument("no mesh given (it comes before the options); try --help");
   return result;
+}
+
+// Numbers, which are read as text first, so that what is wrong can be said in words.
+
+inline double number_of(const std::string& option, const std::string& text)
+{
+  char* end = nullptr;
+  const double result = std::strtod(text.c_str(), &end);
+  if(text.empty() || *end != '\0' || std::isnan(result))
+    reject_option(option, '"' + text + "\" is not a number");
+  return result;
+}
+
+inline double
+number_from_0(const std::string& option, const std::string& text, const bool may_be_infinite)
+{
+  const double result = number_of(option, text);
+  if(result < 0 || (!may_be_infinite && std::isinf(result)))
+    reject_option(option, "it is " + text + ", and must be a number that is not negative" +
+                              (may_be_infinite ? "" : ", nor infinite"));
+  return result;
+}
+
+inline std::size_t
+whole_number(const std::string& option, const std::string& text, const std::size_t least)
+{
+  const bool is_number = !text.empty() && text.size() < 10 &&
+                         text.find_first_not_of("0123456789") == std::string::npos;
+  if(!is_number || std::stoul(text) < least)
+    reject_option(option, '"' + text + "\" is not a whole number from " + std::to_string(least) +
+                              " to 999999999");
+  return std::stoul(text);
 }
 
 #endif // COMMAND_LINE_READ_OPTIONS_H

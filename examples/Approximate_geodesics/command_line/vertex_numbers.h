@@ -25,28 +25,37 @@ auto name_in_errors(const std::string& name, F f)
   }
 }
 
-inline std::string name_of_line(const std::size_t number)
+inline bool is_whole_number(const std::string& text)
 {
-  return "line " + std::to_string(number);
+  return !text.empty() && text.size() <= 18 &&
+         text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-inline std::size_t to_number(const std::string& text)
+// `alternatives` are named in errors.
+inline std::size_t to_vertex_index(const std::string& text, const std::string& alternatives = "")
 {
-  if(text.empty() || text.size() > 18 || text.find_first_not_of("0123456789") != std::string::npos)
-    throw std::invalid_argument("\"" + text + "\" is not a number of vertices, nor a vertex index");
+  if(!is_whole_number(text))
+    throw std::invalid_argument('"' + text + "\" is not the index of a vertex" + alternatives);
   return std::stoull(text);
+}
+
+inline std::optional<std::string> text_after(const std::string& kind, const std::string& text)
+{
+  const std::string prefix = kind + ':';
+  if(text.compare(0, prefix.size(), prefix) != 0)
+    return std::nullopt;
+  return text.substr(prefix.size());
 }
 
 // The number of vertices that is asked for, such as 5 in `random:5`, if `kind` is `random`.
 inline std::optional<std::size_t> number_after(const std::string& kind, const std::string& text)
 {
-  const std::string prefix = kind + ':';
-  if(text.compare(0, prefix.size(), prefix) != 0)
+  const std::optional<std::string> number = text_after(kind, text);
+  if(!number)
     return std::nullopt;
-  const std::size_t result = to_number(text.substr(prefix.size()));
-  if(result == 0)
-    throw std::invalid_argument("no vertex is chosen");
-  return result;
+  if(!is_whole_number(*number) || std::stoull(*number) == 0)
+    throw std::invalid_argument("a number of vertices from 1 on must follow, as in " + kind + ":5");
+  return std::stoull(*number);
 }
 
 inline void check_vertex_index(const std::size_t index, const std::size_t number_of_vertices)

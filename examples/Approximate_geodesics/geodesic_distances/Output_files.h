@@ -1,7 +1,7 @@
 #ifndef GEODESIC_DISTANCES_OUTPUT_FILES_H
 #define GEODESIC_DISTANCES_OUTPUT_FILES_H
 
-#include "../command_line/files.h"
+#include "../command_line/New_files.h"
 #include "../command_line/read_options.h"
 #include "Options.h"
 #include "picture.h"
@@ -21,8 +21,11 @@ public:
   // Refuses to go on if one of them exists or could not be written, before anything is computed.
   explicit Output_files(const Options& options) : m_options(options)
   {
-    if(options.output.empty())
-      reject_option("output", "it is empty");
+    const std::filesystem::path last = std::filesystem::path(options.output).filename();
+    if(last.empty() || last == "." || last == "..")
+      reject_option("output", '"' + options.output +
+                                  "\" is no name that files can begin with; to write into a "
+                                  "folder, add one, as in folder/bunny");
     if(options.draws)
       check_drawing_programs();
     for(const std::string& file : names())
@@ -39,20 +42,29 @@ public:
       check("output", file);
   }
 
-  // but for the graph, which is written when it is built
-  void write(const Mesh& mesh, const Results& results) const
+  // Writes all of them, or none. `save_graph(out)` writes the graph.
+  template <typename SaveGraph>
+  void write(const Mesh& mesh, const Results& results, const SaveGraph save_graph) const
   {
-    write_ply(name(".ply"), mesh, results);
-    write_vtp(name(".vtp"), mesh, results);
-    write_paths_vtp(name("_paths.vtp"), results);
+    const auto with = [&](const auto write_results) {
+      return [&, write_results](std::ostream& out) { write_results(out, results); };
+    };
+    New_files files(m_options.overwrites);
+    files.write(name(".ply"), [&](std::ostream& out) { write_ply(out, mesh, results); });
+    const std::string surface =
+        files.write(name(".vtp"), [&](std::ostream& out) { write_vtp(out, mesh, results); });
+    const std::string paths = files.write(name("_paths.vtp"), with(write_paths_vtp));
     if(!m_options.targets.empty())
-      write_polylines(name(".polylines.txt"), results);
+      files.write(name(".polylines.txt"), with(write_polylines));
     if(m_options.has_isolines())
-      write_isolines_vtp(name("_isolines.vtp"), results);
+      files.write(name("_isolines.vtp"), with(write_isolines_vtp));
     if(m_options.writes_table)
-      write_csv(name(".csv"), mesh, results);
+      files.write(name(".csv"), [&](std::ostream& out) { write_csv(out, mesh, results); });
+    if(!m_options.graph_to_save.empty())
+      files.write(m_options.graph_to_save, save_graph);
     if(m_options.draws)
-      draw_picture(m_options.output, m_options.view);
+      draw_picture({surface, paths, files.add(name(".png"))}, m_options.view);
+    files.put_in_place();
   }
 
   void print(std::ostream& out) const
@@ -93,8 +105,8 @@ private:
   void check(const char* const option, const std::string& file) const
   {
     if(std::filesystem::exists(file) && !m_options.overwrites)
-      reject_option(option, file + " exists; --force overwrites it");
-    check_writable(file);
+      reject_option(option, file + " exists; --force replaces it");
+    New_file::check(file);
   }
 
   std::string name(const char* const ending) const { return m_options.output + ending; }

@@ -1,6 +1,7 @@
 #ifndef GEODESIC_DISTANCES_PLACES_H
 #define GEODESIC_DISTANCES_PLACES_H
 
+#include "../command_line/listed_vertices.h"
 #include "../command_line/read_mesh.h"
 #include "../command_line/vertex_numbers.h"
 
@@ -30,8 +31,8 @@ struct Place
   CGAL::Approximate_geodesics::Surface_point<Mesh> point;
 };
 
-// Finds the places that are given by vertex index, by `random:K`, or by x,y,z. The text is checked
-// before the mesh is there.
+// Finds the places that are given by vertex index, by x,y,z, by `random:K`, or by `file:NAME`. The
+// text is checked before the mesh is there.
 class Place_finder
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -46,8 +47,10 @@ public:
   {
     for(const std::string& name : names)
       name_in_errors(option + ' ' + name, [&] {
-        if(!coordinates(name) && !number_after("random", name))
-          to_number(name);
+        if(const auto file = text_after("file", name))
+          listed_vertices(*file);
+        else if(!coordinates(name) && !number_after("random", name))
+          to_vertex_index(name, ", nor x,y,z, random:K or file:NAME");
       });
   }
 
@@ -59,13 +62,16 @@ public:
     std::vector<Place> result;
     for(const std::string& name : names)
       name_in_errors(option + ' ' + name, [&] {
-        if(const auto point = coordinates(name))
+        if(const auto file = text_after("file", name))
+          for(const auto v : checked_indices(listed_vertices(*file), m_mesh.number_of_vertices()))
+            result.push_back(vertex(v));
+        else if(const auto point = coordinates(name))
           result.push_back({name, nearest(option + ' ' + name, *point)});
         else if(const auto number = number_after("random", name))
           for(const auto v : random_vertices(m_mesh.number_of_vertices(), *number, m_random))
             result.push_back(vertex(v));
         else
-          result.push_back(vertex(to_number(name)));
+          result.push_back(vertex(to_vertex_index(name)));
       });
     return result;
   }

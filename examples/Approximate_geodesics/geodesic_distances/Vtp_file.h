@@ -1,18 +1,16 @@
 #ifndef GEODESIC_DISTANCES_VTP_FILE_H
 #define GEODESIC_DISTANCES_VTP_FILE_H
 
-#include "../command_line/files.h"
-
 #include <boost/endian/conversion.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <ios>
+#include <ostream>
 #include <string>
 #include <type_traits>
 #include <vector>
 
-// Writes points, cells of them, and arrays of numbers into a file in VTK's XML format, which
+// Points, cells of them, and arrays of numbers, to be written in VTK's XML format, which
 // ParaView, f3d and others read: numbers as they are in memory, behind the text.
 class Vtp_file
 {
@@ -67,12 +65,11 @@ public:
     add_array(m_of_cells, name, numbers);
   }
 
-  void write(const std::string& file)
+  void write(std::ostream& out)
   {
     const std::string points = array("points", coordinates, 3);
     const std::string all_cells =
         cells("Verts", vertices) + cells("Lines", lines) + cells("Polys", polygons);
-    std::ofstream out = open_to_write(file, std::ios::binary);
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\""
         << (boost::endian::order::native == boost::endian::order::little ? "Little" : "Big")
         << "Endian\" header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\""
@@ -84,7 +81,6 @@ public:
         << "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
     out.write(m_bytes.data(), static_cast<std::streamsize>(m_bytes.size()));
     out << "\n</AppendedData>\n</VTKFile>\n";
-    finish(out, file);
   }
 
 private:

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <functional>
 #include <iostream>
+#include <ostream>
 #include <utility>
 #include <vector>
 
@@ -94,10 +95,22 @@ inline void tell_of_missing_isolines(const Results& results)
               << ".\n";
 }
 
+// A graph that is used for one question only, and has no file.
+struct No_file
+{
+  template <typename Graph>
+  void operator()(const Graph& /* graph */, std::ostream& /* out */) const
+  {
+  }
+};
+
 // Searches the graph that `make_graph()` returns, prints and writes all that is asked for. The
-// graph is handed to `use_graph` first.
-template <typename MakeGraph, typename UseGraph>
-void answer(const Question& question, const MakeGraph make_graph, const UseGraph use_graph)
+// graph is handed to `describe_graph` first, and to `save_graph` if it is to be written.
+template <typename MakeGraph, typename DescribeGraph, typename SaveGraph = No_file>
+void answer(const Question& question,
+            const MakeGraph make_graph,
+            const DescribeGraph describe_graph,
+            const SaveGraph save_graph = {})
 {
   using Graph = decltype(make_graph());
   Report report;
@@ -109,7 +122,7 @@ void answer(const Question& question, const MakeGraph make_graph, const UseGraph
     return make_graph();
   }();
   const double seconds_to_build = stopwatch.seconds();
-  use_graph(graph, report);
+  describe_graph(graph, report);
 
   CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh, Graph> shortest_paths(
       question.mesh, std::move(graph));
@@ -126,9 +139,12 @@ void answer(const Question& question, const MakeGraph make_graph, const UseGraph
     add_comparison(question, results, report);
   report.print(std::cout);
   Report::print_paths(results.paths, std::cout);
+  std::cout.flush(); // what fails shall fail before anything is written
   tell_of_missing_paths(results);
   tell_of_missing_isolines(results);
-  question.files.write(question.mesh, results);
+  question.files.write(question.mesh, results, [&](std::ostream& out) {
+    save_graph(shortest_paths.search().graph(), out);
+  });
   question.files.print(std::cout);
 }
 

@@ -1,9 +1,10 @@
 #ifndef GEODESIC_DISTANCES_COSTS_H
 #define GEODESIC_DISTANCES_COSTS_H
 
+#include "../command_line/lines_of_file.h"
 #include "../command_line/read_mesh.h"
+#include "../command_line/vertex_numbers.h"
 #include "Options.h"
-#include "lines_of_file.h"
 
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
@@ -111,7 +112,7 @@ inline std::vector<bool> read_barriers(const Options& options, const Mesh& mesh)
     std::vector<Mesh::Vertex_index> ends;
     for(const std::string& word : words)
     {
-      const std::size_t index = to_number(word);
+      const std::size_t index = to_vertex_index(word);
       check_vertex_index(index, mesh.number_of_vertices());
       ends.emplace_back(static_cast<Mesh::size_type>(index));
     }

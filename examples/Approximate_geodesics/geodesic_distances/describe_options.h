@@ -30,11 +30,12 @@ inline po::options_description describe_points(Options& options)
 {
   po::options_description result = make_group("From where to where");
   po::options_description_easy_init add = result.add_options();
-  add("source,s",
+  add("sources,s",
       po::value(&options.sources)->multitoken()->default_value({"0"}, "0")->value_name("P ..."),
       "where to start. P is the index of a vertex, counted from 0 in the order of the file; or "
-      "x,y,z for the nearest point of the surface; or random:K for K random vertices");
-  add("target,t", po::value(&options.targets)->multitoken()->value_name("P ..."),
+      "x,y,z for the nearest point of the surface; random:K for K random vertices; or file:NAME "
+      "for the vertices whose indices a text file lists, with comments after #");
+  add("targets,t", po::value(&options.targets)->multitoken()->value_name("P ..."),
       "where paths from the nearest source shall lead to, given likewise");
   add("seed", text_option("N"), "what random vertices depend on (default: 0)");
   return result;
@@ -74,8 +75,9 @@ inline po::options_description describe_output(Options& options)
   po::options_description_easy_init add = result.add_options();
   add("output,o",
       po::value(&options.output)->default_value("geodesic_distances")->value_name("NAME"),
-      "what the names of the files written begin with");
-  add("force,f", po::bool_switch(&options.overwrites), "overwrite files that exist");
+      "what the names of the files written begin with, such as folder/bunny");
+  add("force,f", po::bool_switch(&options.overwrites),
+      "replace files that exist. They stay as they are if anything fails");
   add("csv", po::bool_switch(&options.writes_table), "write NAME.csv, too");
   add("isolines,i", texts_option("D ..."),
       "write lines at these distances; or, for count:K, at K that are spread evenly");
@@ -116,7 +118,7 @@ inline void print_help(const po::options_description& description)
       << "Usage: geodesic_distances MESH [options]\n\n"
          "Finds the distance on a triangle mesh from the nearest source to every vertex, and the\n"
          "shortest paths to some targets: along edges, or across faces within an error bound.\n\n"
-         "MESH is an OFF, OBJ, STL, PLY, VTP or GOCAD file. Printed are the size of the mesh, the\n"
+         "MESH is an OFF, OBJ, STL, PLY or GOCAD file. Printed are the size of the mesh, the\n"
          "time taken, the range of the distances, and the length of the path to each target.\n"
          "Written are\n"
          "  NAME.vtp             the mesh with distance and nearest source of every vertex, for\n"
@@ -131,13 +133,15 @@ inline void print_help(const po::options_description& description)
          "  NAME_isolines.vtp    the isolines with their distances,\n"
          "  NAME.csv             a line per vertex: index, coordinates, distance, nearest "
          "source,\n"
-         "  NAME.png             a picture, with an isoline every 5 % of the largest distance.\n"
+         "  NAME.png             a picture, with isolines at round distances.\n"
       << description
       << "\nThe exit status is 1, with a message on standard error, if something was refused or\n"
-         "failed, and else 0: that a target is not reached is an answer, too.\n"
+         "failed, and else 0: that a target is not reached is an answer, too. Either all files "
+         "are\n"
+         "written, or none is.\n"
          "\nExamples:\n"
-         "  geodesic_distances bunny.off --epsilon 0.1 --target 1000 --compare --picture\n"
-         "  geodesic_distances terrain.ply --source random:5 --seed 7 --maximum-distance 250\n"
+         "  geodesic_distances bunny.off --epsilon 0.1 --targets 1000 --compare --picture\n"
+         "  geodesic_distances terrain.ply --sources random:5 --seed 7 --maximum-distance 250\n"
          "  geodesic_distances terrain.ply -s 0,0,0 -t 90,40,0 -e 0.1 --weights costs.txt\n"
          "  geodesic_distances bunny.off --epsilon 0 --isolines count:20 --csv\n";
 }

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Draws distances on a mesh, and paths, into a PNG picture.
 
-Usage: draw_picture.py NAME [AZIMUTH ELEVATION UP]
+Usage: draw_picture.py SURFACE PATHS PICTURE [AZIMUTH ELEVATION UP]
 
-Reads NAME.vtp (triangles with a scalar "distance" per point, NaN where there is none) and
-NAME_paths.vtp (lines are paths; single points are the sources), and writes NAME.png. The camera looks
-from AZIMUTH and ELEVATION, in degrees; UP is the axis that points up: x, y or z.
+Reads two VTP files: SURFACE (triangles with a scalar "distance" per point, NaN where there is none) and
+PATHS (lines are paths; single points are the sources). Writes PICTURE, a PNG file. The camera looks from
+AZIMUTH and ELEVATION, in degrees; UP is the axis that points up: x, y or z.
 
 Needs VTK (Debian: python3-vtk9), and a display or a substitute for one (Debian: xvfb).
 """
@@ -16,7 +16,8 @@ import sys
 import vtk
 
 SIZE = (1600, 1200)
-NUMBER_OF_ISOLINES = 20
+MOST_TICKS = 8
+ISOLINES_PER_TICK = 4
 COLORS = [  # near to far
     (0.00, (0.16, 0.30, 0.92)),
     (0.25, (0.10, 0.72, 0.90)),
@@ -89,11 +90,18 @@ def surface_actor(surface, colors):
     return actor
 
 
+def tick_step(farthest):
+    """The smallest of 1, 2 and 5 times a power of ten that makes no more than MOST_TICKS steps."""
+    unit = 10 ** math.floor(math.log10(farthest / MOST_TICKS))
+    return next(n * unit for n in (1, 2, 5, 10) if farthest <= MOST_TICKS * n * unit)
+
+
 def isoline_actor(surface, farthest, radius):
     contours = vtk.vtkContourFilter()
     contours.SetInputData(surface)
-    for i in range(1, NUMBER_OF_ISOLINES):
-        contours.SetValue(i - 1, farthest * i / NUMBER_OF_ISOLINES)
+    step = tick_step(farthest) / ISOLINES_PER_TICK
+    for i in range(1, math.ceil(farthest / step)):
+        contours.SetValue(i - 1, step * i)
     return actor_of(tubes(contours, radius), DARK)
 
 
@@ -145,8 +153,13 @@ def color_bar(colors):
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(colors)
     bar.SetTitle("distance\n")
-    bar.SetNumberOfLabels(6)
-    bar.SetLabelFormat("%-#.3g")
+    step = tick_step(colors.GetRange()[1])
+    ticks = vtk.vtkDoubleArray()
+    for i in range(math.floor(colors.GetRange()[1] / step + 1e-6) + 1):  # rounding
+        ticks.InsertNextValue(step * i)
+    bar.SetCustomLabels(ticks)
+    bar.SetUseCustomLabels(True)
+    bar.SetLabelFormat("%g")
     bar.SetMaximumNumberOfColors(512)
     bar.SetDrawBelowRangeSwatch(False)
     bar.SetPosition(0.90, 0.20)
@@ -216,15 +229,18 @@ def save(renderer, size, filename, others=()):
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(filename)
     writer.Write()
+    if writer.GetErrorCode():
+        reason = vtk.vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
+        sys.exit(f"cannot write {filename}: {reason}")
 
 
-def main(name, azimuth="0", elevation="0", up="y"):
-    renderer = make_renderer(read(name + ".vtp"), read(name + "_paths.vtp"))
+def main(surface, paths, picture, azimuth="0", elevation="0", up="y"):
+    renderer = make_renderer(read(surface), read(paths))
     place_camera(renderer, float(azimuth), float(elevation), up)
-    save(renderer, SIZE, name + ".png")
+    save(renderer, SIZE, picture)
 
 
 if __name__ == "__main__":
-    if not 2 <= len(sys.argv) <= 5:
+    if not 4 <= len(sys.argv) <= 7:
         sys.exit(__doc__)
     main(*sys.argv[1:])

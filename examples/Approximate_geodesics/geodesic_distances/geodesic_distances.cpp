@@ -2,7 +2,10 @@
 
 #include "../command_line/Progress.h"
 #include "../command_line/files.h"
+#include "../command_line/lines_of_file.h"
 #include "../command_line/read_mesh.h"
+#include "../command_line/run_program.h"
+#include "../command_line/vertex_numbers.h"
 #include "Options.h"
 #include "Output_files.h"
 #include "Places.h"
@@ -12,6 +15,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -19,9 +23,9 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdlib>
-#include <exception>
 #include <fstream>
 #include <iostream>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,42 +34,53 @@
 using CGAL::Approximate_geodesics::Discrete_geodesic_graph;
 using CGAL::Approximate_geodesics::Edge_graph;
 using CGAL::Approximate_geodesics::Intrinsic_triangulation;
+using CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph;
 using CGAL::Approximate_geodesics::Saddle_vertex_graph;
 using CGAL::Approximate_geodesics::Steiner_graph;
 namespace parameters = CGAL::parameters;
 
-const auto no_use = [](const auto& /* graph */, Report&) {};
+const auto no_description = [](const auto& /* graph */, Report&) {};
 
+void answer_with_loaded_graph(const Question& question)
+{
+  const std::string& file = question.options.graph_to_load;
+  answer(
+      question,
+      [&] {
+        return name_in_errors("--load-graph " + file, [&] {
+          std::ifstream in = open_to_read(file, std::ios::binary);
+          return Discrete_geodesic_graph::load(in, Intrinsic_triangulation(question.mesh));
+        });
+      },
+      [](const auto& graph, Report& report) { report.add_bound(graph.epsilon()); });
+}
+
+// A graph that is built answers many questions in less time; for one, only the arcs that the search
+// meets are computed.
 void answer_within_bound(const Question& question)
 {
-  const Options& options = question.options;
-  if(!options.graph_to_load.empty())
+  const double epsilon = *question.options.epsilon;
+  if(epsilon < 0.001)
+    std::clog
+        << "--epsilon " << epsilon
+        << ": so small a bound takes long, and much memory; --epsilon 0 is exact, and mostly takes "
+           "less of both.\n";
+  if(question.options.graph_to_save.empty())
     return answer(
         question,
         [&] {
-          return name_in_errors("--load-graph " + options.graph_to_load, [&] {
-            std::ifstream in = open_to_read(options.graph_to_load, std::ios::binary);
-            return Discrete_geodesic_graph::load(in, Intrinsic_triangulation(question.mesh));
-          });
+          return Lazy_discrete_geodesic_graph(Intrinsic_triangulation(question.mesh),
+                                              parameters::epsilon(epsilon));
         },
-        [](const auto& graph, Report& report) { report.add_bound(graph.epsilon()); });
-  if(*options.epsilon < 0.001)
-    std::clog
-        << "--epsilon " << *options.epsilon
-        << ": a graph with so small a bound takes long, and much memory; --epsilon 0 is exact, "
-           "and mostly takes less of both.\n";
+        no_description);
   answer(
       question,
       [&] {
         return Discrete_geodesic_graph(Intrinsic_triangulation(question.mesh),
-                                       parameters::epsilon(*options.epsilon));
+                                       parameters::epsilon(epsilon));
       },
-      [&](const auto& graph, Report&) {
-        if(options.graph_to_save.empty())
-          return;
-        std::ofstream out = open_to_write(options.graph_to_save, std::ios::binary);
-        graph.save(out);
-      });
+      no_description,
+      [](const Discrete_geodesic_graph& graph, std::ostream& out) { graph.save(out); });
 }
 
 template <typename NamedParameters>
@@ -112,23 +127,26 @@ void answer(const Question& question)
   const Options& options = question.options;
   if(options.has_costs())
     answer_with_costs(question);
-  else if(!options.graph_to_load.empty() || (options.epsilon && *options.epsilon > 0))
+  else if(!options.graph_to_load.empty())
+    answer_with_loaded_graph(question);
+  else if(options.epsilon && *options.epsilon > 0)
     answer_within_bound(question);
   else if(options.epsilon)
     answer(
         question, [&] { return Saddle_vertex_graph(Intrinsic_triangulation(question.mesh)); },
-        no_use);
+        no_description);
   else
     answer(
-        question, [&] { return Edge_graph(Intrinsic_triangulation(question.mesh)); }, no_use);
+        question, [&] { return Edge_graph(Intrinsic_triangulation(question.mesh)); },
+        no_description);
 }
 
 // What would be refused after the mesh was read.
 void check(const Options& options)
 {
   check_readable(options.input);
-  Place_finder::check("--source", options.sources);
-  Place_finder::check("--target", options.targets);
+  Place_finder::check("--sources", options.sources);
+  Place_finder::check("--targets", options.targets);
   check_option_file("load-graph", options.graph_to_load);
   check_option_file("barriers", options.barriers);
   if(!names_property(options.weights))
@@ -147,23 +165,17 @@ void run(const Options& options)
   const Output_files files(options);
   Question question{options, files, read_mesh_of(options), {}, {}};
   Place_finder finder(question.mesh, options.seed);
-  question.sources = finder.find("--source", options.sources);
-  question.targets = finder.find("--target", options.targets);
+  question.sources = finder.find("--sources", options.sources);
+  question.targets = finder.find("--targets", options.targets);
   answer(question);
 }
 
 int main(int argc, char* argv[])
 {
-  try
-  {
+  return run_program("geodesic_distances", [&] {
     const Options options = parse_options(argc, argv);
     if(!options.asks_for_help)
       run(options);
     return EXIT_SUCCESS;
-  }
-  catch(const std::exception& e)
-  {
-    std::cerr << "geodesic_distances: " << e.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  });
 }

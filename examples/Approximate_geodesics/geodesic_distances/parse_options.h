@@ -2,37 +2,17 @@
 #define GEODESIC_DISTANCES_PARSE_OPTIONS_H
 
 #include "../command_line/read_options.h"
-#include "../command_line/vertex_numbers.h"
 #include "Options.h"
 #include "describe_options.h"
 
 #include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <optional>
+#include <cstddef>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Refuses options that are wrong, or that do not go together, before the mesh is read.
-
-inline double number_of(const std::string& option, const std::string& text)
-{
-  char* end = nullptr;
-  const double result = std::strtod(text.c_str(), &end);
-  if(text.empty() || *end != '\0' || std::isnan(result))
-    reject_option(option, '"' + text + "\" is not a number");
-  return result;
-}
-
-inline double
-number_from_0(const std::string& option, const std::string& text, const bool may_be_infinite)
-{
-  const double result = number_of(option, text);
-  if(result < 0 || (!may_be_infinite && std::isinf(result)))
-    reject_option(option, "it is " + text + ", and must be a number that is not negative" +
-                              (may_be_infinite ? "" : ", nor infinite"));
-  return result;
-}
 
 inline void read_isolines(const std::vector<std::string>& texts, Options& options)
 {
@@ -119,11 +99,11 @@ inline void read_values(const po::variables_map& values, Options& options)
   if(values.count("maximum-distance") > 0)
     options.maximum_distance = number_from_0("maximum-distance", text("maximum-distance"), true);
   if(values.count("seed") > 0)
-    options.seed = name_in_errors("--seed", [&] { return to_number(text("seed")); });
+    options.seed = whole_number("seed", text("seed"), 0);
   if(values.count("isolines") > 0)
     read_isolines(values["isolines"].as<std::vector<std::string>>(), options);
   if(options.straightens && options.targets.empty())
-    reject_option("straighten", "it is for the paths to --target");
+    reject_option("straighten", "it is for the paths to --targets");
   read_view(values, options);
 }
 

@@ -16,12 +16,21 @@ inline std::string quoted_for_shell(const std::string& text)
   return result + "'";
 }
 
-// Draws NAME.vtp and NAME_paths.vtp into NAME.png with VTK, without a display. The view is the
-// script's arguments.
-inline void draw_picture(const std::string& name, const std::vector<std::string>& view)
+// What is drawn, and where to.
+struct Picture
 {
-  std::string command = "xvfb-run --auto-servernum /usr/bin/python3 " +
-                        quoted_for_shell(DRAW_PICTURE_SCRIPT) + ' ' + quoted_for_shell(name);
+  std::string surface; // a VTP file
+  std::string paths;   // another one
+  std::string file;
+};
+
+// Draws with VTK, without a display. The view is the script's arguments.
+inline void draw_picture(const Picture& picture, const std::vector<std::string>& view)
+{
+  std::string command =
+      "xvfb-run --auto-servernum /usr/bin/python3 " + quoted_for_shell(DRAW_PICTURE_SCRIPT);
+  for(const std::string& name : {picture.surface, picture.paths, picture.file})
+    command += ' ' + quoted_for_shell(name);
   for(const std::string& word : view)
     command += ' ' + quoted_for_shell(word);
   if(std::system(command.c_str()) != 0)

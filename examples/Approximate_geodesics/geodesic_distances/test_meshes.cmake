@@ -19,5 +19,12 @@ write_mesh(needle.off "0 0 0;1 0 0;0.5 1e-30 0" "3 0 1 2")
 write_mesh(not_a_number.off "0 0 nan;1 0 0;0 1 0" "3 0 1 2")
 write_mesh(no_faces.off "${square}" "")
 write_mesh(wrong_index.off "${square}" "3 0 1 7")
+file(WRITE ${folder}/wrong_index.ply
+     "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+     "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+     "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")
 file(WRITE ${folder}/empty.off "")
+file(WRITE ${folder}/empty.stl "")
+file(WRITE ${folder}/edge.obj "v 0 0 0\nv 1 0 0\nf 1 2\n")
+file(WRITE ${folder}/square "a name without an ending\n")
 file(WRITE ${folder}/text.off "This is no mesh.\n")

@@ -1,7 +1,6 @@
 #ifndef GEODESIC_DISTANCES_WRITE_RESULTS_H
 #define GEODESIC_DISTANCES_WRITE_RESULTS_H
 
-#include "../command_line/files.h"
 #include "Vtp_file.h"
 #include "colors.h"
 #include "results.h"
@@ -12,11 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <ios>
 #include <limits>
-#include <stdexcept>
-#include <string>
+#include <ostream>
 #include <vector>
 
 // What viewers show in a color of its own, in place of infinity.
@@ -36,7 +32,7 @@ inline CGAL::IO::Color color_of_distance(const double distance, const double lar
   return CGAL::IO::Color(byte(c[0]), byte(c[1]), byte(c[2]));
 }
 
-inline void write_ply(const std::string& file, Mesh mesh, const Results& results)
+inline void write_ply(std::ostream& out, Mesh mesh, const Results& results)
 {
   using Vertex = Mesh::Vertex_index;
   const std::vector<double> distances = with_nan(results.distances);
@@ -49,13 +45,11 @@ inline void write_ply(const std::string& file, Mesh mesh, const Results& results
     quality[v] = static_cast<float>(distances[v]);
     color[v] = color_of_distance(distances[v], results.largest);
   }
-  std::ofstream out = open_to_write(file, std::ios::binary);
   CGAL::IO::set_binary_mode(out);
   CGAL::IO::write_PLY(out, mesh);
-  finish(out, file);
 }
 
-inline void write_vtp(const std::string& file, const Mesh& mesh, const Results& results)
+inline void write_vtp(std::ostream& out, const Mesh& mesh, const Results& results)
 {
   Vtp_file vtp;
   for(const auto v : mesh.vertices())
@@ -69,12 +63,12 @@ inline void write_vtp(const std::string& file, const Mesh& mesh, const Results& 
   }
   vtp.add_array_of_points("distance", with_nan(results.distances));
   vtp.add_array_of_points("nearest_source", results.nearest_sources);
-  vtp.write(file);
+  vtp.write(out);
 }
 
 // The sources as points, and the paths as lines: `target` is the position of that among all
 // targets, or -1 for sources.
-inline void write_paths_vtp(const std::string& file, const Results& results)
+inline void write_paths_vtp(std::ostream& out, const Results& results)
 {
   Vtp_file vtp;
   std::vector<double> lengths;
@@ -94,10 +88,10 @@ inline void write_paths_vtp(const std::string& file, const Results& results)
     }
   vtp.add_array_of_cells("length", lengths);
   vtp.add_array_of_cells("target", targets);
-  vtp.write(file);
+  vtp.write(out);
 }
 
-inline void write_isolines_vtp(const std::string& file, const Results& results)
+inline void write_isolines_vtp(std::ostream& out, const Results& results)
 {
   Vtp_file vtp;
   std::vector<double> distances;
@@ -107,13 +101,12 @@ inline void write_isolines_vtp(const std::string& file, const Results& results)
     distances.push_back(isoline.distance);
   }
   vtp.add_array_of_cells("distance", distances);
-  vtp.write(file);
+  vtp.write(out);
 }
 
 // A line per target, whether there is a path or not.
-inline void write_polylines(const std::string& file, const Results& results)
+inline void write_polylines(std::ostream& out, const Results& results)
 {
-  std::ofstream out = open_to_write(file);
   for(const Path_result& path : results.paths)
   {
     if(path.points.empty())
@@ -124,12 +117,10 @@ inline void write_polylines(const std::string& file, const Results& results)
       out << ' ' << point;
     out << '\n';
   }
-  finish(out, file);
 }
 
-inline void write_csv(const std::string& file, const Mesh& mesh, const Results& results)
+inline void write_csv(std::ostream& out, const Mesh& mesh, const Results& results)
 {
-  std::ofstream out = open_to_write(file);
   out << "vertex,x,y,z,distance,nearest_source\n";
   for(const auto v : mesh.vertices())
   {
@@ -137,7 +128,6 @@ inline void write_csv(const std::string& file, const Mesh& mesh, const Results& 
     out << std::size_t(v) << ',' << p.x() << ',' << p.y() << ',' << p.z() << ','
         << results.distances[v] << ',' << results.nearest_sources[v] << '\n';
   }
-  finish(out, file);
 }
 
 #endif // GEODESIC_DISTANCES_WRITE_RESULTS_H

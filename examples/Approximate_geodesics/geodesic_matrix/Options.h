@@ -5,7 +5,6 @@
 
 #include <boost/program_options.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -14,13 +13,14 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 // What the user wants, as checked as it can be before the mesh is read.
 struct Options
 {
   std::string input;
-  std::string sources;
-  std::string targets;
+  std::vector<std::string> sources;
+  std::vector<std::string> targets;
   std::uint64_t seed = 0;
   double radius = std::numeric_limits<double>::infinity();
   std::size_t nearest = 0;       // columns of a row; 0 stands for all
@@ -40,20 +40,22 @@ inline boost::program_options::options_description describe_options(Options& opt
 {
   namespace po = boost::program_options;
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
-  const auto number = [](const char* name) { return po::value<double>()->value_name(name); };
   po::options_description description("Options");
   po::options_description_easy_init add = description.add_options();
   add("help,h", po::bool_switch(&options.asks_for_help), "print this text");
-  add("sources,s", po::value(&options.sources)->default_value("all")->value_name("WHICH"),
-      "the vertices that the rows belong to: all, random:K for K different ones, farthest:K for K "
-      "ones that are spread evenly, or the name of a file with an index per line, counted from 0, "
-      "and comments after #");
-  add("targets,t", po::value(&options.targets)->value_name("WHICH"),
-      "the vertices that the columns belong to (default: all, or the sources if --symmetric)");
+  add("sources,s",
+      po::value(&options.sources)->multitoken()->default_value({"all"}, "all")->value_name("V ..."),
+      "the vertices that the rows belong to. V is the index of a vertex, counted from 0 in the "
+      "order of the file; or random:K for K different random vertices; farthest:K for K ones that "
+      "are spread evenly; file:NAME for those whose indices a text file lists, with comments after "
+      "#; or all");
+  add("targets,t", po::value(&options.targets)->multitoken()->value_name("V ..."),
+      "the vertices that the columns belong to, given likewise (default: all, or the sources if "
+      "--symmetric)");
   add("seed", text("N"), "what random vertices depend on (default: 0)");
-  add("radius,r", number("D"), "keep distances up to D only, in the unit of the coordinates");
+  add("radius,r", text("D"), "keep distances up to D only, in the unit of the coordinates");
   add("nearest,k", text("K"), "keep the K smallest distances of each row only");
-  add("epsilon,e", number("E"),
+  add("epsilon,e", text("E"),
       "let paths run across faces, and be at most 1 + E times as long as the shortest ones on the "
       "surface; 0 gives the shortest ones (default: along edges, without a bound)");
   add("type", po::value(&options.type)->default_value("float32")->value_name("TYPE"),
@@ -96,37 +98,21 @@ inline void print_help(const boost::program_options::options_description& descri
          "  geodesic_matrix cortex.ply --epsilon 0 --estimate\n";
 }
 
-inline std::size_t whole_number(const boost::program_options::variables_map& values,
-                                const std::string& option,
-                                const std::size_t least)
-{
-  const std::string text = values[option].as<std::string>();
-  const bool is_number = !text.empty() && text.size() < 10 &&
-                         text.find_first_not_of("0123456789") == std::string::npos;
-  if(!is_number || std::stoul(text) < least)
-    reject_option(option, '"' + text + "\" is not a number from " + std::to_string(least) +
-                              " to 999999999");
-  return std::stoul(text);
-}
-
 // What option parsing cannot tell by itself.
 inline void read_numbers(const boost::program_options::variables_map& values, Options& options)
 {
+  const auto text = [&](const char* option) { return values[option].as<std::string>(); };
   if(values.count("seed") > 0)
-    options.seed = whole_number(values, "seed", 0);
+    options.seed = whole_number("seed", text("seed"), 0);
   if(values.count("nearest") > 0)
-    options.nearest = whole_number(values, "nearest", 1);
+    options.nearest = whole_number("nearest", text("nearest"), 1);
   if(values.count("threads") > 0)
-    options.threads = whole_number(values, "threads", 1);
-  for(const char* const option : {"radius", "epsilon"})
-    if(values.count(option) > 0 &&
-       !(values[option].as<double>() >= 0 && std::isfinite(values[option].as<double>())))
-      reject_option(option, "it must be a finite number that is not negative");
+    options.threads = whole_number("threads", text("threads"), 1);
   if(values.count("radius") > 0)
-    options.radius = values["radius"].as<double>();
+    options.radius = number_from_0("radius", text("radius"), false);
   if(values.count("epsilon") > 0)
-    options.epsilon = values["epsilon"].as<double>();
-  const std::string resume = values["resume"].as<std::string>();
+    options.epsilon = number_from_0("epsilon", text("epsilon"), false);
+  const std::string resume = text("resume");
   if(resume != "yes" && resume != "no")
     reject_option("resume", '"' + resume + "\" is neither yes nor no");
   options.may_resume = resume == "yes";
@@ -139,6 +125,8 @@ inline void check_output(Options& options)
   if(options.output.empty())
     options.output = "distances" + extension;
   const fs::path path(options.output);
+  if(path.has_filename() && path.filename() == extension)
+    reject_option("output", options.output + " has only an ending; a name must come before it");
   if(path.extension() != extension)
     reject_option("output", options.output + " must end with " + extension +
                                 (options.is_sparse() ? ", as --radius and --nearest make the matrix"
@@ -155,7 +143,7 @@ inline void check_combination(Options& options)
   if(options.is_symmetric && options.is_sparse())
     reject_option("symmetric", "it is for all distances, without --radius and --nearest");
   if(options.targets.empty())
-    options.targets = options.is_symmetric ? options.sources : "all";
+    options.targets = options.is_symmetric ? options.sources : std::vector<std::string>{"all"};
   if(options.is_symmetric && options.targets != options.sources)
     reject_option("symmetric", "--targets must be the same as --sources");
   check_output(options);

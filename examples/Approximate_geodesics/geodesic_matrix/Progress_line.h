@@ -1,8 +1,8 @@
 #ifndef GEODESIC_MATRIX_PROGRESS_LINE_H
 #define GEODESIC_MATRIX_PROGRESS_LINE_H
 
+#include "../command_line/Interruption.h"
 #include "../command_line/Stopwatch.h"
-#include "Interruption.h"
 #include "texts.h"
 
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>

@@ -1,6 +1,7 @@
 #ifndef GEODESIC_MATRIX_VERTEX_CHOICE_H
 #define GEODESIC_MATRIX_VERTEX_CHOICE_H
 
+#include "../command_line/listed_vertices.h"
 #include "../command_line/read_mesh.h"
 #include "../command_line/vertex_numbers.h"
 
@@ -8,76 +9,71 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <optional>
 #include <random>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-// Which vertices the rows or the columns belong to: `all`, `random:K`, `farthest:K`, or those that
-// a file lists. The same text chooses the same vertices.
+// Which vertices the rows or the columns belong to. Each word names some: a vertex index, `all`,
+// `random:K`, `farthest:K`, or `file:NAME`. The same words choose the same vertices.
 class Vertex_choice
 {
 public:
   using Indices = std::vector<std::uint64_t>;
 
   // `option` is named in errors.
-  Vertex_choice(std::string option, std::string text)
-    : m_option(std::move(option)), m_text(std::move(text))
+  Vertex_choice(std::string option, std::vector<std::string> words)
+    : m_option(std::move(option)), m_words(std::move(words))
   {
-    name_in_errors(m_option + ' ' + m_text, [&] {
-      m_random = number_after("random", m_text);
-      m_farthest = number_after("farthest", m_text);
-      if(!is_all() && !m_random && !m_farthest)
-        read_file();
-    });
+    for(const std::string& word : m_words)
+      m_parts.push_back(name_in_errors(m_option + ' ' + word, [&] { return read(word); }));
   }
-
-  bool is_all() const { return m_text == "all"; }
 
   // Farthest points are those along edges if no bound is given.
   Indices
   choose(const Mesh& mesh, const std::uint64_t seed, const std::optional<double> epsilon) const
   {
-    const std::size_t size = mesh.number_of_vertices();
-    return name_in_errors(m_option + ' ' + m_text, [&] {
-      check_number_of_vertices(m_farthest.value_or(0), size);
-      if(m_random)
-      {
-        std::mt19937_64 random(seed);
-        return random_vertices(size, *m_random, random);
-      }
-      if(m_farthest)
-        return farthest_vertices(mesh, *m_farthest, epsilon);
-      return is_all() ? all_vertices(size) : checked_vertices(size);
-    });
+    Indices result;
+    for(std::size_t i = 0; i < m_words.size(); ++i)
+    {
+      const Indices part = name_in_errors(m_option + ' ' + m_words[i],
+                                          [&] { return m_parts[i](mesh, seed, epsilon); });
+      result.insert(result.end(), part.begin(), part.end());
+    }
+    return result;
   }
 
 private:
-  // An index per line; the rest of a line after # is a comment.
-  void read_file()
+  // Finds vertices of a mesh.
+  using Part = std::function<Indices(const Mesh&, std::uint64_t, std::optional<double>)>;
+
+  static Part read(const std::string& word)
   {
-    std::ifstream in(m_text);
-    if(!in)
-      throw std::invalid_argument(
-          "it is neither all, random:K nor farthest:K, nor a file that can be read");
-    std::size_t number = 1;
-    for(std::string text; std::getline(in, text); ++number)
-    {
-      std::istringstream words(text.substr(0, text.find('#')));
-      for(std::string word; words >> word;)
-      {
-        m_listed.push_back(name_in_errors(name_of_line(number), [&] { return to_number(word); }));
-        m_lines.push_back(number);
-      }
-    }
-    if(m_listed.empty())
-      throw std::invalid_argument("the file lists no vertex");
+    if(word == "all")
+      return [](const Mesh& mesh, auto...) { return all_vertices(mesh.number_of_vertices()); };
+    if(const auto number = number_after("random", word))
+      return [=](const Mesh& mesh, const std::uint64_t seed, auto) {
+        std::mt19937_64 random(seed);
+        return random_vertices(mesh.number_of_vertices(), *number, random);
+      };
+    if(const auto number = number_after("farthest", word))
+      return [=](const Mesh& mesh, auto, const std::optional<double> epsilon) {
+        check_number_of_vertices(*number, mesh.number_of_vertices());
+        return farthest_vertices(mesh, *number, epsilon);
+      };
+    const auto file = text_after("file", word);
+    const std::vector<Listed_vertex> listed =
+        file ? listed_vertices(*file)
+             : std::vector<Listed_vertex>{
+                   {to_vertex_index(word, ", nor all, random:K, farthest:K or file:NAME"), ""}};
+    return [=](const Mesh& mesh, auto...) {
+      const std::vector<std::size_t> indices = checked_indices(listed, mesh.number_of_vertices());
+      return Indices(indices.begin(), indices.end());
+    };
   }
 
   static Indices all_vertices(const std::size_t size)
@@ -85,13 +81,6 @@ private:
     Indices result(size);
     std::iota(result.begin(), result.end(), std::uint64_t(0));
     return result;
-  }
-
-  Indices checked_vertices(const std::size_t size) const
-  {
-    for(std::size_t i = 0; i < m_listed.size(); ++i)
-      name_in_errors(name_of_line(m_lines[i]), [&] { check_vertex_index(m_listed[i], size); });
-    return m_listed;
   }
 
   static Indices
@@ -108,11 +97,8 @@ private:
   }
 
   std::string m_option;
-  std::string m_text;
-  std::optional<std::size_t> m_random;
-  std::optional<std::size_t> m_farthest;
-  Indices m_listed;                 // in the file
-  std::vector<std::size_t> m_lines; // where
+  std::vector<std::string> m_words;
+  std::vector<Part> m_parts; // by word
 };
 
 #endif // GEODESIC_MATRIX_VERTEX_CHOICE_H

@@ -1,8 +1,9 @@
 // Distances between many vertices of a mesh, into a file, from the command line: see --help.
 
+#include "../command_line/Interruption.h"
 #include "../command_line/Stopwatch.h"
 #include "../command_line/read_mesh.h"
-#include "Interruption.h"
+#include "../command_line/run_program.h"
 #include "Options.h"
 #include "Processes.h"
 #include "Progress_line.h"
@@ -145,32 +146,31 @@ int run(const Options& options, Processes& processes)
 int main(int argc, char* argv[])
 {
   Processes processes(argc, argv);
-  Options options;
-  try
-  {
-    options = parse_options(argc, argv);
-  }
-  catch(const std::exception& e) // all processes find the same
-  {
-    if(processes.rank() == 0)
-      std::cerr << "geodesic_matrix: " << e.what() << '\n';
-    return EXIT_FAILURE;
-  }
-  if(options.asks_for_help)
-    return EXIT_SUCCESS;
-
-  try
-  {
-    return run(options, processes);
-  }
-  catch(const std::exception& e)
-  {
-    std::cerr << "geodesic_matrix: ";
-    if(processes.size() > 1)
-      std::cerr << "process " << processes.rank() << " of " << processes.size() << ": ";
-    std::cerr << e.what() << '\n';
-    if(processes.size() > 1)
-      processes.abort();
-    return EXIT_FAILURE;
-  }
+  std::string name = "geodesic_matrix";
+  if(processes.size() > 1)
+    name +=
+        ": process " + std::to_string(processes.rank()) + " of " + std::to_string(processes.size());
+  bool is_computing = false;
+  const int result = run_program(name, [&] {
+    Options options;
+    try
+    {
+      options = parse_options(argc, argv);
+    }
+    catch(const std::exception&) // all processes find the same
+    {
+      if(processes.rank() == 0)
+        throw;
+      return EXIT_FAILURE;
+    }
+    if(options.asks_for_help)
+      return EXIT_SUCCESS;
+    is_computing = true;
+    const int code = run(options, processes);
+    is_computing = false;
+    return code;
+  });
+  if(is_computing && processes.size() > 1) // the others would wait for this one
+    processes.abort();
+  return result;
 }

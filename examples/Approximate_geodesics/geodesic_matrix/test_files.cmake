@@ -9,9 +9,11 @@ expect(0 "rows +315" ${PROGRAM} ${mesh} --epsilon 0.1 --output all.npy)
 expect_same(one.npy all.npy)
 
 file(WRITE ${folder}/vertices.txt "# some vertices\n314\n0 # the first one\n\n7\n")
-expect(0 "rows +3\n.*columns +20\n" ${PROGRAM} ${mesh} --sources vertices.txt --targets farthest:20
+expect(0 "rows +3\n.*columns +20\n" ${PROGRAM} ${mesh} --sources file:vertices.txt --targets farthest:20
        --type float64 --output some.npy)
+expect(0 "rows +6\n.*columns +2\n" ${PROGRAM} ${mesh} --sources 7 file:vertices.txt random:2 --targets 0 5
+       --output mixed.npy)
 expect(0 "rows +30\n.*columns +30\n" ${PROGRAM} ${mesh} --sources random:30 --epsilon 0 --symmetric
        --output symmetric.npy)
 expect(0 "microseconds a row" ${PROGRAM} ${mesh} --radius 0.5 --nearest 9 --output near.npz)
-expect_files(all.npy near.npz one.npy some.npy symmetric.npy vertices.txt)
+expect_files(all.npy mixed.npy near.npz one.npy some.npy symmetric.npy vertices.txt)

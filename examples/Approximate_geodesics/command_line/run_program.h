@@ -1,0 +1,52 @@
+#ifndef COMMAND_LINE_RUN_PROGRAM_H
+#define COMMAND_LINE_RUN_PROGRAM_H
+
+#include "Interruption.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <ios>
+#include <iostream>
+#include <string>
+
+// Lets standard output throw when it cannot be written, as the reason is known only then.
+inline void check_standard_output()
+{
+  std::cerr.tie(nullptr);          // or any message, of any thread, would write standard output
+  if(std::cout.rdbuf() != nullptr) // or the program is to be silent
+    std::cout.exceptions(std::ios::badbit);
+}
+
+// Returns the exit code of `run()`. What it throws, and that standard output cannot be written, is
+// told in a message that begins with `name`.
+template <typename F>
+int run_program(const std::string& name, F run)
+{
+  try
+  {
+    check_standard_output();
+    const int result = run();
+    std::cout.flush();
+    return result;
+  }
+  catch(const Interrupted& e)
+  {
+    std::cerr << name << ": " << e.what() << '\n';
+    return e.exit_code();
+  }
+  catch(const std::ios_base::failure&)
+  {
+    const int reason = errno;
+    std::cerr << name << ": cannot write to standard output: " << std::strerror(reason) << '\n';
+  }
+  catch(const std::exception& e)
+  {
+    std::cerr << name << ": " << e.what() << '\n';
+  }
+  std::cout.exceptions(std::ios::goodbit); // nothing more is expected of it
+  return EXIT_FAILURE;
+}
+
+#endif // COMMAND_LINE_RUN_PROGRAM_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_READ_SOUP_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_READ_SOUP_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Solver/internal/Mesh_files/obj_error.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Mesh_files/off_error.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Mesh_files/ply_error.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Mesh_files/stl_error.h>
+#include <CGAL/IO/polygon_soup_io.h>
+
+#include <cctype>
+#include <cstddef>
+#include <fstream>
+#include <ios>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+inline std::string ending_of(const std::string& file)
+{
+  const std::size_t dot = file.find_last_of("./");
+  std::string result = dot == std::string::npos || file[dot] == '/' ? "" : file.substr(dot + 1);
+  for(char& c : result)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+// Why CGAL has not read a file, of which it tells nothing.
+inline std::string error_in_mesh_file(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  const std::string ending = ending_of(file);
+  std::string result;
+  if(ending == "off")
+    result = error_in_off(in);
+  else if(ending == "obj")
+    result = error_in_obj(in);
+  else if(ending == "ply")
+    result = error_in_ply(in);
+  else if(ending == "stl")
+    result = error_in_stl(in);
+  else if(ending != "ts")
+    return "its name must end with that of its format: .off, .obj, .ply, .stl or .ts";
+  return result.empty() ? "it is not as CGAL reads this format" : result;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * reads points, and faces with any number of corners, in the format that the end of the file's name
+ * tells: OFF, OBJ, PLY, STL or GOCAD (ts). It is `CGAL::IO::read_polygon_soup()`, with a reason for
+ * each failure.
+ *
+ * \throws std::invalid_argument if that fails, or if a face has a vertex that is not there; the
+ *         message names a line, a vertex or a face, as far as these are known.
+ */
+template <typename Point>
+void read_soup(const std::string& file,
+               std::vector<Point>& points,
+               std::vector<std::vector<std::size_t>>& faces)
+{
+  const auto fail = [&](const std::string& reason) {
+    throw std::invalid_argument("cannot read a mesh from " + file + ": " + reason);
+  };
+  if(std::ifstream(file).peek() == std::ifstream::traits_type::eof())
+    fail("it is empty");
+  bool is_read = false;
+  try
+  {
+    is_read = IO::read_polygon_soup(file, points, faces, parameters::verbose(false));
+  }
+  catch(const std::bad_alloc&) // which numbers without meaning can cause
+  {
+  }
+  catch(const std::length_error&)
+  {
+  }
+  if(!is_read)
+    fail(internal::error_in_mesh_file(file));
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    for(const std::size_t v : faces[f])
+      if(v >= points.size())
+        fail(internal::text_of_wrong_corner(f, std::to_string(static_cast<std::ptrdiff_t>(v)),
+                                            points.size()));
+}
+
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_READ_SOUP_H

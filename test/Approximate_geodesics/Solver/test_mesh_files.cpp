@@ -1,0 +1,138 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Solver/read_soup.h>
+
+#include "checks/expect_message.h"
+#include "files/Temporary_folder.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Files that hold no mesh: the message says why, with the line, the vertex or the face.
+
+namespace {
+
+using namespace geodesics_test;
+
+namespace AG = CGAL::Approximate_geodesics;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Faces = std::vector<std::vector<std::size_t>>;
+
+const std::string vertices_of_off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string vertices_of_obj = "# a comment\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string header_of_ply =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+    "property double z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
+const std::string vertices_of_ply = header_of_ply + "0 0 0\n1 0 0\n0 1 0\n";
+const std::string face_of_stl = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                                "vertex 0 1 0\nendloop\nendfacet\n";
+
+struct Wrong_file
+{
+  std::string ending;
+  std::string contents;
+  std::string reason;
+};
+
+const std::vector<Wrong_file>& wrong_files()
+{
+  static const std::vector<Wrong_file> result{
+      {".off", "", "it is empty"},
+      {".stl", "", "it is empty"},
+      {"", "OFF", "its name must end with that of its format"},
+      {".xyz", "0 0 0", "its name must end with that of its format"},
+      {".off", "This is no mesh.\n", "it does not begin with OFF"},
+      {".off", "OFF\n", "it ends after OFF"},
+      {".off", "OFF\n# a comment\n4 faces\n", "line 3: the numbers of vertices and faces"},
+      {".off", "OFF\n4 2 0\n0 0 0\n\n1 0\n", "line 5: vertex 1 has no three finite coordinates"},
+      {".off", "OFF 4 2 0\n0 0 0\n1 0 nan\n", "line 3: vertex 1 has no three finite coordinates"},
+      {".off", "OFF\n4 2 0\n0 0 0\n1 0 0\n", "it ends after 2 of 4 vertices"},
+      {".off", "OFF\n99999999999 1 0\n0 0 0\n", "it ends after 1 of 99999999999 vertices"},
+      {".off", vertices_of_off + "3 0 1 2\n", "it ends after 1 of 2 faces"},
+      {".off", vertices_of_off + "3 0 1 2\n3 0 2", "line 8: face 1 has 2 of its 3 vertices"},
+      {".off", vertices_of_off + "3 0 1 4\n", "line 7: face 0 has vertex 4; the vertices are"},
+      {".off", vertices_of_off + "3 0 1 -1\n", "line 7: face 0 has vertex -1; the vertices are"},
+      {".off", vertices_of_off + "three\n", "line 7: face 0 has \"three\" in place of the number"},
+      {".obj", vertices_of_obj, "it has no faces"},
+      {".obj", vertices_of_obj + "v 1 1\n", "line 5: vertex 3 has no three finite coordinates"},
+      {".obj", vertices_of_obj + "f 1 2 9\n", "line 5: face 0 has vertex 9; the vertices are"},
+      {".obj", vertices_of_obj + "f 1 2 -4\n", "line 5: face 0 has vertex -4; the vertices are"},
+      {".obj", vertices_of_obj + "f 1 2 4\n", "face 0 has vertex 3; the vertices are"},
+      {".obj", vertices_of_obj + "f 1 2 3\nmesh 1\n", "line 6: \"mesh\" is not known"},
+      {".ply", "plain text", "it does not begin with ply"},
+      {".ply", header_of_ply.substr(0, 80), "its header does not end"},
+      {".ply", "ply\nformat ascii 1.0\nelement face 1\nproperty int a\nend_header\n1\n", "no list"},
+      {".ply", header_of_ply + "0 0 0\n1 0", "it ends in vertex 1 of 3"},
+      {".ply", header_of_ply + "0 0 0\n1 x 0\n", "something is not a number in vertex 1 of 3"},
+      {".ply", vertices_of_ply + "3 0 1 2\n3 0 1", "it ends in face 1 of 2"},
+      {".ply", vertices_of_ply + "3 0 1 2\n3 0 1 3\n", "face 1 has vertex 3; the vertices are"},
+      {".ply", vertices_of_ply + "3 0 1 2\n3 0 1 -1\n", "face 1 has vertex -1; the vertices are"},
+      {".stl", "solid x\n" + face_of_stl + face_of_stl.substr(0, 70), "face 1, or its end, is mis"},
+      {".stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(60, '\1'),
+       "it ends after 1 of 2 faces"},
+      {".ts", "GOCAD\n", "it is not as CGAL reads this format"}};
+  return result;
+}
+
+void read(const std::string& file)
+{
+  std::vector<Point> points;
+  Faces faces;
+  AG::read_soup(file, points, faces);
+}
+
+TEST(Mesh_file, that_is_none_is_refused_with_the_reason)
+{
+  const Temporary_folder folder;
+  for(const Wrong_file& wrong : wrong_files())
+  {
+    const std::string name = "mesh" + wrong.ending;
+    folder.fill({{name, wrong.contents}});
+    SCOPED_TRACE(wrong.contents);
+    expect_texts<std::invalid_argument>([&] { read(folder.file(name)); },
+                                        {folder.file(name) + ": ", wrong.reason});
+  }
+}
+
+// Wherever a file ends, it is read or refused with a reason, but for what cannot be told.
+TEST(Mesh_file, that_ends_too_early_is_refused_with_the_reason)
+{
+  const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Faces faces{{0, 1, 2}, {0, 2, 3}};
+  const Temporary_folder folder;
+  for(const std::string ending : {"off", "obj", "ply", "stl"})
+    for(const bool is_binary : {false, true})
+    {
+      const std::string file = folder.file("mesh." + ending);
+      const auto np = CGAL::parameters::use_binary_mode(is_binary).stream_precision(17);
+      ASSERT_TRUE(CGAL::IO::write_polygon_soup(file, points, faces, np));
+      EXPECT_NO_THROW(read(file));
+      const std::string bytes = folder.bytes("mesh." + ending);
+      std::size_t number_of_errors = 0;
+      for(std::size_t length = 0; length < bytes.size(); ++length)
+        try
+        {
+          folder.fill({{"mesh." + ending, bytes.substr(0, length)}});
+          read(file);
+        }
+        catch(const std::invalid_argument& e)
+        {
+          ++number_of_errors;
+          EXPECT_EQ(std::string(e.what()).find("it is not as CGAL reads"), std::string::npos)
+              << ending << " of " << length << " bytes: " << e.what();
+        }
+      EXPECT_GT(number_of_errors, bytes.size() / 3) << ending;
+    }
+}
+
+} // namespace
