@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 // The files that are written.
@@ -86,7 +87,12 @@ private:
 
   static bool is_same(const std::string& a, const std::string& b)
   {
-    return std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
+    std::error_code ignored; // pipes have no path
+    const auto path = [&](const std::string& file) {
+      const std::filesystem::path result = std::filesystem::weakly_canonical(file, ignored);
+      return result.empty() ? std::filesystem::path(file) : result;
+    };
+    return path(a) == path(b);
   }
 
   static bool contains(const std::vector<std::string>& files, const std::string& file)
