@@ -57,7 +57,7 @@ namespace CGAL {
  * \param sources the points of the surface that the rows belong to; duplicates are allowed
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below, and `vertex_point_map`, `edge_length_map`, `epsilon`,
- *           `maximum_number_of_points_per_edge`, `accept_weaker_bound`,
+ *           `maximum_number_of_points`, `maximum_number_of_points_per_edge`, `accept_weaker_bound`,
  *           `number_of_points_per_edge`, `face_weight_map`, `direction_to_source`,
  *           `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map` and `geom_traits`,
  *           which are as for `approximate_geodesic_distances()`
@@ -135,12 +135,12 @@ approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
                 "range");
   static_assert(
       !AG::internal::ignores_any<
-          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_per_edge_t,
-          internal_np::accept_weaker_bound_t, internal_np::number_of_points_per_edge_t,
-          internal_np::edge_length_t, internal_np::face_weight_t,
-          internal_np::direction_to_source_t, internal_np::edge_is_constrained_t,
-          internal_np::maximum_distance_t, internal_np::targets_t, internal_np::symmetric_t,
-          internal_np::visitor_t>,
+          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_t,
+          internal_np::maximum_number_of_points_per_edge_t, internal_np::accept_weaker_bound_t,
+          internal_np::number_of_points_per_edge_t, internal_np::edge_length_t,
+          internal_np::face_weight_t, internal_np::direction_to_source_t,
+          internal_np::edge_is_constrained_t, internal_np::maximum_distance_t,
+          internal_np::targets_t, internal_np::symmetric_t, internal_np::visitor_t>,
       "approximate_geodesic_distance_matrix() does not read one of these named parameters: its "
       "documentation lists those that it does");
 

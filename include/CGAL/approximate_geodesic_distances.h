@@ -157,6 +157,13 @@ void write_distances(const TriangleMesh& tmesh,
  *                    `bool` as value type}
  *     \cgalParamDefault{unused: no edge is a barrier}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_number_of_points}
+ *     \cgalParamDescription{so many points may be needed on all edges together, for the bound
+ *                           `epsilon` with weights or barriers or as `number_of_points_per_edge`}
+ *     \cgalParamType{an integer type}
+ *     \cgalParamDefault{1000 per edge on average, but at least \f$10^6\f$ and at most
+ *                       \f$10^8\f$}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_points_per_edge}
  *     \cgalParamDescription{so many points may be needed on an edge because of a thin face, for the
  *                           bound `epsilon` with weights or barriers}
@@ -248,8 +255,10 @@ void write_distances(const TriangleMesh& tmesh,
  *         where. If an exception leaves this function, nothing has been written to any property
  *         map.
  * \throws std::length_error if `tmesh` has more halfedges, or the graph more nodes, than 32-bit
- *         numbers can tell apart; or if, with weights or barriers and `epsilon`, a face takes more
- *         than `maximum_number_of_points_per_edge` points; the message names it, and the number.
+ *         numbers can tell apart; or if points on edges are needed, and these are more than
+ *         `maximum_number_of_points`, or, with weights or barriers and `epsilon`, a face takes more
+ *         than `maximum_number_of_points_per_edge`. The message names the edge with most points, or
+ *         the face, and the number.
  *
  * Run time is \cgalBigO{n} in practice for `n` vertices, and \cgalBigO{n \log n} in the worst case
  * if their degrees are bounded; memory is \cgalBigO{n}. The method is Dijkstra's algorithm
@@ -293,13 +302,13 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
       "or a range");
   static_assert(
       !AG::internal::ignores_any<
-          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_per_edge_t,
-          internal_np::accept_weaker_bound_t, internal_np::number_of_points_per_edge_t,
-          internal_np::edge_length_t, internal_np::face_weight_t,
-          internal_np::direction_to_source_t, internal_np::edge_is_constrained_t,
-          internal_np::initial_distances_t, internal_np::maximum_distance_t, internal_np::targets_t,
-          internal_np::nearest_source_t, internal_np::geodesic_predecessor_t,
-          internal_np::visitor_t>,
+          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_t,
+          internal_np::maximum_number_of_points_per_edge_t, internal_np::accept_weaker_bound_t,
+          internal_np::number_of_points_per_edge_t, internal_np::edge_length_t,
+          internal_np::face_weight_t, internal_np::direction_to_source_t,
+          internal_np::edge_is_constrained_t, internal_np::initial_distances_t,
+          internal_np::maximum_distance_t, internal_np::targets_t, internal_np::nearest_source_t,
+          internal_np::geodesic_predecessor_t, internal_np::visitor_t>,
       "approximate_geodesic_distances() does not read one of these named parameters: its "
       "documentation lists those that it does; straighten is for paths");
 

@@ -164,6 +164,13 @@ double write_path(const TriangleMesh& tmesh,
  *     \cgalParamDefault{`false`}
  *     \cgalParamExtra{It cannot be asked for if faces have weights.}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_number_of_points}
+ *     \cgalParamDescription{so many points may be needed on all edges together, for the bound
+ *                           `epsilon` with weights or barriers or as `number_of_points_per_edge`}
+ *     \cgalParamType{an integer type}
+ *     \cgalParamDefault{1000 per edge on average, but at least \f$10^6\f$ and at most
+ *                       \f$10^8\f$}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_points_per_edge}
  *     \cgalParamDescription{so many points may be needed on an edge because of a thin face, for the
  *                           bound `epsilon` with weights or barriers}
@@ -246,11 +253,11 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
                 "of sources");
   static_assert(
       !AG::internal::ignores_any<
-          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_per_edge_t,
-          internal_np::accept_weaker_bound_t, internal_np::number_of_points_per_edge_t,
-          internal_np::edge_length_t, internal_np::face_weight_t,
-          internal_np::edge_is_constrained_t, internal_np::maximum_distance_t,
-          internal_np::straighten_t, internal_np::visitor_t>,
+          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_t,
+          internal_np::maximum_number_of_points_per_edge_t, internal_np::accept_weaker_bound_t,
+          internal_np::number_of_points_per_edge_t, internal_np::edge_length_t,
+          internal_np::face_weight_t, internal_np::edge_is_constrained_t,
+          internal_np::maximum_distance_t, internal_np::straighten_t, internal_np::visitor_t>,
       "approximate_geodesic_path() does not read one of these named parameters: see its manual");
 
   if constexpr(are_ends) // or else there would be more errors

@@ -18,6 +18,7 @@ class Solver:
         face_weights: Optional[_Floats],
         costs: Optional[Tuple[int, List[float], _Floats]],
         accept_weaker_bound: bool,
+        maximum_number_of_points: int,
         barriers: Optional[_Integers],
         threads: int,
         progress: _Progress,

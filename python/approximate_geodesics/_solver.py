@@ -42,6 +42,10 @@ class Solver:
     accept_weaker_bound : bool
         Whether meshes are accepted that the bound cannot be kept on, because of their faces or of
         forbidden directions. `error_bound` tells what is left of it.
+    maximum_number_of_points : int, optional
+        How many points on edges there may be for the bound with weights, costs or barriers; each
+        takes about 50 bytes. By default, 1000 per edge, but at least a million and at most a
+        hundred million.
     barriers : (k, 2) array of int, optional
         Edges that paths must not cross, by their two vertices.
     progress : callable, optional
@@ -78,6 +82,7 @@ class Solver:
         face_weights: Optional[npt.ArrayLike] = None,
         costs: Optional[DirectionalCost] = None,
         accept_weaker_bound: bool = False,
+        maximum_number_of_points: Optional[int] = None,
         barriers: Optional[npt.ArrayLike] = None,
         progress: Optional[Progress] = None,
     ) -> None:
@@ -95,6 +100,7 @@ class Solver:
             weights,
             _native_costs(costs, len(corners)),
             accept_weaker_bound,
+            _limit_of_points(maximum_number_of_points),
             ends,
             _number_of_threads(threads),
             _checked(progress),
@@ -542,6 +548,10 @@ def _checked(progress: Optional[Progress]) -> Optional[Progress]:
 
 def _number_of_threads(threads: Optional[int]) -> int:
     return 0 if threads is None else _at_least(1, threads, "threads")  # 0: one per core
+
+
+def _limit_of_points(number: Optional[int]) -> int:
+    return 0 if number is None else _at_least(1, number, "maximum_number_of_points")  # 0: default
 
 
 def _at_least(smallest: int, value: Any, name: str) -> int:

@@ -50,6 +50,7 @@ std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
                                         const std::optional<Array<double>>& face_weights,
                                         const std::optional<Cost>& costs,
                                         const bool accept_weaker_bound,
+                                        const std::size_t maximum_number_of_points,
                                         const std::optional<Numbers>& barriers,
                                         const std::size_t threads,
                                         const py::object& progress)
@@ -61,6 +62,7 @@ std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
   if(costs)
     options.directional_cost = solver_cost(*costs);
   options.accept_weaker_bound = accept_weaker_bound;
+  options.maximum_number_of_points = maximum_number_of_points;
   if(barriers)
   {
     options.barriers = barriers->data();
@@ -79,8 +81,8 @@ void add_constructor(py::class_<AG::Solver>& solver)
 {
   solver.def(py::init(&make_solver<Integer>), py::arg("vertices").noconvert(),
              py::arg("faces").noconvert(), py::arg("epsilon"), py::arg("face_weights").noconvert(),
-             py::arg("costs"), py::arg("accept_weaker_bound"), py::arg("barriers").noconvert(),
-             py::arg("threads"), py::arg("progress"));
+             py::arg("costs"), py::arg("accept_weaker_bound"), py::arg("maximum_number_of_points"),
+             py::arg("barriers").noconvert(), py::arg("threads"), py::arg("progress"));
 }
 
 py::tuple distances(const AG::Solver& solver,

@@ -72,6 +72,19 @@ def test_one_way_faces():
     assert np.isinf(weaker.error_bound)
 
 
+def test_number_of_points_is_limited():
+    def solver(**options):
+        return ag.Solver(VERTICES, FACES, 0.01, face_weights=np.arange(len(FACES)), **options)
+
+    with pytest.raises(ValueError, match="points on edges, .* maximum_number_of_points is 100"):
+        solver(maximum_number_of_points=100)
+    assert solver(maximum_number_of_points=10**6).error_bound == 0.01
+    weaker = solver(maximum_number_of_points=300, accept_weaker_bound=True)
+    assert weaker.error_bound > 0.01
+    with pytest.raises(ValueError, match="must be at least 1"):
+        solver(maximum_number_of_points=0)
+
+
 def test_tensors():
     matrix = np.array([[4.0, 0.5, 0], [0.5, 1, 0], [0, 0, 1]])
     entries = matrix[np.triu_indices(3)]

@@ -30,8 +30,11 @@ public:
   template <typename NamedParameters>
   explicit SteinerPointPlacement(const NamedParameters& np);
 
-  /// is called once, before all others.
-  void prepare(const CGAL::Approximate_geodesics::Intrinsic_triangulation& triangulation);
+  /// is called once, before all others. If there are more points on all edges together than
+  /// `maximum_number_of_points`, the graph refuses them before it has memory for them; a placement
+  /// may have fewer then, and a weaker bound.
+  void prepare(const CGAL::Approximate_geodesics::Intrinsic_triangulation& triangulation,
+               std::size_t maximum_number_of_points);
 
   /// returns the number of points on the edge of `h`, which is longer than zero. It is called for
   /// one halfedge of every edge, and for both of a barrier.

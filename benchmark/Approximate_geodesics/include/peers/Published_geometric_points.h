@@ -75,7 +75,9 @@ public:
   // \throws std::invalid_argument if some faces, but not all, have weight `0`.
   //
   // Run time is O(n).
-  void prepare(const Intrinsic_triangulation& triangulation)
+  void
+  prepare(const Intrinsic_triangulation& triangulation,
+          std::size_t /* maximum_number_of_points */ = (std::numeric_limits<std::size_t>::max)())
   {
     const double ratio = ratio_of_weights(triangulation);
     if(std::isinf(ratio))

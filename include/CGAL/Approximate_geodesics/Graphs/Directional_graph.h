@@ -19,6 +19,8 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/maximum_degree.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -75,7 +77,7 @@ public:
    *
    * \param triangulation the triangulation
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": that of the
-   *           placement, and the one listed below
+   *           placement, and those listed below
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{direction_to_source}
@@ -84,11 +86,19 @@ public:
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{maximum_number_of_points}
+   *     \cgalParamDescription{so many points may be needed on all edges together}
+   *     \cgalParamType{an integer type}
+   *     \cgalParamDefault{1000 per edge on average, but at least \f$10^6\f$ and at most
+   *                       \f$10^8\f$}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * \throws std::invalid_argument if the triangulation has no directional costs, if there are
    *         points, and a face breaks the triangle inequality, or as the placement does.
-   * \throws std::length_error if there would be more nodes than 32-bit numbers can tell apart.
+   * \throws std::length_error if more than `maximum_number_of_points` points would be needed: the
+   *         message tells how many, and on which edge most of them; or if there would be more nodes
+   *         than 32-bit numbers can tell apart.
    *
    * Run time and memory are \cgalBigO{n} for `n` nodes.
    */
@@ -98,21 +108,26 @@ public:
     : Directional_graph(std::move(triangulation),
                         Placement(np),
                         parameters::choose_parameter(
-                            parameters::get_parameter(np, internal_np::direction_to_source), false))
+                            parameters::get_parameter(np, internal_np::direction_to_source), false),
+                        internal::maximum_number_of_points(np))
   {
   }
 
-  /// builds the graph likewise, with a placement that was made before.
+  /// builds the graph likewise, with a placement that was made before; `0` stands for the default
+  /// of `maximum_number_of_points`.
   Directional_graph(Intrinsic_triangulation triangulation,
                     Placement placement,
-                    const bool direction_to_source = false)
+                    const bool direction_to_source = false,
+                    const std::size_t maximum_number_of_points = 0)
     : m_triangulation(checked(std::move(triangulation))),
       m_placement(std::move(placement)),
       m_edges(m_triangulation),
       m_leads_to_sources(direction_to_source)
   {
-    m_placement.prepare(m_triangulation);
-    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement);
+    const std::size_t limit =
+        internal::maximum_number_of_points(m_triangulation, maximum_number_of_points);
+    m_placement.prepare(m_triangulation, limit);
+    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement, limit);
     if(number_of_points() > 0) // there are arcs across faces
       m_triangulation.check_triangle_inequality();
     m_maximum_degree = internal::maximum_degree(m_triangulation, points());

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Gauge_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -112,11 +113,15 @@ public:
                   "number of your own, use Fixed_number_of_points or Points_at_interval");
   }
 
-  /// computes where progressions start and how close points are.
+  /// computes where progressions start and how close points are. If no bound is accepted, edges
+  /// that take most points get few, until there are no more than `maximum_number_of_points` on all
+  /// edges together.
   /// \throws std::invalid_argument naming a face or an edge that the bound cannot be kept at.
   ///
   /// Run time is \cgalBigO{n} times the square of the number of directions per face.
-  void prepare(const Intrinsic_triangulation& triangulation)
+  void
+  prepare(const Intrinsic_triangulation& triangulation,
+          const std::size_t maximum_number_of_points = (std::numeric_limits<std::size_t>::max)())
   {
     const double sampling_error = triangulation.gauges().sampling_error();
     const double rest = (std::max)((1 + m_epsilon) / (1 + sampling_error) - 1, 0.5 * m_epsilon);
@@ -128,6 +133,9 @@ public:
       give_up("costs were asked for in too few directions, and may be too high by " +
               internal::text_of(sampling_error) +
               ": epsilon has to be given to the triangulation, too, or a larger one");
+    while(m_limit.is_soft && m_limit.number > 1 &&
+          internal::has_more_points(triangulation, *this, maximum_number_of_points))
+      m_limit.number /= 2;
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(triangulation.is_crossable(h) && triangulation.length(h) > 0 &&
          progressions(triangulation, h).number_of_points() > m_limit.number)

@@ -67,7 +67,10 @@ public:
   }
 
   /// does nothing: all edges are alike.
-  void prepare(const Intrinsic_triangulation& /* triangulation */) {}
+  void prepare(const Intrinsic_triangulation& /* triangulation */,
+               std::size_t /* maximum_number_of_points */)
+  {
+  }
 
   /// returns the number of points on the edge of a halfedge.
   std::size_t number_of_points(const Intrinsic_triangulation& /* triangulation */,

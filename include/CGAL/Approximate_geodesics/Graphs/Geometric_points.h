@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Measured_progressions.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Weight_spread.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -123,13 +124,16 @@ public:
   }
 
   /// computes where the progressions of every vertex start, and looks for faces that take too many
-  /// points.
+  /// points. If a weaker bound is accepted, those that take most are given up until there are no
+  /// more points than `maximum_number_of_points` on all edges together.
   ///
   /// \throws std::length_error if there is one, and no weaker bound is accepted: the message names
   ///         the face and the number.
   ///
   /// Run time is \cgalBigO{n}.
-  void prepare(const Intrinsic_triangulation& triangulation)
+  void
+  prepare(const Intrinsic_triangulation& triangulation,
+          const std::size_t maximum_number_of_points = (std::numeric_limits<std::size_t>::max)())
   {
     if(!m_limit.is_soft)
       reject_raised_weights(triangulation);
@@ -152,8 +156,14 @@ public:
                                                 m_limit.number);
       start[v] = relative_start(is_uniform[v]) * star.radius();
     }
-    m_progressions = internal::Measured_progressions(triangulation, std::move(start),
-                                                     m_epsilon_of_crossings, m_limit);
+    internal::Limit_of_points limit = m_limit;
+    do
+    {
+      m_progressions =
+          internal::Measured_progressions(triangulation, start, m_epsilon_of_crossings, limit);
+      limit.number /= 2;
+    } while(limit.is_soft && limit.number > 0 &&
+            internal::has_more_points(triangulation, *this, maximum_number_of_points));
   }
 
   /// returns the number of points on the edge of `h`.

@@ -72,7 +72,10 @@ public:
   }
 
   /// does nothing: edges are looked at one by one.
-  void prepare(const Intrinsic_triangulation& /* triangulation */) {}
+  void prepare(const Intrinsic_triangulation& /* triangulation */,
+               std::size_t /* maximum_number_of_points */)
+  {
+  }
 
   /// returns the number of points on the edge of `h`.
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const

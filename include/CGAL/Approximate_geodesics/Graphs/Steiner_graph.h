@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_attachment.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/maximum_degree.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -80,19 +81,29 @@ public:
    *
    * \param triangulation the triangulation
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": that of the
-   *           placement
+   *           placement, and the one listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{maximum_number_of_points}
+   *     \cgalParamDescription{so many points may be needed on all edges together}
+   *     \cgalParamType{an integer type}
+   *     \cgalParamDefault{1000 per edge on average, but at least \f$10^6\f$ and at most
+   *                       \f$10^8\f$}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
    *
    * \throws std::invalid_argument if there are points, and a face breaks the triangle inequality,
    *         or as the placement does.
-   * \throws std::length_error if there would be more nodes than 32-bit numbers can tell apart, or
-   *         as the placement does.
+   * \throws std::length_error if more than `maximum_number_of_points` points would be needed: the
+   *         message tells how many, and on which edge most of them; if there would be more nodes
+   *         than 32-bit numbers can tell apart, or as the placement does.
    *
-   * Run time and memory are \cgalBigO{n} for `n` nodes.
+   * Run time and memory are \cgalBigO{n} for `n` nodes. If points are refused, they are not made.
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Steiner_graph(Intrinsic_triangulation triangulation,
                          const NamedParameters& np = parameters::default_values())
-    : Steiner_graph(std::move(triangulation), Placement(np))
+    : Steiner_graph(std::move(triangulation), Placement(np), internal::maximum_number_of_points(np))
   {
     static_assert(!internal::is_given<NamedParameters, internal_np::direction_to_source_t>,
                   "direction_to_source: distances there and back are the same in this graph; use "
@@ -103,13 +114,18 @@ public:
                          "Intrinsic_triangulation");
   }
 
-  /// builds the graph likewise, with a placement that was made before.
-  Steiner_graph(Intrinsic_triangulation triangulation, Placement placement)
+  /// builds the graph likewise, with a placement that was made before; `0` stands for the default
+  /// of `maximum_number_of_points`.
+  Steiner_graph(Intrinsic_triangulation triangulation,
+                Placement placement,
+                const std::size_t maximum_number_of_points = 0)
     : m_triangulation(std::move(triangulation)), m_placement(std::move(placement))
   {
     internal::reject_directional_costs(m_triangulation, "Steiner_graph");
-    m_placement.prepare(m_triangulation);
-    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement);
+    const std::size_t limit =
+        internal::maximum_number_of_points(m_triangulation, maximum_number_of_points);
+    m_placement.prepare(m_triangulation, limit);
+    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement, limit);
     if(number_of_points() > 0) // there are arcs across faces
       m_triangulation.check_triangle_inequality();
     m_maximum_degree = internal::maximum_degree(m_triangulation, points());

@@ -87,9 +87,9 @@ double largest_cost_to_corner(const Graph& graph, const std::vector<Source_point
  * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which has to be
  *           given, and those among `vertex_point_map`, `edge_length_map`, `face_weight_map`,
  *           `direction_to_source`, `edge_is_constrained_map`, `accept_weaker_bound`,
- * `maximum_number_of_points_per_edge`, `initial_distances`, `maximum_distance`, `visitor`,
- *           `concurrency_tag`, `vertex_index_map`, `halfedge_index_map`, and `geom_traits` that
- *           `approximate_geodesic_distances()` reads
+ * `maximum_number_of_points`, `maximum_number_of_points_per_edge`, `initial_distances`,
+ * `maximum_distance`, `visitor`, `concurrency_tag`, `vertex_index_map`, `halfedge_index_map`, and
+ * `geom_traits` that `approximate_geodesic_distances()` reads
  *
  * \pre A visitor does not end the run.
  *
@@ -113,6 +113,7 @@ void distance_intervals(const TriangleMesh& tmesh,
                 "distance_intervals() needs epsilon, the error bound: 0 for exact distances");
   static_assert(
       !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
+                             internal_np::maximum_number_of_points_t,
                              internal_np::maximum_number_of_points_per_edge_t,
                              internal_np::accept_weaker_bound_t, internal_np::edge_length_t,
                              internal_np::face_weight_t, internal_np::direction_to_source_t,

@@ -110,6 +110,7 @@ constexpr void refuse_other_parameters_than_of_sampling()
 {
   static_assert(
       !ignores_any<NamedParameters, internal_np::edge_length_t, internal_np::epsilon_t,
+                   internal_np::maximum_number_of_points_t,
                    internal_np::maximum_number_of_points_per_edge_t,
                    internal_np::accept_weaker_bound_t, internal_np::face_weight_t,
                    internal_np::number_of_points_per_edge_t, internal_np::edge_is_constrained_t>,
@@ -147,8 +148,8 @@ constexpr void refuse_other_parameters_than_of_sampling()
  * \param sources a vertex, or a range of vertices, that the points are to keep away from; they do
  *        not count as points. If there are none, the first point is the first vertex.
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among
- *           `vertex_point_map`, `edge_length_map`, `epsilon`, `maximum_number_of_points_per_edge`,
- *           `accept_weaker_bound`, `number_of_points_per_edge`,
+ *           `vertex_point_map`, `edge_length_map`, `epsilon`, `maximum_number_of_points`,
+ * `maximum_number_of_points_per_edge`, `accept_weaker_bound`, `number_of_points_per_edge`,
  *           `face_weight_map`, `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map`
  *           and `geom_traits`, which are as for `approximate_geodesic_distances()`, and
  *           `concurrency_tag`, which is as for `Discrete_geodesic_graph`, the graph that is built

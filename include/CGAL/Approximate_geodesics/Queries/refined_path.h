@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
@@ -61,7 +62,7 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
   translation.list_vertices();
   Selective_refinement refinement(triangulation, translation.node(source),
                                   translation.node(target));
-  const Path path = refinement.run(first_placement, tolerance);
+  const Path path = refinement.run(first_placement, maximum_number_of_points(np), tolerance);
   const auto point_map = vertex_point_map(tmesh, np);
   for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
     *points++ = point(translation, *p, point_map, np);
@@ -175,8 +176,9 @@ double refined_path(const TriangleMesh& tmesh,
  * \param source the vertex that the path starts from
  * \param target the vertex that the path ends at
  * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which has to be
- *           given, `accept_weaker_bound`, `maximum_number_of_points_per_edge`,
- *           `relative_tolerance`, and what describes the mesh, as for `refined_path()`
+ *           given, `accept_weaker_bound`, `maximum_number_of_points`,
+ * `maximum_number_of_points_per_edge`, `relative_tolerance`, and what describes the mesh, as for
+ * `refined_path()`
  *
  * \return a lower bound of the distance, or cost, and the length of the path, which is at most
  *         \f$1 + \varepsilon\f$ times as large; both are infinity if `target` cannot be reached.
@@ -200,11 +202,11 @@ refined_path_interval(const TriangleMesh& tmesh,
   static_assert(internal::is_given<NamedParameters, internal_np::epsilon_t>,
                 "refined_path_interval() needs epsilon, the bound of the first path");
   static_assert(
-      !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
-                             internal_np::maximum_number_of_points_per_edge_t,
-                             internal_np::accept_weaker_bound_t, internal_np::relative_tolerance_t,
-                             internal_np::edge_length_t, internal_np::face_weight_t,
-                             internal_np::edge_is_constrained_t>,
+      !internal::ignores_any<
+          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_t,
+          internal_np::maximum_number_of_points_per_edge_t, internal_np::accept_weaker_bound_t,
+          internal_np::relative_tolerance_t, internal_np::edge_length_t, internal_np::face_weight_t,
+          internal_np::edge_is_constrained_t>,
       "refined_path_interval() reads epsilon, the limit of points and what to do beyond it, "
       "relative_tolerance, and what describes the mesh only");
   return internal::refine_path(tmesh, points, source, target, Geometric_points(np), np);

@@ -28,7 +28,7 @@ public:
   {
   }
 
-  void prepare(const Triangulation& /* triangulation */) {}
+  void prepare(const Triangulation& /* triangulation */, std::size_t /* maximum_number */) {}
 
   std::size_t number_of_points(const Triangulation& triangulation, const Index h) const
   {

@@ -60,20 +60,36 @@ struct Limit_of_points
   bool is_soft;
 };
 
+inline std::size_t checked_limit(const double number, const char* const name)
+{
+  constexpr double largest = 4294967296; // for 32-bit numbers
+  if(!(number >= 1) || number != std::floor(number) || number > largest)
+    reject(std::string(name) + " is " + text_of(number) + "; it must be an integer from 1 to 2^32");
+  return static_cast<std::size_t>((std::min)(number, largest - 1));
+}
+
 // Reads what is to happen to thin faces.
 template <typename NamedParameters>
 Limit_of_points limit_of_points(const NamedParameters& np, const std::size_t by_default)
 {
-  constexpr double largest = 4294967296; // for 32-bit numbers, on a single edge
   const double number = CGAL::to_double(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::maximum_number_of_points_per_edge),
       double(by_default)));
-  if(!(number >= 1) || number != std::floor(number) || number > largest)
-    reject("maximum_number_of_points_per_edge is " + text_of(number) +
-           "; it must be an integer from 1 to 2^32");
-  return {static_cast<std::size_t>((std::min)(number, largest - 1)),
+  return {checked_limit(number, "maximum_number_of_points_per_edge"),
           parameters::choose_parameter(
               parameters::get_parameter(np, internal_np::accept_weaker_bound), false)};
+}
+
+// How many points there may be on all edges, if that is given, and else 0.
+template <typename NamedParameters>
+std::size_t maximum_number_of_points([[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::maximum_number_of_points_t>)
+    return checked_limit(
+        CGAL::to_double(parameters::get_parameter(np, internal_np::maximum_number_of_points)),
+        "maximum_number_of_points");
+  else
+    return 0;
 }
 
 // Whether parameters are given that matter to graphs with a bound for weights only.
@@ -93,9 +109,10 @@ void reject_weights(const Intrinsic_triangulation& triangulation,
   static_assert(!is_given<NamedParameters, internal_np::edge_is_constrained_t>,
                 "edge_is_constrained_map: this graph does not support barriers; use Steiner_graph");
   static_assert(!is_any_given<NamedParameters, internal_np::number_of_points_per_edge_t,
-                              internal_np::nb_points_per_distance_unit_t>,
-                "number_of_points_per_edge, number_of_points_per_distance_unit: this graph has no "
-                "points on edges; use Steiner_graph");
+                              internal_np::nb_points_per_distance_unit_t,
+                              internal_np::maximum_number_of_points_t>,
+                "number_of_points_per_edge, number_of_points_per_distance_unit, "
+                "maximum_number_of_points: this graph has no points on edges; use Steiner_graph");
   static_assert(!is_given<NamedParameters, internal_np::direction_to_source_t>,
                 "direction_to_source: distances there and back are the same in this graph; use "
                 "Directional_graph");

@@ -52,7 +52,10 @@ public:
       mark_neighbors(triangulation);
   }
 
-  void prepare(const Intrinsic_triangulation& /* triangulation */) {}
+  void prepare(const Intrinsic_triangulation& /* triangulation */,
+               std::size_t /* maximum_number_of_points */)
+  {
+  }
 
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
@@ -119,12 +122,16 @@ public:
   {
   }
 
-  // Refines the path that is found with points as this placement says. Ends when it gets shorter by
-  // less than the given part of its length.
+  // Refines the path that is found with points as this placement says, so many of them at most or
+  // as many as by default, if that is 0. Ends when it gets shorter by less than the given part of
+  // its length.
   template <typename Placement>
-  Path run(Placement first_placement, const double relative_tolerance)
+  Path run(Placement first_placement,
+           const std::size_t maximum_number_of_points,
+           const double relative_tolerance)
   {
-    const Steiner_graph<Placement> graph(m_triangulation, std::move(first_placement));
+    const Steiner_graph<Placement> graph(m_triangulation, std::move(first_placement),
+                                         maximum_number_of_points);
     Path result = search(graph);
     m_lower_bound = result.points.empty() ? std::numeric_limits<double>::infinity()
                                           : smallest_distance(result.length, graph.epsilon());
@@ -135,7 +142,8 @@ public:
       number_of_points = 2 * number_of_points + 1; // if equally spaced, those so far among them
       Path refined = search(Steiner_graph<Points_near_path>(
           m_triangulation,
-          Points_near_path(m_triangulation, result, number_of_rings, number_of_points)));
+          Points_near_path(m_triangulation, result, number_of_rings, number_of_points),
+          (std::numeric_limits<std::size_t>::max)())); // few edges have any
       number_of_rings -= (std::min)(number_of_rings, std::size_t(1));
       const double gain = result.length - refined.length;
       if(gain > 0)

@@ -31,7 +31,7 @@ template <typename NamedParameters>
 constexpr void refuse_run_parameters()
 {
   static_assert(
-      !ignores_any<NamedParameters, internal_np::epsilon_t,
+      !ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_t,
                    internal_np::maximum_number_of_points_per_edge_t,
                    internal_np::accept_weaker_bound_t, internal_np::number_of_points_per_edge_t,
                    internal_np::nb_points_per_distance_unit_t, internal_np::edge_length_t,

@@ -69,6 +69,10 @@ auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
   static_assert((has_weights && has_epsilon) || !limits_points<NamedParameters>,
                 "maximum_number_of_points_per_edge, accept_weaker_bound: they are for epsilon with "
                 "weights or barriers; any other bound holds on every mesh");
+  static_assert((has_weights && has_epsilon) || has_number ||
+                    !is_given<NamedParameters, internal_np::maximum_number_of_points_t>,
+                "maximum_number_of_points: it is for number_of_points_per_edge, and for epsilon "
+                "with weights or barriers; there are no points else");
 
   Intrinsic_triangulation triangulation(tmesh, np);
   if constexpr(has_directional_cost<NamedParameters>)

@@ -80,6 +80,10 @@ struct Solver_options
   /// `Solver::error_bound()` tells what is left of it.
   bool accept_weaker_bound = false;
 
+  /// so many points may be needed on all edges together for the bound with these costs, which takes
+  /// about 50 bytes each; `0` stands for the default, see `Steiner_graph`.
+  std::size_t maximum_number_of_points = 0;
+
   /// edges that paths must not cross: two vertices each.
   const std::int64_t* barriers = nullptr;
 
@@ -200,6 +204,7 @@ public:
     options.epsilon = file.epsilon;
     options.directional_cost = std::move(file.cost);
     options.accept_weaker_bound = file.accepts_weaker_bound;
+    options.maximum_number_of_points = static_cast<std::size_t>(file.maximum_number_of_points);
     options.number_of_threads = number_of_threads;
     if(file.weights)
       options.face_weights = file.weights->data();
@@ -455,7 +460,7 @@ private:
              const Solver_options& options,
              std::istream* const saved_graph)
   {
-    m_bound = {options.epsilon, options.accept_weaker_bound};
+    m_bound = {options.epsilon, options.accept_weaker_bound, options.maximum_number_of_points};
     m_number_of_threads = options.number_of_threads;
     if(m_bound.epsilon && !(*m_bound.epsilon >= 0 && std::isfinite(*m_bound.epsilon)))
       internal::reject("epsilon is " + internal::text_of(*m_bound.epsilon) +

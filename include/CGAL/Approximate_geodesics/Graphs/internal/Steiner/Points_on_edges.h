@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
@@ -42,14 +43,16 @@ public:
 
   Points_on_edges() = default;
 
-  // Throws std::length_error if there are more than `largest_number` points.
+  // Throws std::length_error if there are more points than `limit` says, or than `largest_number`,
+  // which is what numbers can tell apart.
   template <typename Placement>
   Points_on_edges(const Intrinsic_triangulation& triangulation,
                   const Placement& placement,
+                  const std::size_t limit,
                   const std::size_t largest_number)
   {
     number_edges(triangulation);
-    count_points(triangulation, placement, largest_number);
+    count_points(triangulation, placement, limit, largest_number);
     m_halfedge.resize(number_of_points());
     for_each_first_halfedge([&](const Index h, const Index e) {
       std::fill(m_halfedge.begin() + first_point(e), m_halfedge.begin() + beyond_point(e), h);
@@ -158,19 +161,29 @@ private:
   template <typename Placement>
   void count_points(const Intrinsic_triangulation& triangulation,
                     const Placement& placement,
+                    const std::size_t limit,
                     const std::size_t largest_number)
   {
-    std::size_t number = 0;
+    Number_of_points number;
+    Index halfedge_with_most = 0;
+    std::size_t largest = 0;
     for_each_first_halfedge([&](const Index h, const Index e) {
       const std::size_t number_on_edge =
           triangulation.length(h) > 0 ? placement.number_of_points(triangulation, h) : 0;
-      if(number_on_edge > largest_number - number)
-        throw std::length_error("Approximate_geodesics: the graph would have more than " +
-                                std::to_string(largest_number) +
-                                " points on edges, which is what 32-bit numbers can tell apart");
-      number += number_on_edge;
-      m_first_point[e + 1] = static_cast<Index>(number);
+      number.add(number_on_edge);
+      if(number_on_edge > largest)
+      {
+        largest = number_on_edge;
+        halfedge_with_most = h;
+      }
+      m_first_point[e + 1] = m_first_point[e] + static_cast<Index>(number_on_edge); // if it fits
     });
+    if(number.is_above(limit))
+      refuse_points(triangulation, number, halfedge_with_most, largest, limit);
+    if(number.is_above(largest_number))
+      throw std::length_error("Approximate_geodesics: the graph would have more than " +
+                              std::to_string(largest_number) +
+                              " points on edges, which is what 32-bit numbers can tell apart");
   }
 
   std::vector<Index> m_edge;              // per halfedge: twice the edge, plus one if not first

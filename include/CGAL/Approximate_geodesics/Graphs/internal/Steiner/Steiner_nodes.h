@@ -30,12 +30,16 @@ public:
 
   Steiner_nodes() = default;
 
-  // Throws std::length_error if there are more nodes than 32-bit numbers can tell apart.
+  // Throws std::length_error if there are more points than `limit` says, or more nodes than 32-bit
+  // numbers can tell apart.
   template <typename Placement>
-  Steiner_nodes(const Intrinsic_triangulation& triangulation, const Placement& placement)
+  Steiner_nodes(const Intrinsic_triangulation& triangulation,
+                const Placement& placement,
+                const std::size_t limit)
     : m_sectors(triangulation),
       m_points(triangulation,
                placement,
+               limit,
                Intrinsic_triangulation::null_index - std::size_t(m_sectors.number_of_sectors()) -
                    triangulation.number_of_vertices()),
       m_first_point(triangulation.number_of_vertices()),

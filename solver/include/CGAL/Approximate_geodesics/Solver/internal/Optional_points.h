@@ -34,10 +34,11 @@ public:
 
   explicit Optional_points(std::optional<Placement> points) : m_points(std::move(points)) {}
 
-  void prepare(const Intrinsic_triangulation& triangulation)
+  void prepare(const Intrinsic_triangulation& triangulation,
+               const std::size_t maximum_number_of_points)
   {
     if(m_points)
-      m_points->prepare(triangulation);
+      m_points->prepare(triangulation, maximum_number_of_points);
   }
 
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const

@@ -38,9 +38,10 @@ struct Solver_file
   std::optional<std::vector<std::int64_t>> barriers;
   std::optional<Solver_cost> cost;
   bool accepts_weaker_bound = false;
+  std::uint64_t maximum_number_of_points = 0;
 
   static constexpr std::uint64_t SIGNATURE = 0x0a1a0d56534c4741; // AGLSV, and what text modes spoil
-  static constexpr std::uint32_t VERSION = 1;
+  static constexpr std::uint32_t VERSION = 2;
   static constexpr const char* CONTENTS = "the solver"; // in messages
 
   Solver_file() = default;
@@ -48,7 +49,8 @@ struct Solver_file
   Solver_file(const Array_mesh& mesh, const Array_costs& costs, const Bound_of_graph& bound)
     : epsilon(bound.epsilon),
       cost(costs.directional_cost()),
-      accepts_weaker_bound(bound.accepts_weaker)
+      accepts_weaker_bound(bound.accepts_weaker),
+      maximum_number_of_points(bound.maximum_number_of_points)
   {
     for(const auto v : mesh.vertices())
       for(int i = 0; i < 3; ++i)
@@ -78,6 +80,7 @@ struct Solver_file
     write(writer, weights);
     write(writer, barriers);
     writer.write(static_cast<std::uint8_t>(accepts_weaker_bound));
+    writer.write(maximum_number_of_points);
     write(writer, cost);
     writer.finish();
   }
@@ -100,6 +103,7 @@ struct Solver_file
     read(reader, weights);
     read(reader, barriers);
     accepts_weaker_bound = reader.read<std::uint8_t>() != 0;
+    maximum_number_of_points = reader.read<std::uint64_t>();
     read(reader, cost);
     reader.finish();
   }

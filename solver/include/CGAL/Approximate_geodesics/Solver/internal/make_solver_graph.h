@@ -22,6 +22,7 @@
 #include <CGAL/Approximate_geodesics/Solver/internal/Watched_exact_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
+#include <cstddef>
 #include <istream>
 #include <memory>
 #include <optional>
@@ -42,6 +43,7 @@ struct Bound_of_graph
 {
   std::optional<double> epsilon;
   bool accepts_weaker = false;
+  std::size_t maximum_number_of_points = 0; // by default
 };
 
 // The points for a bound, or none.
@@ -66,13 +68,15 @@ inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation t
   {
     using Points = Optional_points<Directional_points>;
     return solver_graph(Directional_graph<Points>(std::move(triangulation),
-                                                  optional_points<Directional_points>(bound)));
+                                                  optional_points<Directional_points>(bound), false,
+                                                  bound.maximum_number_of_points));
   }
   if(triangulation.has_weights() || triangulation.has_barriers())
   {
     using Points = Optional_points<Geometric_points>;
-    return solver_graph(
-        Steiner_graph<Points>(std::move(triangulation), optional_points<Geometric_points>(bound)));
+    return solver_graph(Steiner_graph<Points>(std::move(triangulation),
+                                              optional_points<Geometric_points>(bound),
+                                              bound.maximum_number_of_points));
   }
   if(!bound.epsilon)
     return solver_graph(Edge_graph(std::move(triangulation)));
