@@ -121,10 +121,11 @@ private:
     const double distance = m_triangulation.length(right);
     Sight result;
     result.halfedge = m_triangulation.opposite(edge);
+    result.right = {distance, 0};
     if(distance > 0)
     {
       result.left = {distance * m_steps[right].along, distance * m_steps[right].across};
-      result.edge = m_steps[right].right_edge({distance, 0});
+      result.edge = m_steps[right].right_edge(result.right);
     }
     else
     {
@@ -134,7 +135,7 @@ private:
     result.left_distance = length(result.left);
     result.right_distance = distance;
     result.left_ray = Sight_ray(result.left, result.left_distance);
-    result.right_ray = Sight_ray({distance, 0}, distance);
+    result.right_ray = Sight_ray(result.right, distance);
     return result;
   }
 

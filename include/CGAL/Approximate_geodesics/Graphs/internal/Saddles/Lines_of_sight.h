@@ -198,6 +198,7 @@ private:
     Sight result;
     result.halfedge = halfedge;
     result.left = left;
+    result.right = right;
     result.edge = right - left;
     result.left_distance = length(left);
     result.right_distance = length(right);

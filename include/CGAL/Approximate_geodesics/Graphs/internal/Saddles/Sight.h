@@ -13,6 +13,8 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -81,15 +83,25 @@ struct Sight
   // Edges shorter than this, in units of the triangulation, have no direction.
   static constexpr double SHORTEST_EDGE = 1e-100;
 
-  Index halfedge = 0;         // that of the edge whose face lies ahead, to its left
-  Crossing milestone;         // one of the halfedges on the way
-  std::uint32_t depth = 0;    // the number of faces on the way
-  std::uint32_t splits = 0;   // how often the sight was divided in two parts
-  Plane_vector left = {0, 0}; // the position of the source of the halfedge
-  Plane_vector edge = {0, 0}; // from there to its target
+  Index halfedge = 0;                         // that of the edge whose face lies ahead, to its left
+  Crossing milestone;                         // one of the halfedges on the way
+  std::uint32_t depth = 0;                    // the number of faces on the way
+  std::uint32_t splits = 0;                   // how often the sight was divided in two parts
+  Plane_vector left = {0, 0}, right = {0, 0}; // the positions of source and target
+  Plane_vector edge = {0, 0};                 // from one to the other
   double left_distance = 0, right_distance = 0; // of source and target
   double left_bound = 0, right_bound = 0;       // of their labels, and a bit more, for rounding
   Sight_ray left_ray, right_ray;
+
+  // The position of the apex of the face ahead: that of one end of the edge and the way from there.
+  // If the other end is far nearer to the tip, so may be the apex, and rounding would be seen.
+  Plane_vector apex(const Plane_vector left_edge, const Face_step& step) const
+  {
+    constexpr double far = 16; // not on ordinary meshes
+    if(BOOST_UNLIKELY(left_distance > far * right_distance))
+      return right - step.right_edge(edge);
+    return left + left_edge;
+  }
 
   /*
    * The length of the path to a point ahead, at this distance: that of a straight line; or infinity
@@ -107,7 +119,6 @@ struct Sight
     constexpr double rounding = Sight_ray::ROUNDING;
     if(beyond_left < -rounding * left_margin && beyond_right < -rounding * right_margin)
       return distance;
-    const Plane_vector right = left + edge;
     return (std::max)(
         {way_over(left_ray.direction, beyond_left, left_margin, point, distance),
          way_over(right_ray.direction, beyond_right, right_margin, point, distance),

@@ -100,7 +100,7 @@ private:
     if(has_returned(sight, step.across))
       return false;
     const Plane_vector left_edge = step.left_edge(sight.edge);
-    const Plane_vector apex = sight.left + left_edge;
+    const Plane_vector apex = sight.apex(left_edge, step);
     const double distance = length(apex), bound = this->bound(step.apex);
     if constexpr(Visitor::wants_faces)
       m_visitor.on_face(sight, apex);
@@ -117,15 +117,15 @@ private:
     }
     if(!(distance > 0)) // nothing is seen through an edge with both ends where the tip is
       return sight.right_distance > 0 ? go_right(sight, step, apex, distance, bound)
-                                      : go_left(sight, step, left_edge, distance, bound);
+                                      : go_left(sight, step, apex, left_edge, distance, bound);
     const bool hides_nothing = m_bends.hides_nothing(step.apex);
     if(is_beyond(sight.left_ray, apex, beyond_left, left_margin, hides_nothing))
       return go_right(sight, step, apex, distance, bound);
     if(is_beyond(sight.right_ray, apex, beyond_right, right_margin, hides_nothing))
-      return go_left(sight, step, left_edge, distance, bound);
+      return go_left(sight, step, apex, left_edge, distance, bound);
     if(dot(sight.left_ray.direction, apex) < 0 && dot(sight.right_ray.direction, apex) < 0)
       return beyond_left > beyond_right ? go_right(sight, step, apex, distance, bound)
-                                        : go_left(sight, step, left_edge, distance, bound);
+                                        : go_left(sight, step, apex, left_edge, distance, bound);
     int side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
     if(side == 0)
       side = m_part.side(sight.splits++);
@@ -135,7 +135,7 @@ private:
   // Whether a sight comes back to an edge, and is given up there. If not, it goes on.
   bool has_returned(Sight& sight, const double height_of_face) const
   {
-    const Crossing here{sight.halfedge, sight.left, sight.left + sight.edge};
+    const Crossing here{sight.halfedge, sight.left, sight.right};
     if(m_steps.winding().is_over(here, sight.milestone, sight.left_ray.direction,
                                  sight.right_ray.direction, height_of_face))
       return true;
@@ -205,11 +205,13 @@ private:
 
   bool go_left(Sight& sight,
                const Face_step& step,
+               const Plane_vector apex,
                const Plane_vector left_edge,
                const double distance,
                const double bound) const
   {
     sight.halfedge = step.left;
+    sight.right = apex;
     sight.edge = left_edge;
     sight.right_distance = distance;
     sight.right_bound = bound;
@@ -239,7 +241,7 @@ private:
         m_stack.pop_back();
     }
     sight.right_ray = between;
-    return go_left(sight, step, left_edge, distance, bound);
+    return go_left(sight, step, apex, left_edge, distance, bound);
   }
 
   const Face_steps& m_steps;

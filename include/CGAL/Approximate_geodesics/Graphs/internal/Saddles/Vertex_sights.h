@@ -124,11 +124,12 @@ private:
     Sight sight;
     sight.halfedge = step.right;
     sight.left = {distance * step.along, distance * step.across};
-    sight.edge = step.right_edge({distance, 0});
+    sight.right = {distance, 0};
+    sight.edge = step.right_edge(sight.right);
     sight.left_distance = length(sight.left);
     sight.right_distance = distance;
     sight.left_ray = ray(left_direction, unit_corner(step), sight.left, sight.left_distance);
-    sight.right_ray = ray(right_direction, {1, 0}, {distance, 0}, distance);
+    sight.right_ray = ray(right_direction, {1, 0}, sight.right, distance);
     on_sight(sight, step.apex, m_triangulation.target(h));
   }
 
