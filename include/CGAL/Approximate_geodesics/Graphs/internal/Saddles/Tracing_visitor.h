@@ -32,8 +32,8 @@ void for_each_position(const Intrinsic_triangulation& triangulation,
                        F f)
 {
   for_each_face_point(triangulation, point, sight.halfedge, [&](const Face_point& p) {
-    const Plane_vector position = p.seen_from(triangulation, sight.halfedge)
-                                      .position({sight.left, sight.right, apex});
+    const Plane_vector position =
+        p.seen_from(triangulation, sight.halfedge).position({sight.left, sight.right, apex});
     const double way = sight.way_to(position, length(position));
     if(way < std::numeric_limits<double>::infinity())
       f(position, way);
