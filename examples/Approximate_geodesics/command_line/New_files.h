@@ -69,11 +69,11 @@ public:
   }
 
 private:
-  bool m_replaces;
-  std::vector<New_file> m_files;
   Interruption m_interruption;
-  Ignored_signal m_ignored_of_pipes{SIGPIPE};
-  Ignored_signal m_ignored_of_limits{SIGXFSZ};
+  Ignored_signal m_broken_pipe{SIGPIPE};
+  Ignored_signal m_file_too_large{SIGXFSZ};
+  bool m_replaces;
+  std::vector<New_file> m_files; // goes first
 };
 
 #endif // COMMAND_LINE_NEW_FILES_H

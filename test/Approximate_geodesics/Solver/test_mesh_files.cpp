@@ -25,8 +25,8 @@ namespace {
 using namespace geodesics_test;
 
 namespace AG = CGAL::Approximate_geodesics;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Faces = std::vector<std::vector<std::size_t>>;
+using Soup_point = CGAL::Simple_cartesian<double>::Point_3;
+using Soup_faces = std::vector<std::vector<std::size_t>>;
 
 const std::string vertices_of_off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 const std::string vertices_of_obj = "# a comment\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -84,10 +84,10 @@ const std::vector<Wrong_file>& wrong_files()
   return result;
 }
 
-void read(const std::string& file)
+void read_mesh_file(const std::string& file)
 {
-  std::vector<Point> points;
-  Faces faces;
+  std::vector<Soup_point> points;
+  Soup_faces faces;
   AG::read_soup(file, points, faces);
 }
 
@@ -99,7 +99,7 @@ TEST(Mesh_file, that_is_none_is_refused_with_the_reason)
     const std::string name = "mesh" + wrong.ending;
     folder.fill({{name, wrong.contents}});
     SCOPED_TRACE(wrong.contents);
-    expect_texts<std::invalid_argument>([&] { read(folder.file(name)); },
+    expect_texts<std::invalid_argument>([&] { read_mesh_file(folder.file(name)); },
                                         {folder.file(name) + ": ", wrong.reason});
   }
 }
@@ -107,8 +107,8 @@ TEST(Mesh_file, that_is_none_is_refused_with_the_reason)
 // Wherever a file ends, it is read or refused with a reason, but for what cannot be told.
 TEST(Mesh_file, that_ends_too_early_is_refused_with_the_reason)
 {
-  const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  const Faces faces{{0, 1, 2}, {0, 2, 3}};
+  const std::vector<Soup_point> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Soup_faces faces{{0, 1, 2}, {0, 2, 3}};
   const Temporary_folder folder;
   for(const std::string ending : {"off", "obj", "ply", "stl"})
     for(const bool is_binary : {false, true})
@@ -116,14 +116,14 @@ TEST(Mesh_file, that_ends_too_early_is_refused_with_the_reason)
       const std::string file = folder.file("mesh." + ending);
       const auto np = CGAL::parameters::use_binary_mode(is_binary).stream_precision(17);
       ASSERT_TRUE(CGAL::IO::write_polygon_soup(file, points, faces, np));
-      EXPECT_NO_THROW(read(file));
+      EXPECT_NO_THROW(read_mesh_file(file));
       const std::string bytes = folder.bytes("mesh." + ending);
       std::size_t number_of_errors = 0;
       for(std::size_t length = 0; length < bytes.size(); ++length)
         try
         {
           folder.fill({{"mesh." + ending, bytes.substr(0, length)}});
-          read(file);
+          read_mesh_file(file);
         }
         catch(const std::invalid_argument& e)
         {
