@@ -117,15 +117,19 @@ struct Sight
     if(!(beyond_left <= left_margin && beyond_right <= right_margin))
       return std::numeric_limits<double>::infinity();
     constexpr double rounding = Sight_ray::ROUNDING;
-    if(beyond_left < -rounding * left_margin && beyond_right < -rounding * right_margin)
+    const bool is_on_left = beyond_left > -rounding * left_margin,
+               is_on_right = beyond_right > -rounding * right_margin;
+    if(!is_on_left && !is_on_right)
       return distance;
+    const bool is_narrow = is_on_left && is_on_right && dot(left_ray.direction, point) > 0 &&
+                           dot(right_ray.direction, point) > 0;
+    const auto way_over = [&](const Plane_vector vertex, const double beyond) {
+      return this->way_over(vertex, beyond, is_narrow, point, distance);
+    };
     return (std::max)(
-        {way_over(left_ray.direction, beyond_left, left_margin, point, distance),
-         way_over(right_ray.direction, beyond_right, right_margin, point, distance),
-         way_over(left, cross(left, point), Sight_ray::TOLERANCE * left_distance * distance, point,
-                  distance),
-         way_over(right, cross(point, right), Sight_ray::TOLERANCE * right_distance * distance,
-                  point, distance)});
+        (std::max)(way_over(left_ray.direction, beyond_left), way_over(left, cross(left, point))),
+        (std::max)(way_over(right_ray.direction, beyond_right),
+                   way_over(right, cross(point, right))));
   }
 
   /*
@@ -148,20 +152,18 @@ struct Sight
 
 private:
   // The length of the path to a point over a vertex next to the line, if the vertex hides the
-  // point. It does so if the point is beyond the vertex, as seen from the tip; or nearer, as what
-  // is seen is behind an edge. If the sight is as wide as half a plane, the tip may be on that
-  // edge.
-  double way_over(const Plane_vector vertex,
-                  const double beyond,
-                  const double margin,
-                  const Plane_vector point,
-                  const double distance) const
+  // point, as the point is beyond the vertex. No point that is nearer than the vertex is hidden by
+  // it, but for rounding; unless the sight is so narrow that rounding errors are all that is seen.
+  static double way_over(const Plane_vector vertex,
+                         const double beyond,
+                         const bool is_narrow,
+                         const Plane_vector point,
+                         const double distance)
   {
-    const double rounding = Sight_ray::ROUNDING * margin;
-    const bool is_wide = dot(left_ray.direction, right_ray.direction) < 0,
-               is_nearer = dot(point, point) < dot(vertex, vertex);
-    const bool hides = beyond > (is_wide ? rounding : is_nearer ? -rounding : 0);
-    return hides ? length(vertex) + length(point - vertex) : distance;
+    const double size = length(vertex);
+    const double rounding = Sight_ray::ROUNDING * Sight_ray::TOLERANCE * size * distance;
+    const double smallest = distance >= size ? 0 : is_narrow ? -rounding : rounding;
+    return beyond > smallest ? size + length(point - vertex) : distance;
   }
 };
 
