@@ -55,6 +55,8 @@ public:
    *     \cgalParamDescription{the number of points on every edge}
    *     \cgalParamType{an integer type}
    *     \cgalParamDefault{`3`}
+   *     \cgalParamExtra{Names of this package do not follow a chain that begins with it, see
+   *                     \ref AG_chains.}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
