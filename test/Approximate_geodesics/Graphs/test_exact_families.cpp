@@ -11,6 +11,7 @@
 #include "oracles/boxes.h"
 #include "oracles/long_double_distances.h"
 #include "oracles/polygonal_domain.h"
+#include "oracles/straight_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,28 @@ TEST(Saddle_vertex_graph, is_exact_around_corners_of_the_border)
       SCOPED_TRACE(testing::Message() << domain.columns() << " columns, jitter " << jitter);
       Exactness(surface_of(domain, jitter, random)).expect_all(random, 6);
     }
+}
+
+// Paths do not bend where the border is straight or convex, so that no sight starts there. The
+// search from a corner finds the lines to all vertices, and no other ones.
+TEST(Saddle_vertex_graph, looks_from_no_vertex_of_a_convex_border)
+{
+  const auto arch = [](const double i, const double j) {
+    return Point(i, j * (2 + std::sqrt(1001 - i)), 0); // convex
+  };
+  for(const Soup& soup : {flat_grid(1000, 2), grid(1000, 2, arch), fan(1000)})
+  {
+    const Mesh mesh = to_mesh(soup);
+    Basic_mesh_search<Saddle_vertex_graph> search(mesh);
+    search.search().collect_statistics(true);
+    const std::vector<double> found = search.distances({Vertex(1)});
+    for(const Vertex v : mesh.vertices())
+    {
+      const double expected = distance_in_space(mesh.point(Vertex(1)), mesh.point(v));
+      EXPECT_NEAR(found[v.idx()], expected, tolerance_of_exact_distances * expected);
+    }
+    EXPECT_LE(search.search().statistics().relaxations, 2 * mesh.num_vertices());
+  }
 }
 
 // ----- boxes

@@ -40,11 +40,11 @@ namespace Approximate_geodesics {
  * exact, up to rounding.
  *
  * A shortest path bends only at vertices whose angles add up to more than \f$2\pi\f$, saddle
- * vertices, and at border vertices \cgalCite{mmp-dgp-87}; between them it is straight across
- * unfolded faces. So the arcs of this graph \cgalCite{ywh-svg-13} are all straight lines from such
- * vertices to others. They are not stored, but found when a node is expanded, and most of them are
- * never looked for: upper bounds of all distances, which a search along edges finds first, tell
- * that they are of no use. Section \ref AG_saddle_vertex_graph of the user manual describes the
+ * vertices, and at border vertices where they add up to more than \f$\pi\f$
+ * \cgalCite{mmp-dgp-87}; between them it is straight across unfolded faces. So the arcs of this
+ * graph \cgalCite{ywh-svg-13} are all straight lines from such vertices to others. They are not
+ * stored, but found when a node is expanded, and most of them are never looked for: upper bounds of
+ * all distances, which a search along edges finds first, tell that they are of no use. Section \ref AG_saddle_vertex_graph of the user manual describes the
  * algorithm, and the report \cgalCite{ag-report} explains why it loses no vertex.
  *
  * Take it in place of \cgal's `Surface_mesh_shortest_path`, and in order to measure errors. The

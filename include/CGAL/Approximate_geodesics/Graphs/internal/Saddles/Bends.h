@@ -25,7 +25,8 @@ namespace internal {
 
 /*
  * Whether shortest paths can bend at a vertex: at saddle vertices, whose angles add up to more than
- * 2 pi, and at border vertices; and where they cannot, whether the surface is flat there.
+ * 2 pi, and at border vertices whose angles add up to more than pi; and where they cannot, whether
+ * the surface, or its border, is straight there.
  *
  * A vertex at which a path bends for no reason costs time, and changes no distance. So a vertex
  * counts as one if a face without area, or an edge without length, leaves doubts about its angle;
@@ -65,7 +66,7 @@ public:
   bool is_possible(const Index v) const { return m_bends[v] >= Bend_kind::SADDLE; }
 
   // Whether a vertex on one of the rays of a sight hides nothing from those who look past it on the
-  // inside only: what is beyond lies straight ahead on both sides, or paths can bend there. If
+  // inside only: what is beyond lies straight ahead on all sides, or paths can bend there. If
   // lines went on between two border vertices on them, one to the left and one to the right,
   // rounding would decide whether a line is found on the way back.
   bool hides_nothing(const Index v) const { return m_bends[v] != Bend_kind::NONE; }
@@ -97,11 +98,11 @@ private:
       else
         ++number_of_borders;
     }
-    if(number_of_borders > 0)
-      return number_of_borders == 1 ? Bend_kind::BORDER : Bend_kind::ANY;
-    const double excess = sum.value() - 2 * straight_angle;
+    if(number_of_borders > 1)
+      return Bend_kind::ANY;
+    const double excess = sum.value() - (2 - number_of_borders) * straight_angle;
     if(excess > ROUNDING)
-      return Bend_kind::SADDLE;
+      return number_of_borders > 0 ? Bend_kind::BORDER : Bend_kind::SADDLE;
     return excess >= -FLAT ? Bend_kind::NONE_AS_FLAT : Bend_kind::NONE;
   }
 
