@@ -5,6 +5,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 
+#include "checks/expect_message.h"
 #include "meshes/test_costs.h"
 #include "meshes/test_weights.h"
 
@@ -24,6 +25,7 @@
 #include <cstddef>
 #include <functional>
 #include <queue>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -476,6 +478,59 @@ TEST(Directional_costs, OneWayFaces)
       expect_within(to[v], length, 0.05);
   }
   EXPECT_EQ(infinity, graph.epsilon());
+}
+
+// Where a way allows one half of the directions, or nearly all, its length does not matter.
+TEST(Directional_costs, OneWayFacesOfAnyLength)
+{
+  const Face face(0);
+  for(const double length : {1e-200, 1e-3, 1., 1e200})
+    for(const double cosine : {-0.9, 0., 0.9})
+    {
+      const AG::One_way cost(Constant_map<Vector>(Vector(0.6 * length, 0.8 * length, 0)), 2.,
+                             cosine);
+      EXPECT_EQ(2, cost(face, Vector(0.6, 0.8, 0)));
+      EXPECT_EQ(cosine <= 0 ? 2 : infinity, cost(face, Vector(-0.8, 0.6, 0)));
+      EXPECT_EQ(infinity, cost(face, Vector(-0.6, -0.8, 0)));
+    }
+  const AG::One_way everywhere(Constant_map<Vector>(Vector(0, 0, 0)), 2.);
+  EXPECT_EQ(2, everywhere(face, Vector(-1, 0, 0)));
+}
+
+TEST(Directional_costs, NumbersOfFacesThatAreNone)
+{
+  const Mesh mesh = to_mesh(flat_grid(3, 3));
+  const auto expect_refused = [&](const auto& cost) {
+    expect_message<std::invalid_argument>([&] { Triangulation t(mesh, with_cost(cost)); }, "face",
+                                          "nan in the direction ");
+  };
+  for(const double value : {not_a_number, infinity, -infinity})
+  {
+    for(const Vector& v : {Vector(value, 0, 0), Vector(1, value, 0), Vector(0, 0, value)})
+    {
+      expect_refused(AG::One_way(Constant_map<Vector>(v)));
+      expect_refused(AG::Drift_time(Constant_map<Vector>(v), 2));
+    }
+    for(std::size_t i = 0; i < 6; ++i)
+    {
+      std::array<double, 6> tensor = {1, 0, 0, 1, 0, 1};
+      tensor[i] = value;
+      expect_refused(AG::Tensor_cost(Constant_map<std::array<double, 6>>(tensor)));
+    }
+  }
+}
+
+TEST(Directional_costs, ParametersThatCannotBe)
+{
+  const Constant_map<Vector> map(Vector(1, 0, 0));
+  for(const double value : {not_a_number, infinity, -1.})
+  {
+    expect_message<std::invalid_argument>([&] { AG::Hiking_time cost(value); }, "factor");
+    expect_message<std::invalid_argument>([&] { AG::Drift_time cost(map, value); }, "speed");
+    expect_message<std::invalid_argument>([&] { AG::One_way cost(map, value); }, "the cost of");
+  }
+  for(const double value : {not_a_number, infinity, -1.1, 1.1})
+    expect_message<std::invalid_argument>([&] { AG::One_way cost(map, 1, value); }, "cosine");
 }
 
 TEST(Directional_costs, CurrentThatIsTooStrong)

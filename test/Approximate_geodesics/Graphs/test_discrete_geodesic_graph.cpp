@@ -95,6 +95,25 @@ TYPED_TEST(Graph_with_a_bound, holds_it_in_the_plane)
 }
 
 // The surface of a cone, cut open, is flat; a path either stays on it or goes over the tip.
+// Stored lengths are rounded by more than the smallest bounds.
+TYPED_TEST(Graph_with_a_bound, tells_one_that_it_holds_if_it_is_tiny)
+{
+  const Mesh mesh = to_mesh(flat_grid(6, 7).transformed(
+      [](const Point& p) { return Point(p.x() + 0.371 * p.y(), 0.213 * p.x() + 0.9 * p.y(), 0); }));
+  for(const double e : {1e-6, 7e-7, 1e-7, 1e-9, 1e-12})
+  {
+    Basic_mesh_search<TypeParam> search(mesh, epsilon(e));
+    EXPECT_LE(e, search.graph().epsilon());
+    EXPECT_LE(search.graph().epsilon(), (std::max)(e, 8e-7));
+    const auto found = search.distances({Vertex(0)});
+    for(const Vertex v : mesh.vertices())
+    {
+      const double exact = std::sqrt(CGAL::squared_distance(mesh.point(Vertex(0)), mesh.point(v)));
+      EXPECT_LE(found[v], exact * (1 + search.graph().epsilon()) * (1 + 1e-14));
+    }
+  }
+}
+
 TYPED_TEST(Graph_with_a_bound, holds_it_on_a_cone)
 {
   const std::size_t valence = 60;

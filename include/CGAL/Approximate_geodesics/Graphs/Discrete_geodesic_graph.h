@@ -102,9 +102,10 @@ public:
    * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, if a face breaks
    *         the triangle inequality, or if `triangulation` has weights or barriers.
    *
-   * A vertex takes constant time and memory on meshes whose faces are not too oblong, whatever its
-   * degree, and time \cgalBigO{n} at worst if cones of a bounded number cross all faces, as in a
-   * fan of `n` needles whose outer ends turn inwards.
+   * How much time and memory a vertex takes is measured, and not proved: about the same on all
+   * meshes whose faces are not too oblong, whatever its degree and the size of the mesh. Cones can
+   * cross all faces of a mesh, as in a fan of `n` needles whose outer ends turn inwards, and take
+   * time \cgalBigO{n} each then.
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Discrete_geodesic_graph(Intrinsic_triangulation triangulation,
@@ -123,8 +124,13 @@ public:
   /// returns the triangulation that the graph was built on.
   const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
 
-  /// returns the bound that the graph was built for.
-  double epsilon() const { return m_rules.epsilon; }
+  /// returns the bound that the graph was built for, or, below \f$7.2\cdot10^{-7}\f$, the larger
+  /// one that is left as lengths are rounded.
+  double epsilon() const
+  {
+    constexpr double of_rounding = 1. / (1 << 23);
+    return (std::max)(m_rules.epsilon, m_rules.longest_detour * (1 + of_rounding) - 1);
+  }
 
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }

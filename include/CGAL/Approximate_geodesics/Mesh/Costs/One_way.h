@@ -52,13 +52,18 @@ public:
                        "; it must be a number from -1 to 1");
   }
 
-  /// returns the cost per unit of length in a direction.
+  /// returns the cost per unit of length in a direction; not a number if that of the face is none,
+  /// or infinite, which is refused when the mesh is read.
   template <typename Face, typename Vector_3>
   double operator()(const Face& face, const Vector_3& direction) const
   {
     constexpr double rounding = 1e-12;
     const auto& way = get(m_ways, face);
-    const double length = std::sqrt(CGAL::to_double(way * way));
+    const double x = CGAL::to_double(way.x()), y = CGAL::to_double(way.y());
+    const double length =
+        std::hypot(std::hypot(x, y), CGAL::to_double(way.z())); // does not overflow
+    if(!std::isfinite(length))
+      return std::numeric_limits<double>::quiet_NaN();
     const bool is_allowed =
         CGAL::to_double(way * direction) >= (m_smallest_cosine - rounding) * length;
     return is_allowed ? m_cost : std::numeric_limits<double>::infinity();

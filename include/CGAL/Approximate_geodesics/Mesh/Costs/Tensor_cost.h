@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace CGAL {
@@ -26,7 +27,7 @@ namespace Approximate_geodesics {
  * \f$A\f$.
  *
  * A matrix that is not positive semidefinite in the plane of its face, beyond rounding, leads to
- * costs that are not numbers, and is refused when the mesh is read.
+ * costs that are not numbers, and is refused when the mesh is read; so is one that is infinite.
  *
  * \tparam FaceTensorMap a model of `ReadablePropertyMap` with faces as key type and as value type
  *         `std::array<double, 6>`: the entries xx, xy, xz, yy, yz and zz of the matrix
@@ -47,8 +48,9 @@ public:
     const std::array<double, 6> a = get(m_tensors, face);
     const double x = CGAL::to_double(direction.x()), y = CGAL::to_double(direction.y()),
                  z = CGAL::to_double(direction.z());
-    return std::sqrt(a[0] * x * x + a[3] * y * y + a[5] * z * z +
-                     2 * (a[1] * x * y + a[2] * x * z + a[4] * y * z));
+    const double square = a[0] * x * x + a[3] * y * y + a[5] * z * z +
+                          2 * (a[1] * x * y + a[2] * x * z + a[4] * y * z);
+    return std::isfinite(square) ? std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
   }
 
 private:
