@@ -44,8 +44,9 @@ namespace Approximate_geodesics {
  * \cgalCite{mmp-dgp-87}; between them it is straight across unfolded faces. So the arcs of this
  * graph \cgalCite{ywh-svg-13} are all straight lines from such vertices to others. They are not
  * stored, but found when a node is expanded, and most of them are never looked for: upper bounds of
- * all distances, which a search along edges finds first, tell that they are of no use. Section \ref AG_saddle_vertex_graph of the user manual describes the
- * algorithm, and the report \cgalCite{ag-report} explains why it loses no vertex.
+ * all distances, which a search along edges finds first, tell that they are of no use. Section
+ * \ref AG_saddle_vertex_graph of the user manual describes the algorithm, and the report
+ * \cgalCite{ag-report} explains why it loses no vertex.
  *
  * Take it in place of \cgal's `Surface_mesh_shortest_path`, and in order to measure errors. The
  * user manual compares times. On smooth surfaces, the time per vertex grows with the square root of
