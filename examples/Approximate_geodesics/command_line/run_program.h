@@ -19,6 +19,12 @@ inline void check_standard_output()
     std::cout.exceptions(std::ios::badbit);
 }
 
+// In one piece, as several processes can have messages at the same time.
+inline void print_error(const std::string& program, const std::string& text)
+{
+  std::cerr << program + ": " + text + '\n';
+}
+
 // Returns the exit code of `run()`. What it throws, and that standard output cannot be written, is
 // told in a message that begins with `name`.
 template <typename F>
@@ -33,17 +39,16 @@ int run_program(const std::string& name, F run)
   }
   catch(const Interrupted& e)
   {
-    std::cerr << name << ": " << e.what() << '\n';
+    print_error(name, e.what());
     return e.exit_code();
   }
   catch(const std::ios_base::failure&)
   {
-    const int reason = errno;
-    std::cerr << name << ": cannot write to standard output: " << std::strerror(reason) << '\n';
+    print_error(name, std::string("cannot write to standard output: ") + std::strerror(errno));
   }
   catch(const std::exception& e)
   {
-    std::cerr << name << ": " << e.what() << '\n';
+    print_error(name, e.what());
   }
   std::cout.exceptions(std::ios::goodbit); // nothing more is expected of it
   return EXIT_FAILURE;
