@@ -35,12 +35,12 @@ struct Arc_visitor : Sight_visitor_base
   }
 
   void on_vertex(const Node v,
-                 const double distance,
+                 const Sight_path& path,
                  const Sight& sight,
-                 const Plane_vector apex,
+                 const Plane_vector /* apex */,
                  const Plane_vector left_edge)
   {
-    f(v, distance, Arrival::across(sight.halfedge, apex, left_edge));
+    f(v, path.length, Arrival::across(sight.halfedge, path.last_line, left_edge));
   }
 
   const Labels& labels;

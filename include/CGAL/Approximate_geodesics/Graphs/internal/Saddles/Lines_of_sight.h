@@ -102,12 +102,12 @@ private:
     double bound(const Index v) const { return bounds(v); }
 
     void on_vertex(const Index v,
-                   const double distance,
+                   const Sight_path& path,
                    const Sight& sight,
-                   const Plane_vector apex,
+                   const Plane_vector /* apex */,
                    const Plane_vector left_edge)
     {
-      on_node(v, distance, Arrival::across(sight.halfedge, apex, left_edge));
+      on_node(v, path.length, Arrival::across(sight.halfedge, path.last_line, left_edge));
     }
 
     void on_face(const Sight& sight, const Plane_vector apex)

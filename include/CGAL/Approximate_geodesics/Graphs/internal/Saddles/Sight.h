@@ -69,6 +69,32 @@ struct Sight_ray
   }
 };
 
+// A path from the tip.
+struct Sight_path
+{
+  double length = std::numeric_limits<double>::infinity();
+  Plane_vector last_line = {0, 0}; // straight to the end
+
+  // Leads the path over a vertex next to the straight line if this hides the end, which is so far
+  // beyond it, times its distance; unless a vertex is known that hides the end more. No end that is
+  // nearer than the vertex is hidden, but for rounding, unless that is all that the sight is wide.
+  void lead_over(const Plane_vector vertex,
+                 const double beyond,
+                 const bool is_narrow,
+                 const Sight_path& line)
+  {
+    const double distance = internal::length(vertex);
+    const bool is_nearer = line.length < distance;
+    const double rounding = Sight_ray::ROUNDING * Sight_ray::TOLERANCE * distance * line.length;
+    if(!(beyond > (is_nearer && !is_narrow ? rounding : 0)))
+      return;
+    const Plane_vector way = line.last_line - vertex;
+    const double length_over_vertex = distance + internal::length(way);
+    if(length_over_vertex > length)
+      *this = {length_over_vertex, way};
+  }
+};
+
 /*
  * What is seen from a tip through an edge, between two rays; the tip is the origin of a plane that
  * all faces on the way are unfolded into.
@@ -103,33 +129,31 @@ struct Sight
     return left + left_edge;
   }
 
-  /*
-   * The length of the path to a point ahead, at this distance: that of a straight line; or infinity
-   * if the point is not seen. If it is on a ray, give or take rounding errors, it may be hidden by
-   * the vertex there, or by an end of the edge: then the path leads over that.
-   */
-  double way_to(const Plane_vector point, const double distance) const
+  // The path to a point ahead, at this distance: a straight line; or none, of infinite length, if
+  // the point is not seen. If it is on a ray, give or take rounding errors, it may be hidden by the
+  // vertex there, or by an end of the edge: then the path leads over that.
+  Sight_path path_to(const Plane_vector point, const double distance) const
   {
     const double beyond_left = cross(left_ray.direction, point),
                  beyond_right = cross(point, right_ray.direction),
                  left_margin = left_ray.margin * distance,
                  right_margin = right_ray.margin * distance;
     if(!(beyond_left <= left_margin && beyond_right <= right_margin))
-      return std::numeric_limits<double>::infinity();
+      return {};
     constexpr double rounding = Sight_ray::ROUNDING;
     const bool is_on_left = beyond_left > -rounding * left_margin,
                is_on_right = beyond_right > -rounding * right_margin;
+    Sight_path result{distance, point};
     if(!is_on_left && !is_on_right)
-      return distance;
+      return result;
     const bool is_narrow = is_on_left && is_on_right && dot(left_ray.direction, point) > 0 &&
                            dot(right_ray.direction, point) > 0;
-    const auto way_over = [&](const Plane_vector vertex, const double beyond) {
-      return this->way_over(vertex, beyond, is_narrow, point, distance);
-    };
-    return (std::max)(
-        (std::max)(way_over(left_ray.direction, beyond_left), way_over(left, cross(left, point))),
-        (std::max)(way_over(right_ray.direction, beyond_right),
-                   way_over(right, cross(point, right))));
+    const Sight_path line = result;
+    result.lead_over(left_ray.direction, beyond_left, is_narrow, line);
+    result.lead_over(left, cross(left, point), is_narrow, line);
+    result.lead_over(right_ray.direction, beyond_right, is_narrow, line);
+    result.lead_over(right, cross(point, right), is_narrow, line);
+    return result;
   }
 
   /*
@@ -148,22 +172,6 @@ struct Sight
     const double squared_length = dot(edge, edge);
     return (excess > 0 && excess * excess > factor * squared_length) ||
            !(squared_length > SHORTEST_EDGE * SHORTEST_EDGE);
-  }
-
-private:
-  // The length of the path to a point over a vertex next to the line, if the vertex hides the
-  // point, as the point is beyond the vertex. No point that is nearer than the vertex is hidden by
-  // it, but for rounding; unless the sight is so narrow that rounding errors are all that is seen.
-  static double way_over(const Plane_vector vertex,
-                         const double beyond,
-                         const bool is_narrow,
-                         const Plane_vector point,
-                         const double distance)
-  {
-    const double size = length(vertex);
-    const double rounding = Sight_ray::ROUNDING * Sight_ray::TOLERANCE * size * distance;
-    const double smallest = distance >= size ? 0 : is_narrow ? -rounding : rounding;
-    return beyond > smallest ? size + length(point - vertex) : distance;
   }
 };
 

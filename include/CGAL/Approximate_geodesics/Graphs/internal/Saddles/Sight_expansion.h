@@ -37,7 +37,7 @@ struct Sight_visitor_base
  *
  * The visitor has
  * - `bound(v)`: a number that no shortest path to `v` is longer than, or of no interest if it is;
- * - `on_vertex(v, distance, sight, apex, left_edge)`: called for vertices that the tip may be the
+ * - `on_vertex(v, path, sight, apex, left_edge)`: called for vertices that the tip may be the
  *   last one before, when `sight` sees them in the face ahead;
  * - `label(v)`, `has_predecessor(v)` and `arrival(v)`, if it knows the lengths of real paths,
  *   whether their last line starts from a node, and how they arrive; the latter two are asked for
@@ -111,9 +111,9 @@ private:
 
     if(beyond_left <= left_margin && beyond_right <= right_margin)
     {
-      const double way = sight.way_to(apex, distance);
-      if(m_label_of_tip + way <= bound)
-        m_visitor.on_vertex(step.apex, way, sight, apex, left_edge);
+      const Sight_path path = sight.path_to(apex, distance);
+      if(m_label_of_tip + path.length <= bound)
+        m_visitor.on_vertex(step.apex, path, sight, apex, left_edge);
     }
     if(!(distance > 0)) // nothing is seen through an edge with both ends where the tip is
       return sight.right_distance > 0 ? go_right(sight, step, apex, distance, bound)

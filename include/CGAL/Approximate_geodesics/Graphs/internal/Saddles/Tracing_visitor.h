@@ -34,9 +34,9 @@ void for_each_position(const Intrinsic_triangulation& triangulation,
   for_each_face_point(triangulation, point, sight.halfedge, [&](const Face_point& p) {
     const Plane_vector position =
         p.seen_from(triangulation, sight.halfedge).position({sight.left, sight.right, apex});
-    const double way = sight.way_to(position, length(position));
-    if(way < std::numeric_limits<double>::infinity())
-      f(position, way);
+    const Sight_path path = sight.path_to(position, length(position));
+    if(path.length < std::numeric_limits<double>::infinity())
+      f(position, path.length);
   });
 }
 
@@ -54,13 +54,13 @@ struct Tracing_visitor : Sight_visitor_base
   void on_sight(const Sight& sight) { trail.record(sight); }
 
   void on_vertex(const Index v,
-                 const double distance,
+                 const Sight_path& path,
                  const Sight& /* sight */,
                  const Plane_vector apex,
                  const Plane_vector /* left_edge */)
   {
     if(v == end.vertex)
-      line.consider(distance, apex, first, trail.halfedges());
+      line.consider(path.length, apex, first, trail.halfedges());
   }
 
   void on_face(const Sight& sight, const Plane_vector apex)
