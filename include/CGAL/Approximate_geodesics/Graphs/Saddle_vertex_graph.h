@@ -28,6 +28,8 @@
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 namespace CGAL {
@@ -144,17 +146,25 @@ public:
   // The graph of the mesh's edges, which gives upper bounds of all distances.
   const Edge_graph& edges() const { return m_edges; }
 
-  // The length of the shortest edge from one node to another, and how a path arrives along it.
-  std::pair<double, Arrival> shortest_edge(const Node from, const Node node) const
+  // The last edge of the shortest path along edges: the node before it, its length, and how the
+  // path arrives. The node is null if no neighbor has a label.
+  template <typename Labels>
+  std::tuple<Node, double, Arrival> last_edge(const Node node, const Labels& labels) const
   {
-    Node shortest = Intrinsic_triangulation::null_index;
-    for(Node h = triangulation().first_halfedge(from); h < triangulation().beyond_halfedge(from);
+    std::tuple<Node, double, Arrival> result{Intrinsic_triangulation::null_index, 0, {}};
+    double shortest = std::numeric_limits<double>::infinity();
+    for(Node h = triangulation().first_halfedge(node); h < triangulation().beyond_halfedge(node);
         ++h)
-      if(triangulation().target(h) == node &&
-         (shortest == Intrinsic_triangulation::null_index ||
-          triangulation().length(h) < triangulation().length(shortest)))
-        shortest = h;
-    return {triangulation().length(shortest), Arrival::along(shortest)};
+    {
+      const Node from = triangulation().target(h);
+      const double label = labels.distance(from) + triangulation().length(h);
+      if(label < shortest)
+      {
+        shortest = label;
+        result = {from, triangulation().length(h), Arrival::along(triangulation().opposite(h))};
+      }
+    }
+    return result;
   }
 
   // Whether several threads may look for arcs at the same time, and how they are called.

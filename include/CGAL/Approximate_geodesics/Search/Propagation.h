@@ -363,7 +363,8 @@ private:
   }
 
   // Where faces are thinner than numbers can tell, lines may be longer than upper bounds, and be
-  // given up. Nodes that no line has led to are reached along edges, as their bounds say.
+  // given up. Nodes that no line has led to, or only longer ones, are reached along edges, as their
+  // bounds say.
   template <typename Heuristic>
   void enter_lost_nodes([[maybe_unused]] const Stop_rule& stop)
   {
@@ -371,13 +372,12 @@ private:
     {
       bool is_first = true;
       m_labels.for_each_lost_node(largest_label(stop), [&](const Node node) {
-        const Node from = m_labels.predecessor(node);
-        if(from == null_node || !m_labels.is_reached(from))
+        const auto [from, length, arrival] = m_graph->last_edge(node, m_labels);
+        if(from == null_node || !(m_labels.distance(from) + length < m_labels.distance(node)))
           return;
         if(is_first)
           m_queue.clear(); // it went past these nodes
         is_first = false;
-        const auto [length, arrival] = m_graph->shortest_edge(from, node);
         m_labels.set(node, m_labels.distance(from) + length, from);
         m_labels.set_arrival(node, arrival);
         m_queue.push(node, m_labels.distance(node));

@@ -65,12 +65,13 @@ public:
     order().resize(first);
   }
 
-  // Calls `f(node)` for nodes that have a bound below `limit` and no label.
+  // Calls `f(node)` for nodes that have a bound below `limit`, and no label, or one above it.
   template <typename F>
   void for_each_lost_node(const double limit, F f) const
   {
+    constexpr double factor = 1 + 1e-12; // for rounding
     for(const Node node : m_bounded)
-      if(!is_reached(node) && m_bound[node] < limit)
+      if(distance(node) > m_bound[node] * factor && m_bound[node] < limit)
         f(node);
   }
 
