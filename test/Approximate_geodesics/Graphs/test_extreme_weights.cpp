@@ -30,8 +30,8 @@ namespace {
 
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
-using Graph = AG::Steiner_graph<>;
-using Node = Graph::Node;
+using Lenient_graph = AG::Steiner_graph<>;
+using Node = Lenient_graph::Node;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -58,7 +58,7 @@ std::vector<std::function<double()>> kinds_of_weights(Random& random)
 struct Lone_label
 {
   double distance(const Node n) const { return n == node ? 0 : infinity; }
-  Node predecessor(Node) const { return AG::Propagation<Graph>::null_node; }
+  Node predecessor(Node) const { return AG::Propagation<Lenient_graph>::null_node; }
 
   Node node;
 };
@@ -70,8 +70,8 @@ TEST(Extreme_weights, leave_no_arc_out_that_matters)
   const Mesh mesh = to_mesh(flat_grid(3, 3));
   for(const auto& weight : kinds_of_weights(random))
   {
-    const Graph graph(triangulation(mesh, weight), lenient_points(0.5));
-    AG::Propagation<Graph> search(graph);
+    const Lenient_graph graph(triangulation(mesh, weight), lenient_points(0.5));
+    AG::Propagation<Lenient_graph> search(graph);
     search.run_from(Node(random.below(9)));
     const auto cost = [&](const Node n) { return search.distance(n) / graph.unit(); };
     for(Node n = 0; n < graph.number_of_nodes(); ++n)
@@ -94,8 +94,8 @@ TEST(Extreme_weights, keep_the_number_of_arcs_small)
   const Mesh mesh = to_mesh(flat_grid(5, 5));
   for(const auto& weight : kinds_of_weights(random))
   {
-    const Graph graph(triangulation(mesh, weight), lenient_points(0.05));
-    AG::Propagation<Graph> search(graph);
+    const Lenient_graph graph(triangulation(mesh, weight), lenient_points(0.05));
+    AG::Propagation<Lenient_graph> search(graph);
     search.collect_statistics(true);
     search.run_from(12);
     EXPECT_LT(double(search.statistics().relaxations),

@@ -11,7 +11,6 @@
 #include "meshes/test_weights.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
-#include <CGAL/Approximate_geodesics/Queries/Arrays/Solver.h>
 #include <CGAL/approximate_geodesic_distances.h>
 
 #include <gtest/gtest.h>
@@ -19,8 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -175,35 +172,6 @@ TEST(Budget_of_points, is_one_of_functions)
       "takes 224 points on edges, 4 of them", "maximum_number_of_points is 100");
   EXPECT_NO_THROW(
       CGAL::approximate_geodesic_distances(mesh, map, Vertex(0), np.maximum_number_of_points(224)));
-}
-
-TEST(Budget_of_points, is_saved_with_a_solver)
-{
-  const Mesh mesh = strip(40, 0.1);
-  std::vector<double> coordinates;
-  for(const Vertex v : mesh.vertices())
-    for(int i = 0; i < 3; ++i)
-      coordinates.push_back(mesh.point(v)[i]);
-  std::vector<std::int32_t> corners;
-  for(const Face f : mesh.faces())
-    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-      corners.push_back(static_cast<std::int32_t>(v.idx()));
-  const Weights weights = alternating_weights(mesh);
-  AG::Solver_options options;
-  options.epsilon = 0.1;
-  options.face_weights = weights.data();
-  options.maximum_number_of_points = 400;
-  const auto solver = [&] {
-    return AG::Solver(coordinates.data(), mesh.number_of_vertices(), corners.data(),
-                      mesh.number_of_faces(), options);
-  };
-  expect_message<std::length_error>([&] { solver(); }, "maximum_number_of_points is 400");
-  options.accept_weaker_bound = true;
-  const AG::Solver weak = solver();
-  EXPECT_GT(weak.error_bound(), 0.1);
-  std::stringstream file;
-  weak.save(file);
-  EXPECT_EQ(weak.error_bound(), AG::Solver(file).error_bound());
 }
 
 TEST(Budget_of_points, is_refused_if_it_is_none)

@@ -32,7 +32,7 @@ constexpr std::size_t nested_numbers[] = {1, 3, 7, 15};
 
 // ----- closed forms in the plane
 
-constexpr std::size_t columns = 13, rows = 11;
+constexpr std::size_t field_columns = 13, field_rows = 11;
 constexpr double line = 5; // a line of the grid
 
 enum class Grid
@@ -44,8 +44,9 @@ enum class Grid
 // A rectangle; vertices at its border and on the lines y = 5 and y = 6 stay there.
 Mesh rectangle(const Grid kind, Random& random)
 {
-  const Soup soup = flat_grid(columns, rows).transformed([&](const Point& p) {
-    const bool is_inside = p.x() > 0 && p.x() < columns - 1 && p.y() > 0 && p.y() < rows - 1;
+  const Soup soup = flat_grid(field_columns, field_rows).transformed([&](const Point& p) {
+    const bool is_inside =
+        p.x() > 0 && p.x() < field_columns - 1 && p.y() > 0 && p.y() < field_rows - 1;
     if(kind == Grid::REGULAR || !is_inside)
       return p;
     const double dx = random.between(-0.3, 0.3), dy = random.between(-0.3, 0.3);
@@ -101,7 +102,7 @@ TEST(Weighted_faces, refract_paths_at_a_line)
         SCOPED_TRACE(ratio);
         const Mesh mesh = rectangle(kind, random);
         const double below = is_cheap_above ? ratio : 1, above = is_cheap_above ? 1 : ratio;
-        const Vertex source(2 + 2 * columns);
+        const Vertex source(2 + 2 * field_columns);
         const Point s = mesh.point(source);
         const auto weight = [&](const Point& p) { return p.y() < line ? below : above; };
         std::vector<double> exact;
@@ -130,7 +131,7 @@ TEST(Weighted_faces, make_paths_use_roads)
     {
       SCOPED_TRACE(road);
       const Mesh mesh = rectangle(kind, random);
-      const Vertex source(1 + 3 * columns);
+      const Vertex source(1 + 3 * field_columns);
       const Point s = mesh.point(source);
       const auto is_on_road = [](const Point& p) { return p.y() > line && p.y() < line + 1; };
       const auto weight = [&](const Point& p) { return is_on_road(p) ? road : 1; };
@@ -157,9 +158,9 @@ TEST(Weighted_faces, refract_paths_in_layers)
   for(const double range : {2., 30., 1000.})
   {
     SCOPED_TRACE(range);
-    const Mesh mesh = to_mesh(flat_grid(columns, rows));
+    const Mesh mesh = to_mesh(flat_grid(field_columns, field_rows));
     std::vector<Layer> layers;
-    for(std::size_t i = 0; i + 1 < rows; ++i)
+    for(std::size_t i = 0; i + 1 < field_rows; ++i)
       layers.push_back({1, std::pow(range, random.between(0, 1))});
     const Weights weights = weights_by_place(
         mesh, [&](const Point& p) { return layers[static_cast<std::size_t>(p.y())].weight; });
@@ -167,10 +168,10 @@ TEST(Weighted_faces, refract_paths_in_layers)
     for(const double e : steiner_epsilons)
     {
       const std::vector<double> found = costs(mesh, weights, Geometric_points(e), {source});
-      for(std::size_t i = 0; i < columns; ++i) // those at the far border
+      for(std::size_t i = 0; i < field_columns; ++i) // those at the far border
       {
         const double exact = cost_across(layers, std::abs(static_cast<double>(i) - 2));
-        const double cost = found[i + (rows - 1) * columns];
+        const double cost = found[i + (field_rows - 1) * field_columns];
         EXPECT_GE(cost, exact * (1 - rounding_of_costs));
         EXPECT_LE(cost, exact * (1 + e));
       }
@@ -196,8 +197,8 @@ Weights weights_of_hexagon(const Mesh& mesh, const double inside)
 
 TEST(Weighted_faces, make_paths_walk_around_forbidden_ones)
 {
-  const Mesh mesh = to_mesh(flat_grid(columns, rows));
-  const Vertex source(1 + 2 * columns);
+  const Mesh mesh = to_mesh(flat_grid(field_columns, field_rows));
+  const Vertex source(1 + 2 * field_columns);
   const Weights weights = weights_of_hexagon(mesh, infinity);
   std::vector<double> exact;
   bool has_hidden = false;
@@ -231,9 +232,9 @@ TEST(Weighted_faces, make_paths_walk_around_forbidden_ones)
 
 TEST(Weighted_faces, are_passed_at_no_cost_if_they_are_free)
 {
-  const Mesh mesh = to_mesh(flat_grid(columns, rows));
+  const Mesh mesh = to_mesh(flat_grid(field_columns, field_rows));
   const Weights weights = weights_of_hexagon(mesh, 0);
-  for(const Vertex source : {Vertex(1 + 2 * columns), Vertex(5 + 4 * columns)})
+  for(const Vertex source : {Vertex(1 + 2 * field_columns), Vertex(5 + 4 * field_columns)})
   {
     const Point_2 s = in_plane(mesh.point(source));
     std::vector<double> exact;

@@ -154,7 +154,6 @@ TEST_F(Surface_searches, keep_their_results_when_input_is_refused)
   AG::Surface_search search(graph);
   search.run({{m_points[0]}});
   const double before = search.distance(m_points[3]);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   for(const double wrong : {-1., infinity, std::nan("")})
     expect_message<std::invalid_argument>(
         [&] {

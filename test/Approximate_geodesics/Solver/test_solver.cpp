@@ -346,6 +346,30 @@ TEST(Solver, is_the_same_after_it_was_saved)
     }
 }
 
+TEST(Solver, saves_how_many_points_there_may_be)
+{
+  Soup needles; // side by side
+  for(std::size_t i = 0; i < 42; ++i)
+    needles.points.emplace_back(0.05 * double(i), double(i % 2), 0);
+  for(std::size_t i = 0; i < 40; ++i)
+    needles.triangles.push_back({i, i + 1 + i % 2, i + 2 - i % 2});
+  const Soup_arrays arrays(needles);
+  std::vector<double> weights;
+  for(std::size_t f = 0; f < arrays.number_of_faces(); ++f)
+    weights.push_back(double(1 + f % 3));
+  Solver_options options = bound(0.1);
+  options.face_weights = weights.data();
+  options.maximum_number_of_points = 400;
+  expect_message<std::length_error>([&] { Solver_of(arrays, options); },
+                                    "maximum_number_of_points is 400");
+  options.accept_weaker_bound = true;
+  const Solver_of weak(arrays, options);
+  EXPECT_GT(weak.error_bound(), 0.1);
+  std::stringstream file;
+  weak.save(file);
+  EXPECT_EQ(weak.error_bound(), Solver(file).error_bound());
+}
+
 TEST(Solver, can_be_interrupted_and_used_again)
 {
   const Solver_of solver(Soup_arrays(sphere(100, 50)), bound(0.1));
