@@ -146,6 +146,8 @@ struct Sight
     Sight_path result{distance, point};
     if(!is_on_left && !is_on_right)
       return result;
+    if(is_on_left && is_on_right && is_behind(point))
+      return {};
     const bool is_narrow = is_on_left && is_on_right && dot(left_ray.direction, point) > 0 &&
                            dot(right_ray.direction, point) > 0;
     const Sight_path line = result;
@@ -172,6 +174,13 @@ struct Sight
     const double squared_length = dot(edge, edge);
     return (excess > 0 && excess * excess > factor * squared_length) ||
            !(squared_length > SHORTEST_EDGE * SHORTEST_EDGE);
+  }
+
+  // Whether a point on the line of both rays is on the other side of the tip: the corner of a face
+  // without area that is folded back. A sight without width does not see it.
+  bool is_behind(const Plane_vector p) const
+  {
+    return dot(left_ray.direction, p) < 0 && dot(right_ray.direction, p) < 0;
   }
 };
 

@@ -123,7 +123,7 @@ private:
       return go_right(sight, step, apex, distance, bound);
     if(is_beyond(sight.right_ray, apex, beyond_right, right_margin, hides_nothing))
       return go_left(sight, step, apex, left_edge, distance, bound);
-    if(dot(sight.left_ray.direction, apex) < 0 && dot(sight.right_ray.direction, apex) < 0)
+    if(sight.is_behind(apex))
       return beyond_left > beyond_right ? go_right(sight, step, apex, distance, bound)
                                         : go_left(sight, step, apex, left_edge, distance, bound);
     int side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
