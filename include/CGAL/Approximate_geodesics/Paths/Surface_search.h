@@ -12,7 +12,6 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Euclidean_heuristic.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/append_detour.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/append_point.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
@@ -498,12 +497,9 @@ private:
     };
     if constexpr(internal::needs_bounds<Graph>)
     {
-      const double found = m_graph->attach(from).for_each_crossing(
-          bound_before(answer.distance), end, answer.last_length, append_crossing);
-      if(found >= 0)
-        path.length += found;
-      else
-        internal::append_detour(m_graph->edges(), from, end, path);
+      const auto bound = bound_before(answer.distance * (1 + internal::slack_of_labels));
+      path.length += m_graph->attach(from).for_each_crossing(0, bound, end, answer.last_length, 0,
+                                                             append_crossing);
     }
     else
       path.length +=
@@ -518,7 +514,7 @@ private:
       return;
     const double length = (m_search.distance(first) - source.distance) / m_graph->unit();
     if constexpr(internal::needs_bounds<Graph>)
-      return internal::append_line_back(m_search, first, source.point, length, path);
+      return internal::append_line_back(m_search, first, source.point, source.distance, path);
     else
       internal::append_backward(
           [&](auto f) { return m_graph->attach(source.point).for_each_crossing(first, length, f); },

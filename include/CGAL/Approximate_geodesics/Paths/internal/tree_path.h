@@ -9,7 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/append_detour.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/append_point.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -25,6 +24,10 @@ namespace internal {
 
 // Paths in the shortest-path tree of a search, whose lengths are in units of the graph.
 
+// What labels may be wrong by where faces are thinner than numbers can tell, as a part of them:
+// more than they are, and not much more to search.
+constexpr double slack_of_labels = 1e-6;
+
 // Appends the edges that a line crosses, which `for_each_crossing(f)` finds in the opposite order
 // and whose length it returns.
 template <typename ForEachCrossing>
@@ -37,27 +40,40 @@ void append_backward(ForEachCrossing for_each_crossing, Path& path)
   std::reverse(path.points.begin() + beyond, path.points.end());
 }
 
-// Appends the line of the given length that arrives at `node`, from there back to `end`.
+// Appends the line that arrives at `node`, from there back to `end`, which has the distance
+// `start`. Mostly, how it arrives leads back along it. Where that fails, the line is looked for
+// from its start, as the search did; that takes up to as long as all of the search.
 template <typename Search>
 void append_line_back(const Search& search,
                       const typename Search::Node node,
                       const Intrinsic_point& end,
-                      const double length,
+                      const double start,
                       Path& path)
 {
-  // the length is a difference of distances
+  using Node = typename Search::Node;
+  const auto& graph = search.graph();
+  const double unit = graph.unit(), label = search.distance(node) / unit;
+  const double length = label - start / unit;
   constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
-  const double rounding = epsilon * search.distance(node) / search.graph().unit();
+  const double rounding = epsilon * label; // the length is a difference of labels
   const double found =
-      search.graph().for_each_crossing_back(node, search.arrival(node), end, length, rounding,
-                                            [&](const Intrinsic_point::Index h, const double t) {
-                                              path.points.push_back(Intrinsic_point::on_edge(h, t));
-                                            });
+      graph.for_each_crossing_back(node, search.arrival(node), end, length, rounding,
+                                   [&](const Intrinsic_point::Index h, const double t) {
+                                     path.points.push_back(Intrinsic_point::on_edge(h, t));
+                                   });
+  const auto bound = [&](const Node v) {
+    return (std::min)(label, search.distance(v) / unit) * (1 + slack_of_labels);
+  };
   if(found >= 0)
     path.length += found;
   else
-    append_detour(search.graph().edges(), Intrinsic_point::at_vertex(node), end, path);
-  append(end, search.graph().triangulation(), path);
+    append_backward(
+        [&](auto f) {
+          return graph.attach(end).for_each_crossing(
+              start / unit, bound, Intrinsic_point::at_vertex(node), length, rounding, f);
+        },
+        path);
+  append(end, graph.triangulation(), path);
 }
 
 // Appends the arc that a search has found from `previous` to `node`, in the opposite direction.
@@ -72,7 +88,7 @@ void append_arc_back(const Search& search,
   const double length = (search.distance(node) - search.distance(previous)) / graph.unit();
   const Intrinsic_point end = position(graph, previous);
   if constexpr(needs_bounds<Graph>)
-    return append_line_back(search, node, end, length, path);
+    return append_line_back(search, node, end, search.distance(previous), path);
   else if constexpr(has_crossing_arcs<Graph>)
     append_backward([&](auto f) { return graph.for_each_crossing(previous, node, length, f); },
                     path);

@@ -11,13 +11,13 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_trail.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Tracing_visitor.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
@@ -46,8 +46,8 @@ public:
 
   // `length` is known up to `rounding`. Calls `f(h, t)` for the halfedges that the line crosses on
   // its way from the vertex to `end`, at the part `t` of the way from source to target. Returns its
-  // length, or a negative number if it cannot be found, as can happen in faces that are thinner
-  // than numbers can tell.
+  // length, or a negative number if it is not found: the direction says too little where edges have
+  // no length, and where faces are thinner than numbers can tell.
   template <typename F>
   double for_each_crossing(const Index vertex,
                            const Arrival& arrival,
@@ -57,15 +57,12 @@ public:
                            F f) const
   {
     Sought_line line{length, rounding};
-    Lines_in_faces(m_triangulation, end).for_each_node([&](const Index v, const double l) {
-      if(v == vertex && !end.is_vertex())
-        line.consider(l, {0, 0}, {}, {});
-    });
+    if(!end.is_vertex())
+      Lines_of_sight(m_triangulation, m_steps, m_bends, end)
+          .consider_lines_in_faces(Intrinsic_point::at_vertex(vertex), line);
     for(double angle = 4 * Arrival::ROUNDING; angle < 1 && !line.is_found(); angle *= 1000)
       look_back(vertex, arrival, angle, end, line);
-    if(!line.is_found() && !arrival.is_along_halfedge())
-      look_through(arrival.halfedge, end, line);
-    return line.for_each_crossing(m_steps, f);
+    return line.is_found() ? line.for_each_crossing(m_steps, f) : -1;
   }
 
 private:
@@ -98,45 +95,6 @@ private:
               visitor.first = sight;
               expansion.look(sight, left_end, right_end);
             });
-  }
-
-  // Looks back through a whole edge: where an end of it is at the vertex that the line arrives at,
-  // directions say nothing.
-  void look_through(const Index halfedge, const Intrinsic_point& end, Sought_line& line) const
-  {
-    const Length_bound bound = length_bound(line);
-    Visitor visitor{{}, m_triangulation, bound, end, line, {}, {}};
-    visitor.first = sight_through(halfedge);
-    const Index back = visitor.first.halfedge;
-    if(!m_steps[back].has_face())
-      return;
-    Sight_expansion<Visitor>(m_steps, m_bends, 0, visitor)
-        .look(visitor.first, m_triangulation.source(back), m_triangulation.target(back));
-  }
-
-  // From the third vertex of the face of `halfedge` through that.
-  Sight sight_through(const Index halfedge) const
-  {
-    const auto [edge, left, right] = m_triangulation.halfedges_of_face(halfedge);
-    const double distance = m_triangulation.length(right);
-    Sight result;
-    result.halfedge = m_triangulation.opposite(edge);
-    result.right = {distance, 0};
-    if(distance > 0)
-    {
-      result.left = {distance * m_steps[right].along, distance * m_steps[right].across};
-      result.edge = m_steps[right].right_edge(result.right);
-    }
-    else
-    {
-      result.left = {m_triangulation.length(left), 0};
-      result.edge = {-result.left.x, 0};
-    }
-    result.left_distance = length(result.left);
-    result.right_distance = distance;
-    result.left_ray = Sight_ray(result.left, result.left_distance);
-    result.right_ray = Sight_ray(result.right, distance);
-    return result;
   }
 
   static Length_bound length_bound(const Sought_line& line)

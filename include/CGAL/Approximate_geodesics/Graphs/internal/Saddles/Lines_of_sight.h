@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_trail.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Tracing_visitor.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
@@ -24,6 +26,7 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -72,25 +75,53 @@ public:
   }
 
   /*
-   * Calls `f(h, t)` for the edges that the line of the given length to `end` crosses. Returns its
-   * length, or a negative number if it cannot be found. For each vertex, `bound(v)` is as for
-   * `for_each_line()`.
+   * Calls `f(h, t)` for the edges that the line to `end` crosses whose length is the given one, up
+   * to `rounding`. Returns its length; throws if there is none. `label` and `bound` are as for
+   * `for_each_line()`; the point may be a vertex here.
    */
   template <typename Bound, typename F>
-  double
-  for_each_crossing(const Bound& bound, const Intrinsic_point& end, const double length, F f) const
+  double for_each_crossing(const double label,
+                           const Bound& bound,
+                           const Intrinsic_point& end,
+                           const double length,
+                           const double rounding,
+                           F f) const
   {
-    Sought_line line{length, 0};
+    Sought_line line{length, rounding};
     consider_lines_in_faces(end, line);
     Tracing_visitor<Bound> visitor{{}, triangulation(), bound, end, line, {}, {}};
-    Sight_expansion<Tracing_visitor<Bound>> expansion(m_steps, m_bends, 0, visitor);
+    Sight_expansion<Tracing_visitor<Bound>> expansion(m_steps, m_bends, label, visitor);
     if(!line.is_found())
       for_each_sight([&](const Sight& sight) {
         visitor.first = sight;
         expansion.look(sight, triangulation().source(sight.halfedge),
                        triangulation().target(sight.halfedge));
       });
+    constexpr double rough = 1e-9;
+    if(!line.is_found(rough))
+      reject("the line from or to vertex " + std::to_string(vertex_at(end)) +
+             " cannot be traced, as faces are too thin on its way");
     return line.for_each_crossing(m_steps, f);
+  }
+
+  // The lines to `end` that cross no edge.
+  void consider_lines_in_faces(const Intrinsic_point& end, Sought_line& line) const
+  {
+    const auto consider = [&](const double length) { line.consider(length, {0, 0}, {}, {}); };
+    if(point().is_vertex())
+      consider_edges(end, consider);
+    else if(end.is_vertex())
+    {
+      const auto consider_node = [&](const Index v, const double length, const auto&...) {
+        if(v == end.vertex)
+          consider(length);
+      };
+      for_each_corner(consider_node);
+      Lines_in_faces::for_each_node(consider_node); // differs by rounding
+    }
+    else
+      Lines_in_faces::for_each_point(Points_by_face(triangulation(), {end}),
+                                     [&](std::size_t, const double length) { consider(length); });
   }
 
 private:
@@ -125,17 +156,20 @@ private:
     OnPoint& on_point;
   };
 
-  void consider_lines_in_faces(const Intrinsic_point& end, Sought_line& line) const
+  template <typename F>
+  void consider_edges(const Intrinsic_point& end, F consider) const
   {
-    const auto consider = [&](const double length) { line.consider(length, {0, 0}, {}, {}); };
-    if(end.is_vertex())
-      Lines_in_faces::for_each_node([&](const Index v, const double length) {
-        if(v == end.vertex)
-          consider(length);
-      });
-    else
-      Lines_in_faces::for_each_point(Points_by_face(triangulation(), {end}),
-                                     [&](std::size_t, const double length) { consider(length); });
+    const Index v = point().vertex;
+    for(Index h = triangulation().first_halfedge(v); h < triangulation().beyond_halfedge(v); ++h)
+      if(triangulation().target(h) == end.vertex)
+        consider(triangulation().length(h));
+  }
+
+  // The index in the mesh of an end of a line from here, or of a vertex close to it.
+  std::size_t vertex_at(const Intrinsic_point& end) const
+  {
+    const Intrinsic_point& p = end.is_vertex() ? end : point();
+    return triangulation().index(p.is_vertex() ? p.vertex : triangulation().source(p.halfedge));
   }
 
   // The corners of the faces that the point lies in. One that it is at is a source itself.
@@ -154,6 +188,11 @@ private:
   template <typename F>
   void for_each_sight(F f) const
   {
+    if(point().is_vertex())
+      return Vertex_sights(triangulation(), m_steps, m_bends)
+          .for_each(
+              point().vertex, Arrival(), [](Index) {},
+              [&](const Sight& sight, Index, Index) { f(sight); });
     for_each_side([&](const Index side, const Plane_vector start, const Plane_vector end) {
       const Index outside = triangulation().opposite(side);
       if(triangulation().is_border(outside) || point().is_on_edge_of(side, triangulation()))

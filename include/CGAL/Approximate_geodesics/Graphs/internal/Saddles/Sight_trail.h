@@ -71,21 +71,18 @@ struct Sought_line
     halfedges = crossed;
   }
 
-  // There are no lines but those of about this length: what else was found leads round something.
-  bool is_found(const double tolerance = 1e-9) const
+  // Others of about this length lead round something.
+  bool is_found(const double tolerance = 1e-12) const
   {
     return smallest_difference <= tolerance * length + rounding ||
            smallest_difference < std::numeric_limits<double>::min();
   }
 
   // Calls `f(h, t)` for the halfedges, at the part `t` of the way from source to target. Returns
-  // the length of the line, or a negative number if it was not found.
+  // the length of the line.
   template <typename F>
   double for_each_crossing(const Face_steps& steps, F f) const
   {
-    constexpr double tolerance = 1e-6;
-    if(!is_found(tolerance))
-      return -1;
     walk(steps, f);
     return length_found;
   }
