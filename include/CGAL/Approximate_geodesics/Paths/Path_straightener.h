@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_sleeves.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_steps.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve_straightener.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/append_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_segments.h>
@@ -43,8 +44,9 @@ public:
   }
 
   /// returns a path between the same points that is not longer than `path`. It is locally shortest,
-  /// unless that takes too many rounds. Its length is the sum of its segments. Paths on weighted
-  /// faces are not supported: cheapest paths are not straight there.
+  /// unless that takes too many rounds. It has no vertex twice, unless it ends where it starts. Its
+  /// length is the sum of its segments. Paths on weighted faces are not supported: cheapest paths
+  /// are not straight there.
   ///
   /// Run time is linear in the number of faces crossed, in practice.
   Path shortened(const Path& path) const
@@ -84,6 +86,7 @@ private:
           straightener.for_each_point([&](const Intrinsic_point& p) { append(p, result.points); });
           append(end, result.points);
         });
+    internal::cut_loops(result.points);
     result.length = internal::length_of_segments(m_triangulation, result.points);
     if(result.length <= steps.length())
       return result;

@@ -6,6 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_RANDOM_SOUPS_H
 #define APPROXIMATE_GEODESICS_TEST_RANDOM_SOUPS_H
 
+#include "meshes/surface_points.h"
 #include "meshes/test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -125,6 +126,82 @@ inline bool has_flat_faces(const Mesh& mesh)
     return CGAL::squared_area(a, b, c) <= 1e-24 * square * square;
   };
   return std::any_of(mesh.faces_begin(), mesh.faces_end(), is_flat);
+}
+
+// ----- edges of length zero
+
+// Vertices of a mesh move to where others are; faces stay.
+class Vertex_merger
+{
+public:
+  Vertex_merger(Mesh& mesh, Random& random) : m_mesh(mesh), m_random(random) {}
+
+  // the ends of an edge
+  void merge_edge() { merge_chain(1); }
+
+  // the vertices along some edges
+  void merge_chain(const std::size_t number_of_edges)
+  {
+    Halfedge h = random_halfedge(m_mesh, m_random);
+    for(std::size_t i = 0; i < number_of_edges; ++i)
+    {
+      m_mesh.point(m_mesh.target(h)) = m_mesh.point(m_mesh.source(h));
+      h = m_mesh.next(h);
+      for(std::size_t turns = m_random.below(4); turns > 0; --turns)
+        h = m_mesh.next(m_mesh.opposite(h));
+    }
+  }
+
+  // the corners of a face
+  void merge_face()
+  {
+    const Halfedge h = random_halfedge(m_mesh, m_random);
+    m_mesh.point(m_mesh.target(h)) = m_mesh.point(m_mesh.source(h));
+    m_mesh.point(m_mesh.target(m_mesh.next(h))) = m_mesh.point(m_mesh.source(h));
+  }
+
+  // a vertex and its neighbors
+  void merge_star()
+  {
+    const Halfedge h = random_halfedge(m_mesh, m_random);
+    for(const Vertex v : m_mesh.vertices_around_target(h))
+      m_mesh.point(v) = m_mesh.point(m_mesh.target(h));
+  }
+
+  // two vertices that need not have an edge
+  void merge_any()
+  {
+    const Vertex v = random_vertex(m_mesh, m_random);
+    m_mesh.point(v) = m_mesh.point(random_vertex(m_mesh, m_random));
+  }
+
+private:
+  Mesh& m_mesh;
+  Random& m_random;
+};
+
+inline Mesh with_coincident_vertices(Mesh mesh, const std::size_t number, Random& random)
+{
+  Vertex_merger merger(mesh, random);
+  for(std::size_t i = 0; i < number; ++i)
+    switch(random.below(8))
+    {
+    case 0:
+      merger.merge_chain(2 + random.below(3));
+      break;
+    case 1:
+      merger.merge_face();
+      break;
+    case 2:
+      merger.merge_star();
+      break;
+    case 3:
+      merger.merge_any();
+      break;
+    default:
+      merger.merge_edge();
+    }
+  return mesh;
 }
 
 } // namespace geodesics_test

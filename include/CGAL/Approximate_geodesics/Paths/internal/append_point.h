@@ -12,6 +12,10 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
@@ -30,6 +34,24 @@ append(const Intrinsic_point& point, const Intrinsic_triangulation& triangulatio
      point.is_on_edge_of(h, triangulation))
     points.pop_back();
   points.push_back(point);
+}
+
+// Leaves out what a path does between two visits of a vertex, unless that is all of the path.
+inline void cut_loops(std::vector<Intrinsic_point>& points)
+{
+  std::unordered_map<Intrinsic_point::Index, std::size_t> last_visit;
+  for(std::size_t i = 1; i < points.size(); ++i)
+    if(points[i].is_vertex())
+      last_visit[points[i].vertex] = i;
+  std::size_t size = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    points[size++] = points[i];
+    const auto visit = last_visit.find(points[i].vertex);
+    if(visit != last_visit.end() && (i > 0 || visit->second + 1 < points.size()))
+      i = visit->second;
+  }
+  points.resize(size, Intrinsic_point::at_vertex(0));
 }
 
 } // namespace internal
