@@ -102,8 +102,10 @@ public:
       h = next;
       direction = turned_left(direction, corner(h));
     }
-    return {h, direction};
+    return {h, direction.y < 0 ? Plane_vector{1, 0} : direction};
   }
+
+  // does not exist if there is no border, and the angle is not less than all around the vertex
 
   Boundary left_of(const Arrival& arrival, const double angle) const
   {
@@ -121,7 +123,7 @@ public:
       direction = turned_right(direction, corner(h));
       h = next;
     }
-    return {h, direction};
+    return {};
   }
 
 private:

@@ -71,12 +71,15 @@ public:
                      OnSight on_sight) const
   {
     const Bend_sectors sectors(m_triangulation, m_steps, v);
-    open_sector(v, sectors.right_of(arrival, angle), sectors.left_of(arrival, angle), on_edge,
-                on_sight);
+    const Boundary right = sectors.right_of(arrival, angle);
+    Boundary left = sectors.left_of(arrival, angle);
+    if(left.halfedge == right.halfedge && cross(right.direction, left.direction) < 0)
+      left = {}; // all the way round
+    open_sector(v, right, left, on_edge, on_sight);
   }
 
 private:
-  // From one boundary counterclockwise to the other, or to the border.
+  // From one boundary counterclockwise to the other, or to the border, or all the way round.
   template <typename OnEdge, typename OnSight>
   void open_sector(const Index v,
                    const Boundary& right,
