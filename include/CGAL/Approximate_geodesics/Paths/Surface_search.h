@@ -253,7 +253,8 @@ public:
    * last bit.
    *
    * \throws std::invalid_argument if `point` is not one of the triangulated surface, or the graph
-   *         has an arc that cannot be traced, as one read from a file that was changed.
+   *         has an arc that cannot be traced, as one read from a file that was changed, or an exact
+   *         one across faces that are thinner than numbers can tell.
    *
    * Run time is linear in the number of arcs on the path, times the cost of tracing one.
    */
