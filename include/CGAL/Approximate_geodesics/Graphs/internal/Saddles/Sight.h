@@ -166,7 +166,7 @@ struct Sight
    * as |y| - |ay| is smallest at b. If the two are equal, both ways stay. Through an edge without
    * length, nothing is seen: paths may bend at its ends.
    */
-  bool is_useless(const double label_of_tip) const
+  BOOST_FORCEINLINE bool is_useless(const double label_of_tip) const
   {
     constexpr double factor = 1 + ROUNDING;
     const double excess =

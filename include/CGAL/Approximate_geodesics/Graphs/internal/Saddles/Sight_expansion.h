@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
+#include <boost/config.hpp>
 #include <boost/container/small_vector.hpp>
 
 #include <cmath>
@@ -88,9 +89,9 @@ private:
     return true;
   }
 
-  // Takes `sight` across the face ahead of it; a second part of it goes onto the stack. Returns
-  // whether there is something to be seen.
-  bool advance(Sight& sight)
+  // Takes `sight` across the face ahead of it, which is the inner loop; a second part of it goes
+  // onto the stack. Returns whether there is something to be seen.
+  BOOST_FORCEINLINE bool advance(Sight& sight)
   {
     const Face_step& step = m_steps[sight.halfedge];
     m_steps.prefetch(step.left); // the next step is one of these
@@ -109,12 +110,9 @@ private:
     const double left_margin = sight.left_ray.margin * distance;
     const double right_margin = sight.right_ray.margin * distance;
 
-    if(beyond_left <= left_margin && beyond_right <= right_margin)
-    {
-      const Sight_path path = sight.path_to(apex, distance);
-      if(m_label_of_tip + path.length <= bound)
-        m_visitor.on_vertex(step.apex, path, sight, apex, left_edge);
-    }
+    if(beyond_left <= left_margin && beyond_right <= right_margin &&
+       m_label_of_tip + distance <= bound)
+      report(sight, step, apex, left_edge, distance, bound);
     if(!(distance > 0)) // nothing is seen through an edge with both ends where the tip is
       return sight.right_distance > 0 ? go_right(sight, step, apex, distance, bound)
                                       : go_left(sight, step, apex, left_edge, distance, bound);
@@ -123,13 +121,27 @@ private:
       return go_right(sight, step, apex, distance, bound);
     if(is_beyond(sight.right_ray, apex, beyond_right, right_margin, hides_nothing))
       return go_left(sight, step, apex, left_edge, distance, bound);
-    if(sight.is_behind(apex))
+    if(BOOST_UNLIKELY(beyond_left > -left_margin && beyond_right > -right_margin) &&
+       sight.is_behind(apex))
       return beyond_left > beyond_right ? go_right(sight, step, apex, distance, bound)
                                         : go_left(sight, step, apex, left_edge, distance, bound);
     int side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
     if(side == 0)
       side = m_part.side(sight.splits++);
     return split(sight, step, apex, left_edge, distance, bound, side);
+  }
+
+  // Not inline, as few vertices are reached on a line that is not longer than their bounds.
+  BOOST_NOINLINE void report(const Sight& sight,
+                             const Face_step& step,
+                             const Plane_vector apex,
+                             const Plane_vector left_edge,
+                             const double distance,
+                             const double bound)
+  {
+    const Sight_path path = sight.path_to(apex, distance);
+    if(m_label_of_tip + path.length <= bound)
+      m_visitor.on_vertex(step.apex, path, sight, apex, left_edge);
   }
 
   // Whether a sight comes back to an edge, and is given up there. If not, it goes on.
@@ -189,11 +201,11 @@ private:
   }
 
   // The edge between the apex and the right end.
-  bool go_right(Sight& sight,
-                const Face_step& step,
-                const Plane_vector apex,
-                const double distance,
-                const double bound) const
+  BOOST_FORCEINLINE bool go_right(Sight& sight,
+                                  const Face_step& step,
+                                  const Plane_vector apex,
+                                  const double distance,
+                                  const double bound) const
   {
     sight.halfedge = step.right;
     sight.left = apex;
@@ -203,12 +215,12 @@ private:
     return step.right != Intrinsic_triangulation::null_index && !sight.is_useless(m_label_of_tip);
   }
 
-  bool go_left(Sight& sight,
-               const Face_step& step,
-               const Plane_vector apex,
-               const Plane_vector left_edge,
-               const double distance,
-               const double bound) const
+  BOOST_FORCEINLINE bool go_left(Sight& sight,
+                                 const Face_step& step,
+                                 const Plane_vector apex,
+                                 const Plane_vector left_edge,
+                                 const double distance,
+                                 const double bound) const
   {
     sight.halfedge = step.left;
     sight.right = apex;
@@ -218,13 +230,13 @@ private:
     return step.left != Intrinsic_triangulation::null_index && !sight.is_useless(m_label_of_tip);
   }
 
-  bool split(Sight& sight,
-             const Face_step& step,
-             const Plane_vector apex,
-             const Plane_vector left_edge,
-             const double distance,
-             const double bound,
-             const int useful_side)
+  BOOST_FORCEINLINE bool split(Sight& sight,
+                               const Face_step& step,
+                               const Plane_vector apex,
+                               const Plane_vector left_edge,
+                               const double distance,
+                               const double bound,
+                               const int useful_side)
   {
     const Sight_ray between(apex, distance);
     if(useful_side > 0)
