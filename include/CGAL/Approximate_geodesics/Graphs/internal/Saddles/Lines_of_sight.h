@@ -176,11 +176,13 @@ private:
   template <typename OnNode>
   void for_each_corner(OnNode& on_node) const
   {
-    for_each_side([&](const Index side, const Plane_vector start, const Plane_vector end) {
+    for_each_side([&](const Index side, const Face_point& p, const Plane_vector start,
+                      const Plane_vector end) {
       const Index opposite = triangulation().next(side); // of the corner that `side` starts from
-      const double distance = length(start);
-      on_node(triangulation().source(side), distance,
-              distance > 0 ? Arrival::across(opposite, start, start - end) : Arrival());
+      const double to_corner = // as the upper bound has it, which lies next to it
+          distance(triangulation(), p, Face_point::at_source(side));
+      on_node(triangulation().source(side), to_corner,
+              to_corner > 0 ? Arrival::across(opposite, start, start - end) : Arrival());
     });
   }
 
@@ -193,18 +195,20 @@ private:
           .for_each(
               point().vertex, Arrival(), [](Index) {},
               [&](const Sight& sight, Index, Index) { f(sight); });
-    for_each_side([&](const Index side, const Plane_vector start, const Plane_vector end) {
-      const Index outside = triangulation().opposite(side);
-      if(triangulation().is_border(outside) || point().is_on_edge_of(side, triangulation()))
-        return;
-      const Sight sight = this->sight(outside, end, start);
-      if(sight.left_distance > 0 && sight.right_distance > 0)
-        f(sight);
-    });
+    for_each_side(
+        [&](const Index side, const Face_point&, const Plane_vector start, const Plane_vector end) {
+          const Index outside = triangulation().opposite(side);
+          if(triangulation().is_border(outside) || point().is_on_edge_of(side, triangulation()))
+            return;
+          const Sight sight = this->sight(outside, end, start);
+          if(sight.left_distance > 0 && sight.right_distance > 0)
+            f(sight);
+        });
   }
 
-  // Calls `f(side, start, end)` for the sides of the faces, laid out around the point. Positions
-  // are sums of edges, as differences would have no direction where the point is close to a corner.
+  // Calls `f(side, p, start, end)` for the sides of the faces, laid out around the point, and the
+  // point as one of the face. Positions are sums of edges, as differences would have no direction
+  // where the point is close to a corner.
   template <typename F>
   void for_each_side(F f) const
   {
@@ -220,7 +224,7 @@ private:
               result = result + weight[i] * (layout.corner(j) - layout.corner(i));
             return result;
           };
-          f(side, corner(0), corner(1));
+          f(side, p, corner(0), corner(1));
         });
       }
     });
