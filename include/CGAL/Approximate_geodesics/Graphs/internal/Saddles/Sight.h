@@ -148,8 +148,12 @@ struct Sight
       return result;
     if(is_on_left && is_on_right && is_behind(point))
       return {};
-    const bool is_narrow = is_on_left && is_on_right && dot(left_ray.direction, point) > 0 &&
-                           dot(right_ray.direction, point) > 0;
+    // next to a ray, only the corner of a face that is folded back is nearer than the whole edge
+    const bool is_before_edge =
+        distance < (std::min)(left_distance, right_distance) && dot(left, right) > 0;
+    const bool is_narrow =
+        is_before_edge || (is_on_left && is_on_right && dot(left_ray.direction, point) > 0 &&
+                           dot(right_ray.direction, point) > 0);
     const Sight_path line = result;
     result.lead_over(left_ray.direction, beyond_left, is_narrow, line);
     result.lead_over(left, cross(left, point), is_narrow, line);
