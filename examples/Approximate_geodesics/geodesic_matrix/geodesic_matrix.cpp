@@ -40,17 +40,17 @@ struct Job
   std::size_t threads;
 };
 
-// Refuses what would be refused after the graph was built.
+// Checks early what would otherwise fail after the graph was built.
 void check_files(const Options& options)
 {
   const bool has_journal = std::filesystem::exists(options.output + ".journal");
   if(has_journal && !options.may_resume)
     throw std::invalid_argument("--resume no: " + options.output +
-                                ".journal is there, of a run that has not come to its end; remove "
-                                "it, and what is beside it, to begin anew");
+                                ".journal belongs to an unfinished run; remove "
+                                "the .journal and .part files of this matrix to restart");
   if(!has_journal && std::filesystem::exists(options.output))
     throw std::invalid_argument(options.output +
-                                " is there already; remove it, or choose another name");
+                                " already exists; remove it, or choose another name");
 }
 
 // The first process chooses for all, whatever their processors and libraries are.

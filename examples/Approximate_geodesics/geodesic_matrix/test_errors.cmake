@@ -20,10 +20,10 @@ expect(1 "--symmetric: --targets must be" ${PROGRAM} ${mesh} --symmetric --targe
 file(WRITE ${folder}/wrong.txt "0\n315\n")
 expect(1 "--sources file:wrong.txt: line 2: there is no vertex 315" ${PROGRAM} ${mesh} --sources file:wrong.txt)
 file(WRITE ${folder}/distances.npy "of somebody else")
-expect(1 "distances.npy is there already" ${PROGRAM} ${mesh})
+expect(1 "distances.npy already exists" ${PROGRAM} ${mesh})
 file(REMOVE ${folder}/distances.npy)
 file(WRITE ${folder}/distances.npy.journal "of an earlier run")
-expect(1 "--resume no: distances.npy.journal is there" ${PROGRAM} ${mesh} --resume no)
+expect(1 "--resume no: distances.npy.journal belongs to an unfinished run" ${PROGRAM} ${mesh} --resume no)
 expect_files(distances.npy.journal wrong.txt)
 expect(1 "^geodesic_matrix: cannot write to standard output: No space left on device\n$" sh -c
        "$0 --help >/dev/full" ${PROGRAM})

@@ -132,7 +132,7 @@ TEST_P(Damaged_file, has_a_journal_that_ends_anywhere)
   {
     const Contents damaged = shortened(contents, journal, length);
     if(length < Journal::LENGTH_OF_HEADER)
-      expect_error(damaged, folder.file(part) + " is there without a journal");
+      expect_error(damaged, folder.file(part) + " exists without a journal");
     else
       EXPECT_EQ(expect_right_file(damaged),
                 number_of_rows - (length - Journal::LENGTH_OF_HEADER) / Journal::LENGTH_OF_RECORD);
@@ -184,7 +184,7 @@ TEST_P(Damaged_file, has_a_journal_that_is_none)
 {
   const auto change = [](std::string& bytes) { bytes.assign(200, 'x'); };
   expect_error(changed(contents_after(4), journal, change),
-               folder.file(journal) + " is not the journal of a file of distances");
+               folder.file(journal) + " is not the journal of a distance matrix");
 }
 
 TEST_P(Damaged_file, has_records_of_blocks_that_do_not_exist)
@@ -290,7 +290,7 @@ TEST_P(Damaged_file, is_not_taken_for_another_file)
 {
   Contents contents = contents_after(number_of_rows - 2);
   contents[file] = "of somebody";
-  expect_error(contents, folder.file(file) + " is there already");
+  expect_error(contents, folder.file(file) + " already exists");
 }
 
 TEST_P(Damaged_file, has_a_copy_that_ends_anywhere)
@@ -318,11 +318,12 @@ TEST_P(Damaged_file, is_symmetric_in_part)
     };
     EXPECT_EQ(expect_right_file(changed(contents, part, replace)), 0u);
     if(length < expected.size())
-      expect_error(shortened(contents, part, length), folder.file(part) + " is not as it was left");
+      expect_error(shortened(contents, part, length),
+                   folder.file(part) + " is missing or has the wrong length");
   }
   Contents without_data = contents;
   without_data.erase(part);
-  expect_error(without_data, folder.file(part) + " is not as it was left");
+  expect_error(without_data, folder.file(part) + " is missing or has the wrong length");
 }
 
 } // namespace

@@ -113,7 +113,7 @@ TEST_P(Interrupted_file, is_not_taken_for_one_that_was_put_there_meanwhile)
       std::ofstream(folder.file("distances")) << "another";
     return true;
   });
-  expect_message<std::invalid_argument>([&] { file.compute(job, watcher); }, " is there already");
+  expect_message<std::invalid_argument>([&] { file.compute(job, watcher); }, " already exists");
   EXPECT_EQ(folder.bytes("distances"), "another");
   std::filesystem::remove(folder.file("distances"));
   expect_incomplete();
@@ -126,8 +126,9 @@ TEST_P(Interrupted_file, is_computed_by_one_object_at_a_time)
   const Matrix_job job(4);
   Matrix_watcher watcher([&](const std::size_t number_done) {
     if(number_done == 5)
-      expect_message<std::invalid_argument>([&] { file.compute(job); },
-                                            " is being computed by this program already");
+      expect_message<std::invalid_argument>(
+          [&] { file.compute(job); },
+          " is already being computed by another object of this program");
     return true;
   });
   EXPECT_TRUE(file.compute(job, watcher));

@@ -208,7 +208,7 @@ TEST(Two_programs, do_not_compute_a_file_at_the_same_time)
     for(int i = 0; i < 2; ++i) // the first one does not open the door for the second one
       expect_message<std::invalid_argument>([&] { run.compute(job); },
                                             folder.file("distances") +
-                                                " is being computed by another program");
+                                                " is already being computed by another program");
     EXPECT_TRUE(folder.contents() == before);
     EXPECT_TRUE(child.kill());
     EXPECT_TRUE(run.compute(job));

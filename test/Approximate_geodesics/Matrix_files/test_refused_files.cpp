@@ -61,7 +61,7 @@ TEST(Refused_file, is_there_already)
     const Matrix_file_job file{kind, folder.file("distances")};
     EXPECT_TRUE(file.compute(job));
     expect_refusal<std::invalid_argument>(
-        folder, [&] { file.compute(job); }, file.file + " is there already; remove it");
+        folder, [&] { file.compute(job); }, file.file + " already exists; remove it");
   }
 }
 
@@ -75,7 +75,7 @@ TEST(Refused_file, has_parts_and_no_journal)
       folder.fill({{part, "something"}});
       const Matrix_file_job file{kind, folder.file("distances")};
       expect_refusal<std::invalid_argument>(
-          folder, [&] { file.compute(job); }, folder.file(part) + " is there without a journal");
+          folder, [&] { file.compute(job); }, folder.file(part) + " exists without a journal");
     }
 }
 
@@ -122,7 +122,7 @@ TEST(Refused_file, belongs_to_another_job)
       expect_refusal<std::invalid_argument>(
           folder, [&] { file.compute(another); },
           folder.file("distances.journal") + " belongs to a computation with " + difference.message,
-          "remove it, and what is beside it, to begin anew");
+          "remove the .journal and .part files of this matrix to restart");
     }
     EXPECT_TRUE(file.compute(job));
   }
@@ -220,7 +220,7 @@ TEST(Refused_file, is_longer_than_the_disk_has_room_for)
   job.sources.assign(available / length_of_row + available / length_of_row / 10 + 2, 0);
   expect_refusal<std::runtime_error>(
       folder, [&] { job.compute(AG::Npy_file<double>(folder.file("distances"))); },
-      folder.file("distances") + " needs ", " MB more, and its disk has ", " MB left");
+      folder.file("distances") + " needs ", " MB more, but its disk has only ", " MB left");
 }
 
 TEST(Refused_file, is_longer_than_the_disk_has_room_for_with_millions_of_rows)

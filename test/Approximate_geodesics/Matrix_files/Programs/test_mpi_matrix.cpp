@@ -133,7 +133,7 @@ TEST(Team_of_three, is_told_of_errors_of_the_first_one)
   const Team_of_processes team("npy");
   EXPECT_TRUE(team.computes(3)) << team.message();
   EXPECT_FALSE(team.computes(3, {"abort=0"})); // all of them end by themselves
-  const std::string text = team.folder.file("distances") + " is there already; remove it";
+  const std::string text = team.folder.file("distances") + " already exists; remove it";
   const std::string message = team.message();
   std::size_t number = 0;
   for(std::size_t at = message.find(text); at != std::string::npos; at = message.find(text, at + 1))

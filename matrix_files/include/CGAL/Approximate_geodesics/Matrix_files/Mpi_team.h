@@ -26,30 +26,30 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * The processes of an MPI communicator, on one machine or several, which compute a file of
- * distances together. Each of them takes blocks of rows from a common counter, and writes them to
- * the one file.
+ * The processes of an MPI communicator, on one or several machines, which jointly compute a file of
+ * distances. Each process takes blocks of rows from a shared counter and writes them to the same
+ * file.
  *
- * All processes have to make the same calls. If one of them throws or is killed, the others wait
- * for it: the program is to end all of them then, as `MPI_Abort()` does. What they have computed is
- * kept.
+ * All processes must make the same calls. If one process throws or is killed, the others wait for
+ * it; the program then has to terminate all of them, for example with `MPI_Abort()`. Completed
+ * blocks are kept.
  *
- * This header is not part of `CGAL/Approximate_geodesics.h`, as it needs MPI.
+ * `CGAL/Approximate_geodesics.h` does not include this header, as it requires MPI.
  *
  * \cgalModels{ProcessTeam}
  */
 class Mpi_team
 {
 public:
-  /// a file that all processes write to.
+  /// the file type, for concurrent writes by all processes.
   using File = internal::Mpi_file;
 
-  /// the processes of `communicator`, all of which have to make such an object.
-  /// \pre MPI was initialized, with `MPI_THREAD_SERIALIZED` or more if `CGAL::Parallel_tag` is
-  /// given.
+  /// constructs a team from the processes of `communicator`. This is a collective operation.
+  /// \pre MPI is initialized, with `MPI_THREAD_SERIALIZED` or higher if `CGAL::Parallel_tag` is
+  /// used.
   explicit Mpi_team(const MPI_Comm communicator = MPI_COMM_WORLD)
   {
-    MPI_Comm_dup(communicator, &m_communicator); // so that no message is taken for another one's
+    MPI_Comm_dup(communicator, &m_communicator); // separates our messages from the caller's
     MPI_Comm_rank(m_communicator, &m_rank);
     MPI_Comm_size(m_communicator, &m_size);
     MPI_Win_allocate(m_rank == 0 ? sizeof(std::uint64_t) : 0, sizeof(std::uint64_t), MPI_INFO_NULL,
@@ -60,8 +60,8 @@ public:
   Mpi_team(const Mpi_team&) = delete;
   Mpi_team& operator=(const Mpi_team&) = delete;
 
-  /// leaves MPI as it was. All processes have to do so; where an exception ends it, nothing is
-  /// done, so that whoever catches the exception can call `MPI_Abort()`.
+  /// releases the communicator and the counter. This is a collective operation. During stack
+  /// unwinding it does nothing, so that the exception handler can call `MPI_Abort()`.
   ~Mpi_team()
   {
     if(std::uncaught_exceptions() > m_number_of_exceptions)
@@ -71,7 +71,7 @@ public:
     MPI_Comm_free(&m_communicator);
   }
 
-  /// returns the number of this process, counted from 0.
+  /// returns the rank of this process, counted from 0.
   std::size_t rank() const { return static_cast<std::size_t>(m_rank); }
 
   /// returns the number of processes.
@@ -80,7 +80,7 @@ public:
   /// waits until all processes have called this function.
   void wait() { MPI_Barrier(m_communicator); }
 
-  /// replaces the values by those of process 0.
+  /// broadcasts the values of process 0 to all processes.
   void share(std::vector<std::uint64_t>& values)
   {
     std::uint64_t size = values.size();
@@ -89,7 +89,7 @@ public:
     broadcast(values.data(), size, MPI_UINT64_T);
   }
 
-  /// replaces the text by that of process 0.
+  /// broadcasts the text of process 0 to all processes.
   void share(std::string& text)
   {
     std::uint64_t size = text.size();
@@ -98,7 +98,7 @@ public:
     broadcast(text.data(), size, MPI_CHAR);
   }
 
-  /// deals out tickets from 0 again. All processes have to call this function.
+  /// restarts the ticket counter at 0. This is a collective operation.
   void restart_tickets()
   {
     wait();
@@ -107,11 +107,11 @@ public:
     wait();
   }
 
-  /// returns the number of the next ticket, which no other thread and no other process gets.
+  /// returns the next ticket. Tickets are unique among all threads and processes.
   std::uint64_t next_ticket() { return exchange(1, MPI_SUM); }
 
 private:
-  // Returns what the counter was before.
+  // Returns the previous value of the counter.
   std::uint64_t exchange(const std::uint64_t value, const MPI_Op operation)
   {
     const std::lock_guard lock(internal::mpi_mutex());
@@ -121,7 +121,7 @@ private:
     return result;
   }
 
-  // MPI counts by `int`.
+  // MPI limits the count of a message to `int`.
   template <typename T>
   void broadcast(T* data, std::uint64_t size, const MPI_Datatype type)
   {

@@ -34,19 +34,19 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * A distance matrix in a file that NumPy reads: `numpy.load(file, mmap_mode="r")` opens it at once,
- * whatever its length. Memory is that for a block of rows per thread: 16 MB, or a row if that is
+ * A dense distance matrix in a NPY file. `numpy.load(file, mmap_mode="r")` maps it into memory
+ * without reading it. Each thread buffers one block of rows: 16 MB, or a single row if that is
  * longer.
  *
- * The file is there when it is complete. Until then, what was computed is in `FILE.part`, and a
- * journal, `FILE.journal`, names the blocks of rows that are on the disk, with their checksums. If
- * the computation ends early, by a visitor, an error, or a kill, the same call goes on with it: it
- * reads what is there, computes again what is not as the journal says, and gives the same file to
- * the last bit, by any number of threads and processes. It refuses to go on with a file of another
- * mesh, graph, bound, list of points or type of distances.
+ * The file appears under its name only when it is complete. Until then, the data is in `FILE.part`,
+ * and the journal `FILE.journal` lists the blocks of rows that are on disk, with their checksums.
+ * If the computation ends early, because of a visitor, an error, or a kill, the same call resumes
+ * it: blocks that do not match their checksums are computed again, and the resulting file is
+ * bitwise identical for any number of threads and processes. Resuming is rejected if the mesh, the
+ * graph, the bound, the points, or the type of distances differ.
  *
- * \tparam T the type of distances, `double` or `float`, to which they are rounded; infinity stands
- *         for columns that were not reached
+ * \tparam T the type of distances, `double` or `float`; distances are rounded to it, and are
+ *         infinite for columns that were not reached
  * \tparam Team a model of `ProcessTeam`
  *
  * \cgalModels{DistanceRowSink}
@@ -60,16 +60,16 @@ public:
   /// \name Creation
   /// @{
 
-  /// names the file. It is opened when the computation starts. If this process is killed, the
-  /// blocks are lost that threads are at, of 64 rows at most, and those that were completed since
-  /// the last record: records are written when a block is complete, but not more often than every
-  /// `seconds_between_commits`.
+  /// sets the name of the file, which is opened when the computation starts. The journal is updated
+  /// when a block is complete, but at most once every `seconds_between_commits`. A kill loses the
+  /// blocks completed since the last update and those in progress, which have at most 64 rows each.
   explicit Npy_file(std::string file, const double seconds_between_commits = 1)
     : Base(std::move(file), seconds_between_commits)
   {
   }
 
-  /// names a file that several processes compute together, all of which make the same calls.
+  /// sets the name of a file that the processes of `team` compute jointly; each of them makes the
+  /// same calls.
   /// \warning `team` is referred to, not copied.
   Npy_file(std::string file, Team& team, const double seconds_between_commits = 1)
     : Base(std::move(file), team, seconds_between_commits)
@@ -78,29 +78,30 @@ public:
 
   /// @}
 
-  /// returns the length of the file of a matrix, in bytes.
+  /// returns the size of the file of a matrix, in bytes.
   static std::uint64_t length(const std::size_t number_of_rows, const std::size_t number_of_columns)
   {
     return header(number_of_rows, number_of_columns).size() +
            std::uint64_t(sizeof(T)) * number_of_rows * number_of_columns;
   }
 
-  /// \name What a Sink Does
+  /// \name Row Sink
   /// @{
 
-  /// the distances of some rows.
+  /// the distances of a block of rows.
   using Block = std::vector<T>;
 
-  /// distances of both directions can be compared.
+  /// symmetric matrices are supported.
   static constexpr bool can_be_symmetric = true;
 
   /*!
-   * opens the files, and finds out what is there.
+   * opens the files, and determines which blocks are missing.
    *
-   * \throws std::invalid_argument if the file is there already, another program computes it, the
-   *         journal is damaged, or belongs to another computation. The message tells what differs.
-   * \throws std::runtime_error if the disk has not enough room, or the system refuses to write.
-   *         The message tells the reason. What was computed before is kept.
+   * \throws std::invalid_argument if the file exists already, another program is computing it, or
+   *         the journal is damaged or belongs to another computation. The message names the
+   *         difference.
+   * \throws std::runtime_error if there is not enough disk space, or writing fails. The message
+   *         gives the reason. Completed blocks are kept.
    */
   void start(const Distance_matrix_plan& plan)
   {
@@ -138,13 +139,13 @@ public:
     block.clear();
   }
 
-  /// gives the block that is to be computed next.
+  /// returns the next block to compute.
   using Base::next_block;
 
-  /// returns the number of rows that are done, by any process, now or before.
+  /// returns the number of completed rows, including those of other processes and of earlier runs.
   using Base::number_of_rows_done;
 
-  /// completes the file, if all rows are there.
+  /// completes the file if all rows are available.
   bool finish(bool /* is_done */)
   {
     const bool result =
@@ -173,7 +174,7 @@ private:
 
   std::uint64_t offset(const std::size_t row) const { return m_first + row * m_length_of_row; }
 
-  // Whether a block is as the journal says.
+  // Whether a block matches its checksum in the journal.
   bool is_there(const internal::Block_record& record) const
   {
     if(!std::filesystem::exists(this->names().part()))
@@ -201,16 +202,16 @@ private:
     m_data = std::make_unique<typename Team::File>(this->names().part());
     if(this->team().rank() == 0)
       m_data->resize(length());
-    this->team().wait(); // nobody writes before the file has its length
+    this->team().wait(); // the file must be resized before the first write
   }
 
-  // The header comes last, as no checksum tells whether it is still there. Returns the name.
+  // Writes the header last, because no checksum covers it. Returns the name of the file.
   std::string complete(const bool is_noted)
   {
     if(is_noted)
       check_length();
     else if(this->plan().is_symmetric())
-      this->blocks().note_all(); // checksums are of no use any more
+      this->blocks().note_all(); // the checksums become invalid
     internal::Local_file file(this->names().part());
     const std::string text =
         header(this->plan().number_of_rows(), this->plan().number_of_columns());
@@ -223,15 +224,16 @@ private:
     return this->names().part();
   }
 
-  // All that can be told of distances that were being made symmetric.
+  // The checksums are invalid once symmetrization has begun, so only the length can be checked.
   void check_length() const
   {
     const std::string part = this->names().part();
     if(!std::filesystem::exists(part) || std::filesystem::file_size(part) != length())
-      internal::reject(part + " is not as it was left; " + internal::Matrix_journal::remedy());
+      internal::reject(part + " is missing or has the wrong length; " +
+                       internal::Matrix_journal::remedy());
   }
 
-  std::uint64_t m_first = 0; // byte of the distances
+  std::uint64_t m_first = 0; // offset of the distances in bytes
   std::uint64_t m_length_of_row = 0;
   std::unique_ptr<typename Team::File> m_data;
 };

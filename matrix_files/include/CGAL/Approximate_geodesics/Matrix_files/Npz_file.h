@@ -33,19 +33,19 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * The distances up to `maximum_distance`, or the smallest ones of each row, in a file that SciPy
- * reads: `scipy.sparse.load_npz(file)`. The entries of a row are those of `Radius_rows` or
- * `Nearest_rows`, in the same order.
+ * A sparse distance matrix in a NPZ file, for `scipy.sparse.load_npz(file)`: the distances up to
+ * `maximum_distance`, or the smallest ones of each row. The entries of a row are those of
+ * `Radius_rows` or `Nearest_rows`, in the same order.
  *
- * The file is there when it is complete. Until then, what was computed is in `FILE.part`, and a
- * journal, `FILE.journal`, names the blocks of rows that are on the disk, with their checksums. If
- * the computation ends early, by a visitor, an error, or a kill, the same call goes on with it: it
- * reads what is there, computes again what is not as the journal says, and gives the same file to
- * the last bit, by any number of threads and processes. It refuses to go on with a file of another
- * mesh, graph, bound, list of points or type of distances.
- * At the end, the disk must have room for all entries once more.
+ * The file appears under its name only when it is complete. Until then, the data is in `FILE.part`,
+ * and the journal `FILE.journal` lists the blocks of rows that are on disk, with their checksums.
+ * If the computation ends early, because of a visitor, an error, or a kill, the same call resumes
+ * it: blocks that do not match their checksums are computed again, and the resulting file is
+ * bitwise identical for any number of threads and processes. Resuming is rejected if the mesh, the
+ * graph, the bound, the points, or the type of distances differ. Completing the file temporarily
+ * needs disk space for a second copy of all entries.
  *
- * \tparam T the type of distances, `double` or `float`, to which they are rounded
+ * \tparam T the type of distances, `double` or `float`; distances are rounded to it
  * \tparam Team a model of `ProcessTeam`
  *
  * \cgalModels{DistanceRowSink}
@@ -59,23 +59,23 @@ public:
   /// \name Creation
   /// @{
 
-  /// names the file. It is opened when the computation starts. If this process is killed, the
-  /// blocks are lost that threads are at, of 64 rows at most, and those that were completed since
-  /// the last record: records are written when a block is complete, but not more often than every
-  /// `seconds_between_commits`.
+  /// sets the name of the file, which is opened when the computation starts. The journal is updated
+  /// when a block is complete, but at most once every `seconds_between_commits`. A kill loses the
+  /// blocks completed since the last update and those in progress, which have at most 64 rows each.
   explicit Npz_file(std::string file, const double seconds_between_commits = 1)
     : Base(std::move(file), seconds_between_commits)
   {
   }
 
-  /// names a file that several processes compute together, all of which make the same calls.
+  /// sets the name of a file that the processes of `team` compute jointly; each of them makes the
+  /// same calls.
   /// \warning `team` is referred to, not copied.
   Npz_file(std::string file, Team& team, const double seconds_between_commits = 1)
     : Base(std::move(file), team, seconds_between_commits)
   {
   }
 
-  /// keeps that number of distances of each row only, the smallest ones. \pre `number > 0`
+  /// keeps only the `number` smallest distances of each row. \pre `number > 0`
   void keep_nearest(const std::size_t number)
   {
     m_number_of_nearest = internal::checked_number_of_nearest(number);
@@ -83,22 +83,23 @@ public:
 
   /// @}
 
-  /// \name What a Sink Does
+  /// \name Row Sink
   /// @{
 
-  /// the entries of some rows.
+  /// the entries of a block of rows.
   using Block = internal::Sparse_block<T>;
 
-  /// returns the number of entries that a row has at most, or `0` if there is no such number.
+  /// returns the maximum number of entries per row, or `0` if it is not limited.
   std::size_t number_of_nearest() const { return m_number_of_nearest; }
 
   /*!
-   * opens the files, and finds out what is there.
+   * opens the files, and determines which blocks are missing.
    *
-   * \throws std::invalid_argument if the file is there already, another program computes it, the
-   *         journal is damaged, or belongs to another computation. The message tells what differs.
-   * \throws std::runtime_error if the disk has not enough room, or the system refuses to write.
-   *         The message tells the reason. What was computed before is kept.
+   * \throws std::invalid_argument if the file exists already, another program is computing it, or
+   *         the journal is damaged or belongs to another computation. The message names the
+   *         difference.
+   * \throws std::runtime_error if there is not enough disk space, or writing fails. The message
+   *         gives the reason. Completed blocks are kept.
    */
   void start(const Distance_matrix_plan& plan)
   {
@@ -106,7 +107,7 @@ public:
     Base::start(
         plan, "NPZ", false,
         [&](const std::size_t rank, const auto& record) { return parts.is_there(rank, record); },
-        [](std::size_t) {}); // who knows how many entries there will be?
+        [](std::size_t) {}); // the number of entries is unknown
     if(!this->blocks().is_anything_missing())
       return;
     m_data = std::make_unique<internal::Local_file>(this->names().part(this->team().rank()));
@@ -133,13 +134,13 @@ public:
     block.clear();
   }
 
-  /// gives the block that is to be computed next.
+  /// returns the next block to compute.
   using Base::next_block;
 
-  /// returns the number of rows that are done, by any process, now or before.
+  /// returns the number of completed rows, including those of other processes and of earlier runs.
   using Base::number_of_rows_done;
 
-  /// completes the file, if all rows are there.
+  /// completes the file if all rows are available.
   bool finish(bool /* is_done */)
   {
     const bool result = this->blocks().finish(
@@ -148,9 +149,9 @@ public:
           internal::Sparse_parts<T> parts(this->names(), this->plan());
           for(const auto& journal : journals)
             for(const internal::Block_record& record : journal.contents.records)
-              parts.add(journal.rank, record); // if it is still there
+              parts.add(journal.rank, record); // throws if it was modified
           parts.put_together(this->names().copy());
-          internal::Local_file(this->names().copy()).sync(); // before the parts go
+          internal::Local_file(this->names().copy()).sync(); // before the parts are removed
           return this->names().copy();
         });
     m_data.reset();

@@ -22,35 +22,35 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * One process, which computes a file of distances alone.
+ * A team of one process.
  *
  * \cgalModels{ProcessTeam}
  */
 class Single_process
 {
 public:
-  /// a file that all processes write to.
+  /// the file type.
   using File = internal::Local_file;
 
-  /// returns the number of this process, counted from 0.
+  /// returns the rank of this process: 0.
   std::size_t rank() const { return 0; }
 
-  /// returns the number of processes.
+  /// returns the number of processes: 1.
   std::size_t size() const { return 1; }
 
-  /// waits until all processes have called this function.
+  /// does nothing.
   void wait() {}
 
-  /// replaces the values by those of process 0.
+  /// does nothing.
   void share(std::vector<std::uint64_t>& /* values */) {}
 
-  /// replaces the text by that of process 0.
+  /// does nothing.
   void share(std::string& /* text */) {}
 
-  /// deals out tickets from 0 again.
+  /// restarts the ticket counter at 0.
   void restart_tickets() { m_next = 0; }
 
-  /// returns the number of the next ticket, which no other thread and no other process gets.
+  /// returns the next ticket. Tickets are unique among all threads.
   std::uint64_t next_ticket() { return m_next++; }
 
 private:

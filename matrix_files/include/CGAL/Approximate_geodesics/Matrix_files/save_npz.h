@@ -22,7 +22,7 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * writes a matrix that is in memory to a file that `scipy.sparse.load_npz()` reads.
+ * writes a sparse matrix to a NPZ file for `scipy.sparse.load_npz()`.
  *
  * \tparam T the type of distances, `double` or `float`
  * \param rows the matrix

@@ -31,9 +31,9 @@ struct Size_of_csr
 };
 
 /*
- * Writes a sparse matrix, row by row, into a file that `scipy.sparse.load_npz` reads. Lengths of
- * rows, columns of entries, and their values are begun in any order, each once; each is appended in
- * pieces before the next one begins. finish() ends the last one. The rest is as in `Npz_writer`.
+ * Writes a sparse matrix in CSR format for `scipy.sparse.load_npz`. Call `begin_rows()`,
+ * `begin_columns()` and `begin_values()` in any order, once each; append all elements of an array
+ * before the next array begins. Errors and limits are as in `Npz_writer`.
  */
 class Csr_writer
 {
@@ -52,7 +52,7 @@ public:
     append_indices(&begin, 1);
   }
 
-  // how many entries each row has
+  // Appends the number of entries of each row.
   void append_rows(const std::uint32_t* lengths, const std::size_t number)
   {
     for(std::size_t i = 0; i < number; ++i)
@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  // SciPy takes the short type wherever it can.
+  // SciPy uses 32-bit indices wherever possible.
   bool are_indices_long() const
   {
     return std::max(m_size.columns, m_size.entries) >
@@ -120,7 +120,6 @@ private:
       m_arrays.append_as<std::int32_t>(indices, number);
   }
 
-  // Ends what has begun.
   void end()
   {
     if(m_has_begun)

@@ -25,13 +25,13 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The names of files that this program has locked. Systems tell programs apart by their locks, and
- * not the objects of one; and who closes a file gives up all locks that his program has of it.
+ * The names of the files that this process has locked. POSIX locks belong to a process: they do not
+ * exclude other objects of the same process, and closing any descriptor of a file releases them.
  */
 class Locked_names
 {
 public:
-  // Returns whether the name was not there.
+  // Returns whether the name was inserted, that is, whether it was absent.
   static bool insert(const std::string& name)
   {
     const std::lock_guard lock(s_mutex);
@@ -50,18 +50,18 @@ private:
 };
 
 /*
- * Says that a program is at work. It does so by a lock of the system, which goes when the program
- * does, however that ends. The file goes as well, unless the program is killed.
+ * Ensures that a single program computes a file. The operating system releases the lock when the
+ * process ends, even if it is killed; the lock file itself remains after a kill.
  */
 class File_lock
 {
 public:
-  // `subject` is what the work is about.
+  // `subject` names the computed file in messages.
   File_lock(const std::string& file, const std::string& subject)
     : m_file(file), m_name(std::filesystem::weakly_canonical(file).string())
   {
     if(!Locked_names::insert(m_name))
-      reject(subject + " is being computed by this program already, for another object");
+      reject(subject + " is already being computed by another object of this program");
     try
     {
       lock(subject);
@@ -86,21 +86,21 @@ public:
 private:
   void give_up()
   {
-    m_lock = boost::interprocess::file_lock(); // closes the file before another object opens it
+    m_lock = boost::interprocess::file_lock(); // before another object opens the file
     Locked_names::erase(m_name);
   }
 
   void lock(const std::string& subject)
   {
     {
-      const Local_file made_if_none(m_file); // to close it later would give up the lock
+      const Local_file made_if_none(m_file); // must be closed before locking
     }
     m_lock = boost::interprocess::file_lock(m_file.c_str());
-    if(!try_lock() || !std::filesystem::exists(m_file)) // or that program has ended just now
-      reject(subject + " is being computed by another program");
+    if(!try_lock() || !std::filesystem::exists(m_file)) // the file vanishes if the owner just ended
+      reject(subject + " is already being computed by another program");
   }
 
-  // Some file systems have no locks.
+  // File systems without locks count as locked.
   bool try_lock()
   {
     try
@@ -114,7 +114,7 @@ private:
   }
 
   std::string m_file;
-  std::string m_name; // the same for all names of the file
+  std::string m_name; // canonical
   boost::interprocess::file_lock m_lock;
 };
 

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Tells that the system has refused something, and why.
+// Throws with the reason given by the operating system.
 [[noreturn]] inline void fail_to(const std::string& verb, const std::string& file)
 {
   const std::string reason = errno != 0 ? ": " + std::generic_category().message(errno) : "";
@@ -34,17 +34,17 @@ namespace internal {
 }
 
 /*
- * A file that is read and written anywhere. Several threads may use it at the same time.
+ * A file with random access. It is safe to use from several threads.
  */
 class Local_file
 {
 public:
-  // The file is made if there is none.
+  // Creates the file if it does not exist.
   explicit Local_file(const std::string& name) : m_name(name)
   {
     errno = 0;
     std::ofstream(name, std::ios::binary | std::ios::app);
-    m_stream.rdbuf()->pubsetbuf(nullptr, 0); // what is written shall be at the system's
+    m_stream.rdbuf()->pubsetbuf(nullptr, 0); // unbuffered
     m_stream.open(name, std::ios::binary | std::ios::in | std::ios::out);
     if(!m_stream)
       fail_to("opened for writing", name);
@@ -60,7 +60,7 @@ public:
       fail_to("written", m_name);
   }
 
-  // Returns whether the file is that long.
+  // Returns false at the end of the file.
   bool read(const std::uint64_t offset, void* const data, const std::size_t size)
   {
     const std::lock_guard lock(m_mutex);
@@ -72,7 +72,7 @@ public:
     return result;
   }
 
-  // Reads what has to be there.
+  // Throws at the end of the file.
   void read_all(const std::uint64_t offset, void* const data, const std::size_t size)
   {
     if(!read(offset, data, size))
@@ -90,7 +90,7 @@ public:
 
   std::uint64_t size() const { return std::filesystem::file_size(m_name); }
 
-  // Waits until what was written is on the disk, where the system tells.
+  // Waits until the data is on disk, on systems that have `fsync()`.
   void sync()
   {
 #if defined(__unix__) || defined(__APPLE__)
@@ -102,7 +102,7 @@ public:
       ::close(descriptor);
     errno = reason;
     if(!is_done)
-      fail_to("brought to the disk", m_name);
+      fail_to("flushed to disk", m_name);
 #endif
   }
 

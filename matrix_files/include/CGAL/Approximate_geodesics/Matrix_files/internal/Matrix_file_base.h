@@ -28,7 +28,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * What files of distances have in common: a team of processes, and the blocks that are done.
+ * Common base of the matrix files: the team of processes, and the completed blocks.
  */
 template <typename T, typename Team>
 class Matrix_file_base
@@ -61,7 +61,8 @@ protected:
   const Distance_matrix_plan& plan() const { return *m_plan; }
   const Matrix_file_names& names() const { return m_blocks.names(); }
 
-  // `kind` is all that tells apart files with the same distances. The rest is as for the blocks.
+  // `kind` distinguishes file formats. The other parameters are those of
+  // `Resumable_blocks::start()`.
   template <typename IsThere, typename Prepare>
   void start(const Distance_matrix_plan& plan,
              const std::string& kind,
@@ -72,20 +73,20 @@ protected:
     m_plan = &plan;
     Matrix_identity identity = plan.identity();
     identity.parts[Matrix_identity::KIND] = checksum_of_kind(kind, plan.is_symmetric());
-    Bulk_checksum version; // for the same rows, only another one has other blocks
+    Bulk_checksum version; // blocks of the same rows depend on it
     version.add_value(identity.parts[Matrix_identity::DISTANCES]);
     version.add_value(static_cast<std::uint64_t>(plan.rows_per_block()));
     identity.parts[Matrix_identity::DISTANCES] = version.value();
     m_blocks.start(identity, plan, are_changed_at_the_end, is_there, prepare);
   }
 
-  // Refuses to begin what the disk cannot hold.
+  // Throws if there is not enough disk space.
   void check_space(const std::uint64_t bytes) const
   {
     const std::uint64_t available = std::filesystem::space(names().folder()).available;
     if(bytes > available)
       throw std::runtime_error("Approximate_geodesics: " + names().file() + " needs " +
-                               std::to_string(bytes >> 20) + " MB more, and its disk has " +
+                               std::to_string(bytes >> 20) + " MB more, but its disk has only " +
                                std::to_string(available >> 20) + " MB left");
   }
 

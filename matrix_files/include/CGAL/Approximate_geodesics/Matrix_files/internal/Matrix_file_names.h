@@ -19,17 +19,17 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The names of the files that are beside FILE while its distances are computed:
+ * The names of the auxiliary files that exist while FILE is computed:
  *
- *   FILE.part, FILE.part.1, ...        what was computed, of all processes together or each,
- *   FILE.journal, FILE.journal.1, ...  which blocks of rows are there, by process,
- *   FILE.new                           what becomes FILE, where that takes another copy,
- *   FILE.lock                          which says whether a program is at work.
+ *   FILE.part, FILE.part.1, ...        computed data, joint or per process
+ *   FILE.journal, FILE.journal.1, ...  completed blocks of rows, per process
+ *   FILE.new                           the result, if it is assembled from parts
+ *   FILE.lock                          locked while a program computes FILE
  */
 class Matrix_file_names
 {
 public:
-  // the files of all processes of all runs, by process
+  // existing files of all runs, by rank
   using By_rank = std::map<std::size_t, std::string>;
 
   explicit Matrix_file_names(std::string file) : m_file(std::move(file)) {}

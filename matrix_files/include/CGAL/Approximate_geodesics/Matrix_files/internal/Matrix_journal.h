@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// A block of rows that is on the disk: where, and with which checksum.
+// The position and the checksum of a block of rows on disk.
 struct Block_record
 {
   std::uint64_t block;
@@ -39,13 +39,13 @@ struct Block_record
 };
 
 /*
- * The journal of a file of distances, which only grows: what the file is, and the blocks that are
- * there. A computation can be killed while it writes; so an end that is not complete counts as not
- * written. Anything else that is not as written is an error.
+ * The append-only journal of a matrix file: the identity of the computation, and the completed
+ * blocks. A kill can interrupt a write, so an incomplete record at the end is ignored. Any other
+ * damage is an error.
  */
 class Matrix_journal
 {
-  static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4d44474741; // AGGDM, and what text modes spoil
+  static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4d44474741; // AGGDM, and line ends
   static constexpr std::uint32_t VERSION = 2;
 
 public:
@@ -55,7 +55,7 @@ public:
 
   struct Contents
   {
-    std::optional<Matrix_identity> identity; // or nothing was written
+    std::optional<Matrix_identity> identity; // absent if the header was not written
     std::vector<Block_record> records;
 
     std::uint64_t length() const
@@ -64,7 +64,7 @@ public:
     }
   };
 
-  // Nothing was written if there is no file.
+  // The contents are empty if the file does not exist.
   static Contents read(const std::string& file)
   {
     Contents result;
@@ -82,14 +82,14 @@ public:
         at += LENGTH_OF_RECORD)
       if(!read_record(bytes.data() + at, result.records))
       {
-        if(is_zero(bytes, at)) // the system has made room, and then stopped
+        if(is_zero(bytes, at)) // zero-filled tail: extended before a crash
           break;
         reject(file + " is damaged at byte " + std::to_string(at) + "; " + remedy());
       }
     return result;
   }
 
-  // Puts a journal with other records in the place of one. It is never incomplete.
+  // Replaces the records of a journal atomically.
   static void replace(const std::string& file,
                       const Matrix_identity& identity,
                       const std::vector<Block_record>& records)
@@ -100,10 +100,10 @@ public:
     std::filesystem::rename(name, file);
   }
 
-  // The name of a new journal, before it takes the place of the old one.
+  // The temporary name of a replacement journal.
   static std::string replacement(const std::string& file) { return file + ".new"; }
 
-  // Goes on with a journal whose contents were read, or begins it.
+  // Continues a journal whose contents were read, or creates it.
   Matrix_journal(const std::string& file, const Matrix_identity& identity, const Contents& contents)
     : m_file(file), m_end(contents.length())
   {
@@ -112,7 +112,7 @@ public:
       append_bytes(header(identity));
   }
 
-  // Returns when they are on the disk.
+  // Returns when the records are on disk.
   void append(const std::vector<Block_record>& records)
   {
     std::vector<char> bytes;
@@ -126,7 +126,10 @@ public:
     append_bytes(bytes);
   }
 
-  static const char* remedy() { return "remove it, and what is beside it, to begin anew"; }
+  static const char* remedy()
+  {
+    return "remove the .journal and .part files of this matrix to restart";
+  }
 
 private:
   template <typename T>
@@ -167,7 +170,7 @@ private:
   {
     const char* at = bytes.data();
     if(get<std::uint64_t>(at) != SIGNATURE)
-      reject(file + " is not the journal of a file of distances");
+      reject(file + " is not the journal of a distance matrix");
     const auto version = get<std::uint32_t>(at);
     if(version != VERSION)
       reject(file + " has version " + std::to_string(version) + "; this program reads version " +
@@ -181,7 +184,7 @@ private:
     return result;
   }
 
-  // Returns whether the record is sound.
+  // Returns whether the checksum of the record is correct.
   static bool read_record(const char* at, std::vector<Block_record>& records)
   {
     const std::uint32_t expected = checksum(at, at + LENGTH_OF_RECORD - sizeof(std::uint32_t));

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Whoever has it calls MPI: its libraries may not stand several threads at the same time.
+// Serializes MPI calls, as required by `MPI_THREAD_SERIALIZED`.
 inline std::mutex& mpi_mutex()
 {
   static std::mutex result;
@@ -30,13 +30,13 @@ inline std::mutex& mpi_mutex()
 }
 
 /*
- * A file that several processes write to, at different places. Each of them has it open for itself:
- * what brings it to the disk waits for nobody else then.
+ * A file that several processes write to, at disjoint offsets. Each process opens it separately, so
+ * that syncing is not a collective operation.
  */
 class Mpi_file
 {
 public:
-  // The file is made if there is none.
+  // Creates the file if it does not exist.
   explicit Mpi_file(const std::string& name) : m_name(name)
   {
     check(MPI_File_open(MPI_COMM_SELF, name.c_str(), MPI_MODE_RDWR | MPI_MODE_CREATE, MPI_INFO_NULL,
@@ -79,7 +79,7 @@ public:
   void sync()
   {
     const std::lock_guard lock(mpi_mutex());
-    check(MPI_File_sync(m_file), "brought to the disk");
+    check(MPI_File_sync(m_file), "flushed to disk");
   }
 
 private:

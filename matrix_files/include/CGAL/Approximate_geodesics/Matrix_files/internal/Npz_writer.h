@@ -26,9 +26,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Writes arrays into one file, as `numpy.savez` does; `numpy.load` reads them by name. An array is
- * written in as many pieces as the caller likes, and never held in memory. The rest is as in
- * `Zip_writer`.
+ * Writes an archive of arrays in the format of `numpy.savez`. Arrays are written in pieces and are
+ * never held in memory. Errors and limits are as in `Zip_writer`.
  */
 class Npz_writer
 {
@@ -38,14 +37,14 @@ public:
   {
   }
 
-  // Begins an array of elements of type T; its elements have to follow, row by row.
+  // Begins an array of elements of type T. Its elements must follow in row-major order.
   template <typename T>
   void begin(const std::string& name, const std::vector<std::uint64_t>& shape)
   {
     begin(name, npy_type<T>(), sizeof(T), shape);
   }
 
-  // Appends numbers to an array of elements of type T.
+  // Appends numbers, converted to T.
   template <typename T, typename Number>
   void append_as(const Number* numbers, std::size_t size)
   {
@@ -73,7 +72,7 @@ public:
 
   void end() { m_archive.end(); }
 
-  // an array of one dimension
+  // Writes a one-dimensional array.
   template <typename T>
   void write(const std::string& name, const std::vector<T>& numbers)
   {
@@ -82,7 +81,7 @@ public:
     end();
   }
 
-  // a string of bytes, as an array without dimensions
+  // Writes a byte string as a zero-dimensional array.
   void write_text(const std::string& name, const std::string& text)
   {
     begin(name, "|S" + std::to_string(text.size()), text.size(), {});

@@ -35,18 +35,17 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Which blocks of a file of distances are done, in a way that survives the end of any process at
- * any time: a journal per process names those that are on the disk. The file itself is there when
- * it is complete, and then what was beside it goes.
+ * Tracks the completed blocks of a matrix file so that the computation can be resumed after any
+ * process ends at any time: one journal per process lists the blocks that are on disk. When the
+ * file is complete, it gets its name, and the auxiliary files are removed.
  *
- * `start()` and `finish()` are called by all processes together. What they are given is called in
- * process 0.
+ * `start()` and `finish()` are collective operations; their callbacks run in process 0.
  */
 template <typename Team>
 class Resumable_blocks
 {
 public:
-  // in place of a block: all of them are there, and are being finished
+  // A block number that marks all blocks as complete; the file is being finished.
   static constexpr std::uint64_t ALL = ~std::uint64_t(0);
 
   struct Journal
@@ -64,9 +63,8 @@ public:
 
   const Matrix_file_names& names() const { return m_names; }
 
-  // Finds the blocks that are missing. Calls `is_there(rank, record)` for each block of which the
-  // journal of that rank says so, unless they were being changed, and `prepare(rows)` with the
-  // number of rows to come.
+  // Finds the missing blocks. Calls `is_there(rank, record)` for each recorded block, unless
+  // finishing changed the blocks, and then `prepare(rows)` with the number of missing rows.
   template <typename IsThere, typename Prepare>
   void start(const Matrix_identity& identity,
              const Distance_matrix_plan& plan,
@@ -75,7 +73,7 @@ public:
              const Prepare& prepare)
   {
     m_plan = &plan;
-    m_pending.clear(); // of a computation that has failed
+    m_pending.clear(); // left by a failed computation
     std::vector<std::uint64_t> missing;
     on_first([&] {
       missing = find_missing(identity, are_changed_at_the_end, is_there);
@@ -100,7 +98,8 @@ public:
   std::optional<std::size_t> next_block()
   {
     const std::uint64_t ticket = m_team.next_ticket();
-    if(m_team.size() > 1) // who has the tickets before has done those blocks, or is at work
+    // Blocks with lower tickets are complete, or in progress elsewhere.
+    if(m_team.size() > 1)
       m_rows_done = (std::min)(m_plan->number_of_rows(),
                                m_rows_before + std::size_t(ticket) * m_plan->rows_per_block());
     if(ticket >= m_missing.size())
@@ -110,7 +109,7 @@ public:
 
   std::size_t number_of_rows_done() const { return m_rows_done; }
 
-  // Is to be called when a block was written. `sync()` brings what was written to the disk.
+  // Records a written block. `sync()` flushes the data to disk before a record is committed.
   template <typename Sync>
   void note(const Block_record& record, const Sync& sync)
   {
@@ -120,13 +119,13 @@ public:
     }
     if(m_team.size() == 1)
       m_rows_done += m_plan->rows_of_block(record.block).size();
-    const std::unique_lock lock(m_commit_mutex, std::try_to_lock); // or another thread does it
+    const std::unique_lock lock(m_commit_mutex, std::try_to_lock); // held by a committing thread
     if(lock && Clock::now() - m_last_commit >= m_period)
       commit(sync);
   }
 
-  // Calls `complete(journals)` if all blocks are there, which is to make the file, and to return
-  // the name that it has until then. Returns whether the file is there.
+  // If all blocks are complete, calls `complete(journals)`, which assembles the file and returns
+  // its temporary name. Returns whether the file is complete.
   template <typename Sync, typename Complete>
   bool finish(const Sync& sync, const Complete& complete)
   {
@@ -144,8 +143,8 @@ public:
     return is_complete[0] != 0;
   }
 
-  // Notes in the journal of process 0 that all blocks are there, before they or the name of their
-  // file are changed.
+  // Records in the journal of process 0 that all blocks are complete. This precedes any change to
+  // the blocks and to the name of their file.
   void note_all()
   {
     const Matrix_journal::Contents contents = Matrix_journal::read(m_names.journal(0));
@@ -153,7 +152,7 @@ public:
       Matrix_journal(m_names.journal(0), m_identity, contents).append({Block_record{ALL, 0, 0, 0}});
   }
 
-  // Whether that was noted.
+  // Whether a journal has that record.
   static bool are_all_there(const Journals& journals)
   {
     for(const Journal& journal : journals)
@@ -181,7 +180,7 @@ private:
       {
         error = std::current_exception();
         message = e.what();
-        m_lock.reset(); // the work has ended
+        m_lock.reset(); // the computation has failed
       }
     m_team.share(message);
     if(error)
@@ -190,8 +189,6 @@ private:
       throw std::runtime_error(message);
   }
 
-  // Before
-
   template <typename IsThere>
   std::vector<std::uint64_t> find_missing(const Matrix_identity& identity,
                                           const bool are_changed_at_the_end,
@@ -199,7 +196,7 @@ private:
   {
     if(!std::filesystem::is_directory(m_names.folder()))
       reject("there is no folder " + m_names.folder());
-    m_lock.reset(); // of a computation that has failed
+    m_lock.reset(); // left by a failed computation
     m_lock = std::make_unique<File_lock>(m_names.lock(), m_names.file());
     m_identity = identity;
     Journals journals = read_journals();
@@ -219,7 +216,8 @@ private:
     return missing_blocks(journals);
   }
 
-  // Whoever reads the journals later need not ask again whether a block is there.
+  // Removes the records of blocks that fail verification, so that `finish()` can trust the
+  // journals.
   template <typename IsThere>
   void drop_wrong_records(Journal& journal, const IsThere& is_there) const
   {
@@ -244,19 +242,19 @@ private:
 
   void check_files(const bool has_begun, const bool are_all_there) const
   {
-    if(!are_all_there) // what is there cannot be what the journals are about
+    if(!are_all_there) // an existing file is not the result of these journals
       check_is_not_there();
     if(has_begun)
       return;
     const Matrix_file_names::By_rank parts = m_names.parts();
     if(!parts.empty())
-      reject(parts.begin()->second + " is there without a journal; " + Matrix_journal::remedy());
+      reject(parts.begin()->second + " exists without a journal; " + Matrix_journal::remedy());
   }
 
   void check_is_not_there() const
   {
     if(is_file_there())
-      reject(m_names.file() + " is there already; remove it, or choose another name");
+      reject(m_names.file() + " already exists; remove it, or choose another name");
   }
 
   std::vector<std::uint64_t> missing_blocks(const Journals& journals) const
@@ -273,7 +271,7 @@ private:
     return result;
   }
 
-  // All processes must find the same distances, or the file depends on who finds which.
+  // Checks that all processes have identical input; otherwise the result depends on scheduling.
   void check_team(const Matrix_identity& identity)
   {
     std::vector<std::uint64_t> first(identity.parts.begin(), identity.parts.end());
@@ -283,8 +281,6 @@ private:
         reject("process 0 of the team has " + std::string(Matrix_identity::name(part)) +
                " than process " + std::to_string(m_team.rank()));
   }
-
-  // Meanwhile
 
   template <typename Sync>
   void commit(const Sync& sync)
@@ -301,23 +297,20 @@ private:
     m_last_commit = Clock::now();
   }
 
-  // At the end
-
   template <typename Complete>
   bool complete_file(const Complete& complete)
   {
     const Journals journals = read_journals();
     if(!missing_blocks(journals).empty())
       return false;
-    check_is_not_there(); // it was put there meanwhile
+    check_is_not_there(); // it may have been created meanwhile
     const std::string name = complete(journals);
     note_all();
     std::filesystem::rename(name, m_names.file());
     return true;
   }
 
-  // Journals go last, and that of process 0 last of all: whoever finds it beside the file knows
-  // that the file is complete.
+  // Removes the journal of process 0 last: beside the file, it shows that the file is complete.
   void remove_traces() const
   {
     for(const auto& [rank, file] : m_names.parts())
@@ -354,13 +347,13 @@ private:
   const Distance_matrix_plan* m_plan = nullptr;
   Matrix_identity m_identity;        // process 0 only
   std::unique_ptr<File_lock> m_lock; // process 0 only
-  bool m_was_complete = false;       // process 0 only: at the start
+  bool m_was_complete = false;       // process 0 only: at start()
   std::vector<std::uint64_t> m_missing;
   std::size_t m_rows_before = 0;
   std::atomic<std::size_t> m_rows_done{0};
 
   std::mutex m_mutex;
-  std::vector<Block_record> m_pending; // written, and not yet noted
+  std::vector<Block_record> m_pending; // written, not yet in the journal
   std::mutex m_commit_mutex;
   std::unique_ptr<Matrix_journal> m_journal;
   Clock::time_point m_last_commit;

@@ -30,9 +30,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The blocks of a sparse matrix that processes have written one after the other, in a file each:
- * for each block the numbers of entries of its rows, then the columns of all entries, then their
- * distances.
+ * The blocks of a sparse matrix, which each process has appended to its own file. A block stores
+ * the number of entries of each row, the columns of all entries, and their distances.
  */
 template <typename T>
 class Sparse_parts
@@ -40,7 +39,7 @@ class Sparse_parts
   using Column = typename Sparse_block<T>::Column;
 
 public:
-  // All are referred to, not copied.
+  // Both arguments are referred to, not copied.
   Sparse_parts(const Matrix_file_names& names, const Distance_matrix_plan& plan)
     : m_names(names), m_plan(plan), m_rows(plan.number_of_rows())
   {
@@ -62,7 +61,7 @@ public:
     return result.value();
   }
 
-  // Whether a block is as the journal of a process says.
+  // Whether a block matches its checksum in the journal.
   bool is_there(const std::size_t rank, const Block_record& record)
   {
     if(!std::filesystem::exists(m_names.part(rank)) ||
@@ -73,12 +72,13 @@ public:
            checksum(bytes) == record.checksum;
   }
 
-  // Finds out where the entries of a block's rows are, and whether they are still there.
+  // Verifies a block, and locates the entries of its rows.
   void add(const std::size_t rank, const Block_record& record)
   {
     if(!is_there(rank, record))
-      throw std::runtime_error("Approximate_geodesics: " + m_names.part(rank) +
-                               " was changed by another program; the same call mends it");
+      throw std::runtime_error(
+          "Approximate_geodesics: " + m_names.part(rank) +
+          " was modified by another program; repeat the call to recompute the modified rows");
     const auto rows = m_plan.rows_of_block(static_cast<std::size_t>(record.block));
     std::vector<std::uint32_t> numbers(rows.size());
     read(rank, record.offset, numbers);
@@ -96,7 +96,7 @@ public:
     }
   }
 
-  // Writes all rows, in their order, to a file that SciPy reads.
+  // Writes all rows, in order, to a NPZ file for SciPy.
   void put_together(const std::string& name)
   {
     std::vector<std::uint32_t> numbers;
@@ -121,13 +121,13 @@ public:
   }
 
 private:
-  // Where the entries of a row are.
+  // The location of the entries of a row.
   struct Row
   {
     std::size_t rank;
     std::uint32_t number_of_entries;
-    std::uint64_t columns;   // byte of the file
-    std::uint64_t distances; // byte of the file
+    std::uint64_t columns;   // offset in bytes
+    std::uint64_t distances; // offset in bytes
   };
 
   template <typename V>
@@ -166,7 +166,7 @@ private:
   const Matrix_file_names& m_names;
   const Distance_matrix_plan& m_plan;
   std::vector<Row> m_rows;
-  std::map<std::size_t, std::unique_ptr<Local_file>> m_files; // by process
+  std::map<std::size_t, std::unique_ptr<Local_file>> m_files; // by rank
 };
 
 } // namespace internal

@@ -27,13 +27,13 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Writes a ZIP archive whose members are not compressed, as APPNOTE.TXT of PKWARE defines it.
- * Memory is that for the names of members, whatever their sizes. The same members give the same
- * file: none has a time.
+ * Writes a ZIP archive with uncompressed members, as specified by PKWARE's APPNOTE.TXT. Memory is
+ * linear in the number of members, not in their sizes. The archive is reproducible: members have no
+ * timestamps.
  *
- * Sizes and offsets from `limit` on are written in the fields of 64 bits that ZIP64 adds; what is
- * not that large does without. An archive is complete once finish() has returned. An error of
- * writing is a `std::runtime_error`, after which the file is of no use.
+ * Sizes and offsets of at least `limit` use the 64-bit fields of ZIP64. The archive is complete
+ * once finish() has returned. Write errors throw `std::runtime_error` and leave the archive
+ * unusable.
  */
 class Zip_writer
 {
@@ -41,11 +41,11 @@ class Zip_writer
   using U32 = std::uint32_t;
   using U64 = std::uint64_t;
 
-  static constexpr U16 VERSION = 20, VERSION_OF_ZIP64 = 45; // that a reader must know
+  static constexpr U16 VERSION = 20, VERSION_OF_ZIP64 = 45; // required of readers
   static constexpr U16 NO_FLAGS = 0, STORED = 0;
-  static constexpr U32 NO_TIME = 0x00210000; // midnight of the first day that there is, in 1980
+  static constexpr U32 NO_TIME = 0x00210000; // the DOS epoch, 1980-01-01
   static constexpr U16 FIRST_DISK = 0;
-  static constexpr U16 MAXIMUM_16 = 0xFFFF; // which says that a field of 64 bits has the number
+  static constexpr U16 MAXIMUM_16 = 0xFFFF; // refers to the 64-bit field
   static constexpr U32 MAXIMUM_32 = 0xFFFFFFFF;
 
   struct Member
@@ -59,14 +59,14 @@ class Zip_writer
 public:
   static constexpr U64 LIMIT = MAXIMUM_32;
 
-  // Tests have lower limits.
+  // Tests use lower limits.
   explicit Zip_writer(const std::string& file, const U64 limit = LIMIT)
     : m_file(file), m_limit(limit)
   {
     attempt([&] { m_out.open(file, std::ios::binary); });
   }
 
-  // Begins a member of a number of bytes.
+  // Begins a member of `size` bytes.
   void begin(const std::string& name, const U64 size)
   {
     m_members.push_back({name, size, m_position, 0});
@@ -83,7 +83,7 @@ public:
 
   void append(const std::string& bytes) { append(bytes.data(), bytes.size()); }
 
-  // Ends a member, and goes back to its header to tell the checksum.
+  // Ends a member, and writes its checksum to its header.
   void end()
   {
     CGAL_assertion_msg(m_position == m_end, "a member has the size that its header tells");
@@ -94,7 +94,7 @@ public:
     go_to(m_end);
   }
 
-  // Writes what tells where the members are, and closes the file.
+  // Writes the central directory, and closes the file.
   void finish()
   {
     const U64 begin = m_position;
@@ -112,7 +112,7 @@ private:
     return is_large(number) ? MAXIMUM_32 : static_cast<U32>(number);
   }
 
-  // The field of an entry that has the numbers of 64 bits.
+  // The ZIP64 extra field.
   template <typename... Numbers>
   static std::string long_fields(const Numbers... numbers)
   {
@@ -129,7 +129,7 @@ private:
     return is_far ? long_fields(member.offset) : "";
   }
 
-  // What the header of a member and its entry in the directory have in common.
+  // The common fields of a local header and a directory entry.
   std::string description(const Member& member, const std::string& extra) const
   {
     const U32 size = short_field(member.size);
@@ -169,7 +169,7 @@ private:
                   short_field(begin), size_of_comment);
   }
 
-  // What ZIP64 puts before the end, and what tells where that is.
+  // The ZIP64 end of central directory record, and its locator.
   static std::string long_end_of_directory(const U64 begin, const U64 size, const U64 number)
   {
     constexpr U32 signature = 0x06064b50, signature_of_locator = 0x07064b50;
@@ -194,7 +194,7 @@ private:
     m_position = position;
   }
 
-  // Streams do not say why they fail, but the system may.
+  // Streams do not report the reason of a failure; `errno` may.
   template <typename Step>
   void attempt(const Step& step)
   {

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// NumPy's name of a type of little-endian numbers
+// NumPy's name of a little-endian number type.
 template <typename T>
 std::string npy_type()
 {
@@ -29,15 +29,14 @@ std::string npy_type()
   return std::string("<") + kind + std::to_string(sizeof(T));
 }
 
-// What a NPY file, of version 1.0 of the format, begins with: the type of the elements and the
-// lengths of an array that follows row by row.
+// The header of a NPY file, version 1.0, for an array in row-major order.
 inline std::string npy_header(const std::string& descr, const std::vector<std::uint64_t>& shape)
 {
   constexpr std::size_t alignment = 64, length_of_prefix = 10;
   std::string text = "{'descr': '" + descr + "', 'fortran_order': False, 'shape': (";
   for(std::size_t i = 0; i < shape.size(); ++i)
     text += (i > 0 ? ", " : "") + std::to_string(shape[i]);
-  text += shape.size() == 1 ? ",), }" : "), }"; // as Python writes tuples
+  text += shape.size() == 1 ? ",), }" : "), }"; // Python's tuple syntax
   text.append(alignment - 1 - (length_of_prefix + text.size()) % alignment, ' ');
   text += '\n';
   return "\x93NUMPY" + packed(std::uint16_t(1), static_cast<std::uint16_t>(text.size())) + text;

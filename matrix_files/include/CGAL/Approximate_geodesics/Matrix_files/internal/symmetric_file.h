@@ -20,13 +20,13 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A square matrix in a file, of which two squares at a time are in memory.
+ * A square matrix in a file. Only two square tiles at a time are in memory.
  */
 template <typename T, typename File>
 class Square_matrix_file
 {
 public:
-  // `first` is the byte that the matrix begins with.
+  // `first` is the offset of the matrix in bytes.
   Square_matrix_file(File& file, const std::uint64_t first, const std::size_t size)
     : m_file(file),
       m_first(first),
@@ -37,7 +37,7 @@ public:
   {
   }
 
-  // Replaces each number by the smaller one of both directions. It may be done twice.
+  // Replaces each entry and its transpose by the smaller of the two. The operation is idempotent.
   void make_symmetric()
   {
     for(std::size_t i = 0; i < m_size; i += m_side)
@@ -52,7 +52,7 @@ public:
   }
 
 private:
-  // Reads or writes a square.
+  // Reads or writes a tile.
   template <typename Transfer>
   void transfer(const std::size_t row,
                 const std::size_t column,
@@ -82,8 +82,8 @@ private:
   File& m_file;
   std::uint64_t m_first;
   std::size_t m_size;
-  std::size_t m_side;              // of a square
-  std::vector<T> m_below, m_above; // with rows of `m_side` numbers
+  std::size_t m_side;              // of a tile
+  std::vector<T> m_below, m_above; // row-major, `m_side` entries per row
 };
 
 } // namespace internal
