@@ -26,8 +26,8 @@ refuse("cannot read .: it is a folder" .)
 refuse("cannot read a mesh from empty.off: it is empty" empty.off)
 refuse("cannot read a mesh from empty.stl: it is empty" empty.stl)
 refuse("cannot read a mesh from text.off: it does not begin with OFF" text.off)
-refuse("cannot read a mesh from square: its name must end with that of its format: .off, " square)
-refuse("cannot read a mesh from not_a_number.off: line 3: vertex 0 has no three finite coordinates"
+refuse("cannot read a mesh from square: its file name extension must be .off, " square)
+refuse("cannot read a mesh from not_a_number.off: line 3: vertex 0 does not have three finite coordinates"
        not_a_number.off)
 refuse("the mesh in no_faces.off has no faces" no_faces.off)
 refuse("the mesh in edge.obj has no face with three vertices" edge.obj)

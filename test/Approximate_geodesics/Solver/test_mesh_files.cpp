@@ -49,38 +49,41 @@ const std::vector<Wrong_file>& wrong_files()
   static const std::vector<Wrong_file> result{
       {".off", "", "it is empty"},
       {".stl", "", "it is empty"},
-      {"", "OFF", "its name must end with that of its format"},
-      {".xyz", "0 0 0", "its name must end with that of its format"},
+      {"", "OFF", "its file name extension must be"},
+      {".xyz", "0 0 0", "its file name extension must be"},
       {".off", "This is no mesh.\n", "it does not begin with OFF"},
       {".off", "OFF\n", "it ends after OFF"},
       {".off", "OFF\n# a comment\n4 faces\n", "line 3: the numbers of vertices and faces"},
-      {".off", "OFF\n4 2 0\n0 0 0\n\n1 0\n", "line 5: vertex 1 has no three finite coordinates"},
-      {".off", "OFF 4 2 0\n0 0 0\n1 0 nan\n", "line 3: vertex 1 has no three finite coordinates"},
+      {".off", "OFF\n4 2 0\n0 0 0\n\n1 0\n",
+       "line 5: vertex 1 does not have three finite coordinates"},
+      {".off", "OFF 4 2 0\n0 0 0\n1 0 nan\n",
+       "line 3: vertex 1 does not have three finite coordinates"},
       {".off", "OFF\n4 2 0\n0 0 0\n1 0 0\n", "it ends after 2 of 4 vertices"},
       {".off", "OFF\n99999999999 1 0\n0 0 0\n", "it ends after 1 of 99999999999 vertices"},
       {".off", vertices_of_off + "3 0 1 2\n", "it ends after 1 of 2 faces"},
       {".off", vertices_of_off + "3 0 1 2\n3 0 2", "line 8: face 1 has 2 of its 3 vertices"},
       {".off", vertices_of_off + "3 0 1 4\n", "line 7: face 0 has vertex 4; the vertices are"},
       {".off", vertices_of_off + "3 0 1 -1\n", "line 7: face 0 has vertex -1; the vertices are"},
-      {".off", vertices_of_off + "three\n", "line 7: face 0 has \"three\" in place of the number"},
+      {".off", vertices_of_off + "three\n", "line 7: face 0 has \"three\" instead of its number"},
       {".obj", vertices_of_obj, "it has no faces"},
-      {".obj", vertices_of_obj + "v 1 1\n", "line 5: vertex 3 has no three finite coordinates"},
+      {".obj", vertices_of_obj + "v 1 1\n",
+       "line 5: vertex 3 does not have three finite coordinates"},
       {".obj", vertices_of_obj + "f 1 2 9\n", "line 5: face 0 has vertex 9; the vertices are"},
       {".obj", vertices_of_obj + "f 1 2 -4\n", "line 5: face 0 has vertex -4; the vertices are"},
       {".obj", vertices_of_obj + "f 1 2 4\n", "face 0 has vertex 3; the vertices are"},
-      {".obj", vertices_of_obj + "f 1 2 3\nmesh 1\n", "line 6: \"mesh\" is not known"},
+      {".obj", vertices_of_obj + "f 1 2 3\nmesh 1\n", "line 6: \"mesh\" is an unknown keyword"},
       {".ply", "plain text", "it does not begin with ply"},
       {".ply", header_of_ply.substr(0, 80), "its header does not end"},
       {".ply", "ply\nformat ascii 1.0\nelement face 1\nproperty int a\nend_header\n1\n", "no list"},
       {".ply", header_of_ply + "0 0 0\n1 0", "it ends in vertex 1 of 3"},
-      {".ply", header_of_ply + "0 0 0\n1 x 0\n", "something is not a number in vertex 1 of 3"},
+      {".ply", header_of_ply + "0 0 0\n1 x 0\n", "invalid number in vertex 1 of 3"},
       {".ply", vertices_of_ply + "3 0 1 2\n3 0 1", "it ends in face 1 of 2"},
       {".ply", vertices_of_ply + "3 0 1 2\n3 0 1 3\n", "face 1 has vertex 3; the vertices are"},
       {".ply", vertices_of_ply + "3 0 1 2\n3 0 1 -1\n", "face 1 has vertex -1; the vertices are"},
-      {".stl", "solid x\n" + face_of_stl + face_of_stl.substr(0, 70), "face 1, or its end, is mis"},
+      {".stl", "solid x\n" + face_of_stl + face_of_stl.substr(0, 70), "face 1 or its end is mis"},
       {".stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(60, '\1'),
        "it ends after 1 of 2 faces"},
-      {".ts", "GOCAD\n", "it is not as CGAL reads this format"}};
+      {".ts", "GOCAD\n", "CGAL cannot read it, for an unknown reason"}};
   return result;
 }
 
@@ -128,7 +131,7 @@ TEST(Mesh_file, that_ends_too_early_is_refused_with_the_reason)
         catch(const std::invalid_argument& e)
         {
           ++number_of_errors;
-          EXPECT_EQ(std::string(e.what()).find("it is not as CGAL reads"), std::string::npos)
+          EXPECT_EQ(std::string(e.what()).find("CGAL cannot read it"), std::string::npos)
               << ending << " of " << length << " bytes: " << e.what();
         }
       EXPECT_GT(number_of_errors, bytes.size() / 3) << ending;

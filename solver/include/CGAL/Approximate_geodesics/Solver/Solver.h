@@ -47,11 +47,10 @@
 
 /*!
  * \defgroup PkgApproximateGeodesicsArrays Plain Arrays
- * \ingroup PkgApproximateGeodesicsUsers
- * The class `CGAL::Approximate_geodesics::Solver` takes vertices and faces as arrays of numbers,
- * for programs without mesh types, and for other languages. Its headers are in the folder `solver`,
- * and CMake's target is `Approximate_geodesics::Solver`. The Python package in the folder `python`
- * wraps it.
+ * \ingroup PkgApproximateGeodesicsUsers The class `CGAL::Approximate_geodesics::Solver` takes
+ * vertices and faces as plain arrays, for programs without mesh types and for bindings to other
+ * languages. Its headers are in the folder `solver`, and its CMake target is
+ * `Approximate_geodesics::Solver`. The Python package in the folder `python` wraps it.
  */
 
 namespace CGAL {
@@ -60,93 +59,94 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * What a `Solver` is told beside the mesh. Arrays are read by its constructor only.
+ * The parameters of a `Solver`. Arrays are only read during construction.
  */
 struct Solver_options
 {
-  /// the error bound: paths are at most `1 + epsilon` times as long as the shortest ones. `0` asks
-  /// for exact ones, which there are not with costs or barriers. Without it, paths run along edges,
-  /// and there is no bound.
+  /// the error bound: paths are at most `1 + epsilon` times as long as shortest paths. `0` requests
+  /// exact distances, which do not support costs or barriers. If absent, paths follow edges,
+  /// without an error bound.
   std::optional<double> epsilon = std::nullopt;
 
-  /// the cost of a unit of length in each face: not negative; infinity forbids a face.
+  /// the cost per unit of length in each face. Weights are not negative; infinity makes a face
+  /// impassable.
   const double* face_weights = nullptr;
 
-  /// the cost of a unit of length in each face and direction, if it depends on that; not with
+  /// the cost per unit of length in each face, if it depends on the direction. It excludes
   /// `face_weights`.
   std::optional<Solver_cost> directional_cost = std::nullopt;
 
-  /// whether a mesh is accepted that the bound cannot be kept on with these costs;
-  /// `Solver::error_bound()` tells what is left of it.
+  /// whether to accept a weaker bound where `epsilon` cannot be guaranteed with these costs;
+  /// `Solver::error_bound()` returns the resulting bound.
   bool accept_weaker_bound = false;
 
-  /// so many points may be needed on all edges together for the bound with these costs, which takes
-  /// about 50 bytes each; `0` stands for the default, see `Steiner_graph`.
+  /// the maximum number of Steiner points on all edges together, which take about 50 bytes each;
+  /// `0` selects the default of `Steiner_graph`.
   std::size_t maximum_number_of_points = 0;
 
-  /// edges that paths must not cross: two vertices each.
+  /// edges that paths must not cross, as pairs of vertices.
   const std::int64_t* barriers = nullptr;
 
   /// the number of barriers.
   std::size_t number_of_barriers = 0;
 
-  /// how many threads build the graph and compute matrices; `0` stands for one per core. Without
-  /// TBB, there is one.
+  /// the number of threads for building the graph and computing matrices; `0` selects one per core.
+  /// Without TBB, a single thread is used.
   std::size_t number_of_threads = 0;
 };
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * How far a search goes, and which way.
+ * The range and the direction of a search.
  */
 struct Solver_search_options
 {
-  /// vertices that are farther are not reached.
+  /// vertices at larger distances are not reached.
   double maximum_distance = std::numeric_limits<double>::infinity();
 
-  /// whether distances are those to the sources, and not from them. It makes a difference with
-  /// directional costs only; the first time that it is given, the graph is copied.
+  /// whether to compute distances to the sources instead of from them. They differ only with
+  /// directional costs; in that case, the first such search copies the graph.
   bool direction_to_source = false;
 };
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * How far the rows of a matrix go, and which way.
+ * The columns, the range and the direction of a matrix computation.
  */
 struct Solver_row_options
 {
-  /// the points that the columns belong to; all vertices if there is no list.
+  /// the points of the columns; if null, all vertices.
   const std::vector<Solver_point>* targets = nullptr;
 
-  /// columns that are farther are not reached.
+  /// columns at larger distances are not reached.
   double maximum_distance = std::numeric_limits<double>::infinity();
 
-  /// whether distances are those to the sources, as in `Solver_search_options`.
+  /// whether to compute distances to the sources, as in `Solver_search_options`.
   bool direction_to_source = false;
 
-  /// whether each distance is replaced by the smaller one of both directions. Targets have to be
-  /// the same as sources, in the same order; not for the smallest distances of rows, nor with
-  /// directional costs.
+  /// whether to replace each distance and its transpose by the smaller of the two. Targets must
+  /// equal the sources, in the same order. It is not supported for nearest rows or directional
+  /// costs.
   bool symmetric = false;
 
-  /// the number of threads; `0` stands for that of the solver.
+  /// the number of threads; `0` selects that of the solver.
   std::size_t number_of_threads = 0;
 };
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * Distances and paths on a mesh that is given by plain arrays, for programs without mesh types, and
- * for bindings to other languages: the class `Surface_mesh_shortest_path` and the functions of the
- * package behind one type, which does not depend on the graph that is chosen when a program runs.
+ * Distances and paths on a mesh given by plain arrays, for programs without mesh types and for
+ * bindings to other languages. This type offers the class `Surface_mesh_shortest_path` and the
+ * functions of the package, with a graph that is chosen at run time.
  *
- * Vertices and faces have the numbers of their places in the arrays. All member functions that are
- * `const` can be called by several threads at the same time, each of which gets a workspace.
+ * Vertices and faces are identified by their array indices. All `const` member functions are
+ * thread-safe; each concurrent call uses its own workspace.
  *
- * All of them throw `std::invalid_argument` with a message that names what is wrong with the input,
- * as "face 17 has vertex 99", and `Solver_interrupted` if the watch ends them.
+ * All member functions throw `std::invalid_argument` with a message that names the invalid element,
+ * such as "face 17 has vertex 99", and `Solver_interrupted` if the watch ends the call.
  */
 class Solver
 {
@@ -170,11 +170,11 @@ public:
    *        the surface
    * \param number_of_faces their number
    * \param options the bound, costs, and threads
-   * \param watch is called meanwhile; only steps that take long look at it
+   * \param watch is called during long steps
    *
    * \throws std::invalid_argument if a coordinate is not finite, a vertex of a face does not exist
-   *         or occurs in it twice, an edge has more than two faces, or two of different
-   *         orientation, or the faces of a vertex are in several groups that only touch in it.
+   *         or occurs in it twice, the orientations of adjacent faces are inconsistent, or an edge
+   *         or a vertex is not manifold.
    */
   template <typename Integer>
   Solver(const double* const coordinates,
@@ -190,7 +190,7 @@ public:
     visitor.finish();
   }
 
-  /// reads from a binary stream what `save()` has written there.
+  /// reads a solver from a binary stream written by `save()`.
   /// \throws std::invalid_argument if the stream holds something else, or is damaged.
   explicit Solver(std::istream& in,
                   const std::size_t number_of_threads = 0,
@@ -215,7 +215,7 @@ public:
     }
     if(file.coordinates.size() % 3 != 0 || file.corners.size() % 3 != 0 ||
        (file.weights && file.weights->size() != file.corners.size() / 3))
-      internal::reject("the file of the solver has arrays whose sizes do not fit each other");
+      internal::reject("the file of the solver has arrays of inconsistent sizes");
     build(file.coordinates.data(), file.coordinates.size() / 3, file.corners.data(),
           file.corners.size() / 3, options, &in);
     visitor.finish();
@@ -224,8 +224,9 @@ public:
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
-  /// writes the mesh, the parameters, and a graph that takes long to build, to a binary stream.
-  /// \throws std::runtime_error if `out` does not take it.
+  /// writes the mesh, the parameters, and the graph if it is expensive to build, to a binary
+  /// stream.
+  /// \throws std::runtime_error if writing fails.
   void save(std::ostream& out) const
   {
     internal::Solver_file(m_mesh, m_costs, m_bound).write(out);
@@ -243,10 +244,10 @@ public:
   /// returns the number of faces.
   std::size_t number_of_faces() const { return m_mesh.number_of_faces(); }
 
-  /// returns the bound that was asked for, if any.
+  /// returns the requested bound, if any.
   std::optional<double> epsilon() const { return m_bound.epsilon; }
 
-  /// returns the bound that holds: infinity along edges, and where costs do not allow one.
+  /// returns the guaranteed bound: infinity for paths along edges, and if the costs admit no bound.
   double error_bound() const { return m_graph->error_bound(); }
 
   /// returns whether faces have weights.
@@ -258,11 +259,11 @@ public:
   /// returns whether any edges are barriers.
   bool has_barriers() const { return m_costs.has_barriers(); }
 
-  /// returns the number of threads that matrices are computed by; `0` stands for one per core.
+  /// returns the number of threads used for matrices; `0` means one per core.
   std::size_t number_of_threads() const { return m_number_of_threads; }
 
-  /// returns the number of bytes of the graph and of the workspaces that are not in use; the mesh
-  /// takes about 100 more per vertex.
+  /// returns the size of the graph and of the unused workspaces, in bytes. The mesh takes about 100
+  /// more bytes per vertex.
   std::size_t memory() const { return m_graph.memory(); }
 
   /// writes the coordinates of the vertices, three each.
@@ -289,10 +290,10 @@ public:
    * finds the distance of each vertex from the nearest source.
    *
    * \param sources the sources
-   * \param distances receives as many numbers as there are vertices, infinity where no source
-   *        reaches
-   * \param nearest_sources receives the positions of the nearest sources, or `-1`, if it is given
-   * \param options how far the search goes, and which way
+   * \param distances receives one number per vertex, infinity if it is not reached
+   * \param nearest_sources if not null, receives the position of the nearest source of each vertex,
+   *        or `-1` if it is not reached
+   * \param options the range and the direction of the search
    * \param watch is called during the run
    */
   void find_distances(const std::vector<Solver_point>& sources,
@@ -312,13 +313,14 @@ public:
 
   /*!
    * appends the points of a shortest path from `source` to `target` to `coordinates`, three numbers
-   * each, and returns its length: infinity, and no points, if there is none.
+   * each, and returns its length. If there is no path, appends nothing and returns infinity.
    *
    * \param source where the path starts
    * \param target where it ends
-   * \param straighten whether it is made a locally shortest one; not with costs
+   * \param straighten whether to straighten the path to a locally shortest one, which does not
+   *        support costs
    * \param coordinates receives the points
-   * \param watch is called during an exact search; others end soon
+   * \param watch is called during exact searches; others are fast
    */
   double find_path(const Solver_point& source,
                    const Solver_point& target,
@@ -344,10 +346,10 @@ public:
   /// @}
 
   /// \name Matrices
-  /// A row per source, and a column per target.
+  /// Matrices have one row per source and one column per target.
   /// @{
 
-  /// writes all distances, row by row; infinity where a target is not reached.
+  /// writes all distances in row-major order, infinity if a target is not reached.
   void compute_matrix(double* const distances,
                       const std::vector<Solver_point>& sources,
                       const Solver_row_options& options = Solver_row_options(),
@@ -377,7 +379,7 @@ public:
 
   /// @}
 
-  /// \name What Follows from Distances
+  /// \name Applications of Distances
   /// @{
 
   /// writes the position of the nearest source of each face, as `voronoi_partition()` does, or
@@ -400,12 +402,12 @@ public:
     }
   }
 
-  /// appends vertices that are spread evenly, as `farthest_point_sampling()` chooses them, to
-  /// `vertices`, and returns the greatest distance of a vertex from them and the sources.
-  /// \param number how many vertices are chosen at most
-  /// \param sources vertices to keep away from
+  /// appends a farthest point sample to `vertices`, as `farthest_point_sampling()` computes it, and
+  /// returns the largest distance of a vertex from the sample and the sources.
+  /// \param number the maximum number of chosen vertices
+  /// \param sources vertices that count as chosen before
   /// \param vertices receives the vertices
-  /// \param watch is called between any two of them
+  /// \param watch is called after each chosen vertex
   double find_farthest_vertices(const std::size_t number,
                                 const std::vector<Solver_point>& sources,
                                 std::vector<std::int64_t>& vertices,
@@ -419,8 +421,8 @@ public:
     return m_graph->find_farthest_vertices(points, number, vertices, visitor);
   }
 
-  /// writes the gradient of a function that has these values at the vertices: three numbers per
-  /// face, as `gradient()` computes them.
+  /// writes the gradient of the function with these vertex values, three numbers per face, as
+  /// `gradient()` computes it.
   void find_gradient(const double* const values, double* gradients) const
   {
     std::vector<Simple_cartesian<double>::Vector_3> vectors(number_of_faces());
@@ -430,8 +432,8 @@ public:
       gradients = write(vector, gradients);
   }
 
-  /// returns the polylines where such a function has the value `level`, as `isolines()` does: three
-  /// numbers per point.
+  /// returns the isolines of the function with these vertex values at `level`, as `isolines()`
+  /// computes them: three numbers per point.
   std::vector<std::vector<double>> find_isolines(const double* const values,
                                                  const double level) const
   {
@@ -464,7 +466,7 @@ private:
     m_number_of_threads = options.number_of_threads;
     if(m_bound.epsilon && !(*m_bound.epsilon >= 0 && std::isfinite(*m_bound.epsilon)))
       internal::reject("epsilon is " + internal::text_of(*m_bound.epsilon) +
-                       "; it must be a finite number that is not negative");
+                       "; it must be finite and not negative");
     internal::Array_mesh_builder(m_mesh).build(coordinates, number_of_vertices, corners,
                                                number_of_faces);
     if(options.face_weights != nullptr)
@@ -503,8 +505,6 @@ private:
     });
   }
 
-  // Points
-
   std::vector<Intrinsic_point> intrinsic_points(const std::vector<Solver_point>& points,
                                                 const std::string& kind) const
   {
@@ -521,7 +521,7 @@ private:
   {
     const std::string name = number ? kind + ' ' + std::to_string(*number) : kind;
     const auto check = [&](const std::string& element, const std::size_t size) {
-      if(static_cast<std::uint64_t>(p.element) >= size) // so is a negative one
+      if(static_cast<std::uint64_t>(p.element) >= size) // also negative ones
         internal::reject(name + " is " + element + ' ' + std::to_string(p.element) +
                          "; they are numbered from 0, and there are " + std::to_string(size));
       return static_cast<Mesh::size_type>(p.element);
@@ -533,7 +533,7 @@ private:
                                           p.coordinates);
   }
 
-  // Of use to straight searches only, which are those for paths.
+  // Computed on demand: only path searches use positions.
   const Vertex_positions& positions() const
   {
     std::call_once(m_has_positions, [this] {

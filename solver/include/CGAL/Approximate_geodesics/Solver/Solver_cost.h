@@ -18,10 +18,10 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * What a path costs per unit of length in each face and direction: one of the ready cost functions,
- * with its parameters and arrays, so that a `Solver` can save it.
+ * A directional cost: one of the predefined cost functions with its parameters and arrays. Unlike
+ * arbitrary functions, it can be saved by a `Solver`.
  *
- * Wrong parameters and arrays are refused by the constructor of the solver.
+ * The constructor of `Solver` checks parameters and arrays.
  */
 struct Solver_cost
 {
@@ -35,7 +35,7 @@ struct Solver_cost
     TENSOR_COST     ///< `Tensor_cost`
   };
 
-  /// returns `Hiking_time`, with the factor that speeds are multiplied by.
+  /// returns `Hiking_time`, with a factor for speeds.
   static Solver_cost hiking_time(const double factor = 1) { return {HIKING_TIME, {factor}, {}}; }
 
   /// returns `Walking_energy`.
@@ -48,8 +48,8 @@ struct Solver_cost
     return {DRIFT_TIME, {speed}, std::move(velocities)};
   }
 
-  /// returns `One_way`, with the directions of the faces, three numbers each, the cost where a path
-  /// is allowed, and the smallest cosine of an angle that is.
+  /// returns `One_way`, with the directions of the faces, three numbers each, the cost in
+  /// admissible directions, and the smallest cosine of the angle to an admissible direction.
   static Solver_cost
   one_way(std::vector<double> ways, const double cost = 1, const double smallest_cosine = 0)
   {
@@ -63,7 +63,7 @@ struct Solver_cost
   }
 
   Model model;                    ///< the cost function
-  std::vector<double> parameters; ///< the arguments of its constructor that are numbers
+  std::vector<double> parameters; ///< the numerical arguments of its constructor
   std::vector<double> of_faces;   ///< three or six numbers per face, or none
 };
 

@@ -18,28 +18,28 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * What a `Solver` calls while it is at work, about 30 times a second, and always in the thread that
- * called it. Both functions can be left empty.
+ * The callbacks of a `Solver`, which are called about 30 times per second, always in the calling
+ * thread. Both may be empty.
  */
 struct Solver_watch
 {
-  /// returns whether to go on. If not, the call of the solver ends with `Solver_interrupted`.
+  /// returns whether to continue. Otherwise the call throws `Solver_interrupted`.
   std::function<bool()> go_further;
 
-  /// receives how many pieces of work are done, and how many there are: vertices of a search or of
-  /// a graph with a bound that is built, rows of a matrix, or points of a sample. It is not called
-  /// if there are none.
+  /// receives the number of completed steps and their total: vertices of a search or of a graph
+  /// under construction, rows of a matrix, or points of a sample. It is not called if the total is
+  /// 0.
   std::function<void(std::size_t, std::size_t)> on_progress;
 };
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * What a `Solver` throws if a watch has ended a call. The solver is as it was before.
+ * The exception that a `Solver` throws if a watch ends a call. The solver is unchanged.
  */
 struct Solver_interrupted : std::runtime_error
 {
-  /// says that the call was ended.
+  /// constructs the exception.
   Solver_interrupted() : std::runtime_error("Approximate_geodesics: the run was interrupted") {}
 };
 

@@ -36,7 +36,7 @@ inline std::string ending_of(const std::string& file)
   return result;
 }
 
-// Why CGAL has not read a file, of which it tells nothing.
+// Returns why CGAL could not read a file. CGAL itself reports no reason.
 inline std::string error_in_mesh_file(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
@@ -51,8 +51,8 @@ inline std::string error_in_mesh_file(const std::string& file)
   else if(ending == "stl")
     result = error_in_stl(in);
   else if(ending != "ts")
-    return "its name must end with that of its format: .off, .obj, .ply, .stl or .ts";
-  return result.empty() ? "it is not as CGAL reads this format" : result;
+    return "its file name extension must be .off, .obj, .ply, .stl or .ts";
+  return result.empty() ? "CGAL cannot read it, for an unknown reason" : result;
 }
 
 } // namespace internal
@@ -60,12 +60,11 @@ inline std::string error_in_mesh_file(const std::string& file)
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * reads points, and faces with any number of corners, in the format that the end of the file's name
- * tells: OFF, OBJ, PLY, STL or GOCAD (ts). It is `CGAL::IO::read_polygon_soup()`, with a reason for
- * each failure.
+ * reads a polygon soup in the format of the file name extension: OFF, OBJ, PLY, STL or GOCAD (ts).
+ * It wraps `CGAL::IO::read_polygon_soup()`, and adds the reason of a failure.
  *
- * \throws std::invalid_argument if that fails, or if a face has a vertex that is not there; the
- *         message names a line, a vertex or a face, as far as these are known.
+ * \throws std::invalid_argument if reading fails, or a face has a vertex that does not exist. The
+ *         message names the line, the vertex or the face, if it is known.
  */
 template <typename Point>
 void read_soup(const std::string& file,
@@ -82,7 +81,7 @@ void read_soup(const std::string& file,
   {
     is_read = IO::read_polygon_soup(file, points, faces, parameters::verbose(false));
   }
-  catch(const std::bad_alloc&) // which numbers without meaning can cause
+  catch(const std::bad_alloc&) // caused by damaged sizes
   {
   }
   catch(const std::length_error&)

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Writes dense rows to memory of the caller.
+// A sink that writes dense rows to memory of the caller.
 class Rows_in_place
 {
 public:
@@ -59,8 +59,8 @@ private:
 };
 
 /*
- * A sink that is one of several: so the computation is compiled once per graph, and not once per
- * sink of each graph.
+ * A type-erased sink: the computation is instantiated once per graph, not once per pair of graph
+ * and sink.
  */
 class Any_rows
 {
@@ -75,7 +75,7 @@ public:
   {
   }
 
-  static constexpr bool can_be_symmetric = true; // but for the nearest columns
+  static constexpr bool can_be_symmetric = true; // except for nearest rows, see start()
 
   std::size_t number_of_nearest() const { return m_number_of_nearest; }
 
@@ -83,8 +83,8 @@ public:
   {
     if(plan.is_symmetric() && m_number_of_nearest > 0)
       reject(
-          "symmetric: not with the nearest columns only, as a point may be near another one whose "
-          "nearest points it is not one of");
+          "symmetric: not supported for the nearest columns, because nearest neighbors are not a "
+          "symmetric relation");
     std::visit([&](auto* const rows) { rows->start(plan); }, m_rows);
   }
 

@@ -28,7 +28,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Costs of the faces of a mesh of arrays and barriers, as property maps of it.
+ * The face costs and the barriers of a mesh, as property maps.
  */
 class Array_costs
 {
@@ -37,7 +37,7 @@ class Array_costs
   using Face = Array_mesh::Face_index;
 
 public:
-  // The mesh is referred to.
+  // The mesh is referred to, not copied.
   explicit Array_costs(Array_mesh& mesh) : m_mesh(mesh) {}
 
   void set_weights(const double* const weights)
@@ -53,7 +53,7 @@ public:
     }
   }
 
-  // Barriers are given by the vertices at their ends.
+  // Barriers are given by their end vertices.
   void set_barriers(const std::int64_t* const ends, const std::size_t number)
   {
     m_barriers = m_mesh.add_property_map<Edge, bool>("e:is_barrier", false).first;
@@ -70,8 +70,7 @@ public:
   void set_directional_cost(Solver_cost cost)
   {
     if(m_weights)
-      reject(
-          "there are both weights of faces and directional costs; only one of them can be given");
+      reject("there are both face weights and directional costs; only one of them can be given");
     m_cost = std::move(cost);
   }
 
@@ -81,7 +80,7 @@ public:
   double weight(const Face f) const { return (*m_weights)[f]; }
   bool is_barrier(const Edge e) const { return (*m_barriers)[e]; }
 
-  // Directional costs are asked for in as many directions as the bound takes, if there is one.
+  // The bound determines the number of directions in which directional costs are sampled.
   Intrinsic_triangulation triangulation(const std::optional<double> epsilon) const
   {
     const Array_mesh& mesh = m_mesh;
@@ -102,7 +101,7 @@ public:
   }
 
 private:
-  // A property map, which holds as well where there are no barriers.
+  // A property map that also supports meshes without barriers.
   struct Barriers
   {
     const Array_costs* costs;

@@ -33,9 +33,8 @@ namespace internal {
 using Array_mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
 
 /*
- * Makes a mesh from arrays of coordinates and of vertices of faces, whose numbers it keeps. Sides
- * of faces are sorted, and so it is known of each edge which faces have it; what is not a manifold
- * is refused, and the message names it.
+ * Builds a mesh from arrays of coordinates and face indices, keeping the numbering. Faces are
+ * matched by sorting their sides. A non-manifold element is rejected with a message that names it.
  */
 class Array_mesh_builder
 {
@@ -74,9 +73,9 @@ private:
   // The side of a face from one of its corners to the next one.
   struct Side
   {
-    std::uint32_t low, high; // the ends, by number
-    std::size_t corner;      // that it starts from, among the corners of all faces
-    bool goes_up;            // from the end with the low number to that with the high one
+    std::uint32_t low, high; // the end vertices
+    std::size_t corner;      // the index of its start among all face corners
+    bool goes_up;            // whether it starts at `low`
 
     bool operator<(const Side& other) const
     {
@@ -104,7 +103,7 @@ private:
       throw std::length_error("Approximate_geodesics: the mesh has " +
                               std::to_string(number_of_vertices) + " vertices and " +
                               std::to_string(number_of_faces) +
-                              " faces, more than 32-bit numbers of halfedges can tell apart");
+                              " faces, too many for 32-bit halfedge indices");
   }
 
   void add_vertex(const double* const p)
@@ -123,7 +122,7 @@ private:
     std::array<std::uint32_t, 3> v;
     for(std::size_t i = 0; i < 3; ++i)
     {
-      // a negative number becomes too large
+      // negative numbers become too large
       if(static_cast<std::uint64_t>(corners[i]) >= m_mesh.number_of_vertices())
         reject("face " + std::to_string(face) + " has vertex " + std::to_string(corners[i]) +
                "; the vertices are numbered from 0, and there are " +
@@ -139,7 +138,7 @@ private:
     }
   }
 
-  // Puts sides where those with the same lower end are, and sorts these few.
+  // Counting sort by the lower end, then a comparison sort of each short group.
   void sort_sides()
   {
     std::vector<std::size_t> next(m_mesh.number_of_vertices() + 1, 0);
@@ -176,7 +175,7 @@ private:
       const Side& second = m_sides[i];
       if(++i < m_sides.size() && side.is_on_edge_of(m_sides[i]))
         reject(name_of_edge(side) + " is not manifold: " + name_of_face(side) + ", " +
-               name_of_face(second) + " and " + name_of_face(m_sides[i]) + " have it");
+               name_of_face(second) + " and " + name_of_face(m_sides[i]) + " share it");
       check_second(side, second);
       link(second);
     }
@@ -185,17 +184,17 @@ private:
   static void check_second(const Side& first, const Side& second)
   {
     if(first.goes_up == second.goes_up)
-      reject(name_of_face(first) + " and " + name_of_face(second) + " run through " +
+      reject(name_of_face(first) + " and " + name_of_face(second) + " traverse " +
              name_of_edge(first) +
-             " in the same direction; faces on both sides of an edge must be "
-             "oriented alike");
+             " in the same direction; adjacent faces must have the same "
+             "orientation");
   }
 
   void add_face(const std::size_t number)
   {
     check_for_interruption_at(number);
     const Face face = m_mesh.add_face();
-    m_mesh.set_halfedge(face, m_halfedges[3 * number]); // the first corner stays the first one
+    m_mesh.set_halfedge(face, m_halfedges[3 * number]); // keeps the first corner first
     for(std::size_t i = 0; i < 3; ++i)
     {
       const Halfedge h = m_halfedges[3 * number + i];
@@ -205,7 +204,7 @@ private:
     }
   }
 
-  // Each vertex has one border halfedge that leaves it, or none.
+  // Links border halfedges. A manifold vertex has at most one outgoing border halfedge.
   void link_border()
   {
     std::vector<Halfedge> from(m_mesh.number_of_vertices());
@@ -228,7 +227,7 @@ private:
       }
   }
 
-  // One turn around a vertex has to come by all edges.
+  // Rotating around a manifold vertex visits all of its edges.
   void check_vertices() const
   {
     std::vector<std::size_t> degree(m_mesh.number_of_vertices(), 0);
@@ -255,7 +254,7 @@ private:
   [[noreturn]] static void reject_vertex(const Vertex v)
   {
     reject("vertex " + std::to_string(static_cast<std::size_t>(v)) +
-           " is not manifold: its faces are in several groups that only touch in it");
+           " is not manifold: its faces form several groups that share no edge");
   }
 
   Array_mesh& m_mesh;

@@ -21,8 +21,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The points of a placement, or none: so graphs with a bound and along edges are of one type, and
- * compiled once. Placing them can be interrupted.
+ * A point placement that may be empty, so that graphs with a bound and graphs along edges share one
+ * type and one instantiation. Placement can be interrupted.
  */
 template <typename Placement>
 class Optional_points

@@ -27,7 +27,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * What a solver is made from, in a file: the arrays, and the parameters.
+ * The file format of a solver: its arrays and parameters.
  */
 struct Solver_file
 {
@@ -40,9 +40,9 @@ struct Solver_file
   bool accepts_weaker_bound = false;
   std::uint64_t maximum_number_of_points = 0;
 
-  static constexpr std::uint64_t SIGNATURE = 0x0a1a0d56534c4741; // AGLSV, and what text modes spoil
+  static constexpr std::uint64_t SIGNATURE = 0x0a1a0d56534c4741; // AGLSV, and line ends
   static constexpr std::uint32_t VERSION = 2;
-  static constexpr const char* CONTENTS = "the solver"; // in messages
+  static constexpr const char* CONTENTS = "the solver"; // used in messages
 
   Solver_file() = default;
 
@@ -89,7 +89,7 @@ struct Solver_file
   {
     Binary_reader reader(in, CONTENTS);
     if(reader.read<std::uint64_t>() != SIGNATURE)
-      reject("the file is not that of a solver");
+      reject("the file does not contain a solver");
     const auto version = reader.read<std::uint32_t>();
     if(version != VERSION)
       reject("the file of the solver has version " + std::to_string(version) +
@@ -150,7 +150,7 @@ private:
     read(reader, cost->of_faces);
   }
 
-  // Nothing is reserved: a damaged number must not exhaust memory.
+  // Does not reserve memory: a damaged size must not exhaust it.
   template <typename T>
   static void read(Binary_reader& reader, std::vector<T>& values)
   {

@@ -27,8 +27,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * What a solver asks of a graph, whichever it is. Several threads may call all of it at the same
- * time.
+ * The type-erased interface of the graphs of a solver. All member functions are thread-safe.
  */
 class Solver_graph
 {
@@ -39,26 +38,26 @@ public:
 
   virtual const Intrinsic_triangulation& triangulation() const = 0;
 
-  // Paths are at most so much longer than possible, as a part of that; infinity if nobody knows.
+  // The relative error bound of paths; infinity if it is unknown.
   virtual double error_bound() const = 0;
 
   virtual std::size_t memory() const = 0;
 
-  // Writes the distance of each vertex, by its index in the mesh, and the position of its nearest
-  // source, or -1, unless there is no room for that.
+  // Writes the distance of each vertex, by its index in the mesh, and, if `nearest_sources` is not
+  // null, the position of its nearest source, or -1.
   virtual void find_distances(std::vector<Source_point> sources,
                               double maximum_distance,
                               double* distances,
                               std::int64_t* nearest_sources,
                               Solver_visitor& visitor) const = 0;
 
-  // The path from the target to the source, without points if there is none.
+  // Returns the path from the target to the source. It has no points if the target is not reached.
   virtual Path find_path(const Intrinsic_point& source,
                          const Intrinsic_point& target,
                          const Vertex_positions& positions,
                          Solver_visitor& visitor) const = 0;
 
-  // The targets are all vertices if there is no list of them.
+  // If `targets` is null, all vertices are targets.
   virtual void compute_rows(Any_rows& rows,
                             const Points& sources,
                             const Points* targets,
@@ -66,16 +65,16 @@ public:
                             bool is_symmetric,
                             Solver_visitor& visitor) const = 0;
 
-  // Appends vertices, by their indices, and returns how far the others are from them at most.
+  // Appends the indices of chosen vertices, and returns the largest distance of a vertex from them.
   virtual double find_farthest_vertices(const Points& sources,
                                         std::size_t number,
                                         std::vector<std::int64_t>& vertices,
                                         Solver_visitor& visitor) const = 0;
 
-  // The graph for the ways back; null if it is this one.
+  // Returns the reversed graph, or null if the graph is undirected.
   virtual std::unique_ptr<Solver_graph> reversed() const = 0;
 
-  // Writes what takes long to find again.
+  // Writes the graph if it is expensive to build.
   virtual void save(std::ostream& out) const = 0;
 };
 

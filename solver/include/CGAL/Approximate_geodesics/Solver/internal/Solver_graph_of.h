@@ -35,7 +35,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A graph for a solver, with workspaces for those who search it.
+ * A graph with a pool of search workspaces.
  */
 template <typename Graph>
 class Solver_graph_of final : public Solver_graph
@@ -81,7 +81,8 @@ public:
       nearest_sources[i] = static_cast<std::int64_t>(labels.source(triangulation().vertex(i)));
   }
 
-  // Straight lines lead the search, unless it can take so long that it is to be watched.
+  // Uses A* search with straight-line distances. Exact searches can take long, so they call the
+  // visitor instead.
   Path find_path(const Intrinsic_point& source,
                  const Intrinsic_point& target,
                  const Vertex_positions& positions,
@@ -104,7 +105,7 @@ public:
                     const bool is_symmetric,
                     Solver_visitor& visitor) const override
   {
-    // begins with a name of ours, as those of CGAL 6 begin chains that lack them
+    // starts with a parameter of this package: chains that start with one of CGAL 6 lack ours
     const auto np = parameters::symmetric(is_symmetric)
                         .maximum_distance(maximum_distance)
                         .visitor(std::ref(visitor))

@@ -25,8 +25,8 @@ namespace internal {
 
 /*
  * The visitor of one call of a solver: of the construction of a graph, or of the rows of a matrix.
- * Any thread may ask it; all but that of the call only learn whether that has ended. The clock
- * spares the functions of the watch being called too often.
+ * Any thread may query it, but only the calling thread calls the watch, at limited frequency; other
+ * threads only read whether the call was ended.
  */
 class Solver_visitor final : public Distance_matrix_visitor_base, public Interruption
 {
@@ -43,7 +43,7 @@ public:
 
   void set_progress(const std::size_t number_done, const std::size_t number) override
   {
-    m_number_done = (std::min)(number_done, number); // nodes may count more than once
+    m_number_done = (std::min)(number_done, number); // nodes may be counted repeatedly
     m_number = number;
   }
 
@@ -52,7 +52,7 @@ public:
     set_progress(progress.number_done, progress.number_of_rows);
   }
 
-  // Looks at the clock, and asks the watch if it is time.
+  // Calls the watch if enough time has passed.
   bool go_further()
   {
     if(m_is_stopped)
@@ -68,7 +68,7 @@ public:
     return !m_is_stopped;
   }
 
-  // The same, and throws if the work is to end.
+  // Throws if the watch ends the call.
   void check() override
   {
     if(!go_further())
@@ -77,7 +77,8 @@ public:
 
   Of_search visitor_of_search();
 
-  // Is to be called after the work: throws if it was ended, and else tells that all is done.
+  // Must be called at the end: throws if the watch ended the call, and otherwise reports full
+  // progress.
   void finish()
   {
     if(m_is_stopped)
@@ -94,24 +95,23 @@ private:
   }
 
   const Solver_watch& m_watch;
-  Interruption* m_outer = of_this_thread(); // of a call that has made this one by its watch
+  Interruption* m_outer = of_this_thread(); // of an outer call whose watch made this call
   std::thread::id m_caller = std::this_thread::get_id();
   Clock::time_point m_last_time = Clock::now();
   std::atomic<bool> m_is_stopped{false};
-  std::atomic<std::size_t> m_number_done{0}; // of other threads, too
+  std::atomic<std::size_t> m_number_done{0}; // also written by other threads
   std::atomic<std::size_t> m_number{0};
 };
 
 /*
- * The visitor of one search. After most of its steps, which are small, it does not look at the
- * clock.
+ * The visitor of one search. It queries the clock rarely, because steps are short.
  */
 class Solver_visitor::Of_search : public Geodesic_visitor_base
 {
 public:
-  static constexpr bool is_told_of_nodes = false; // which would cost a sort
+  static constexpr bool is_told_of_nodes = false; // would require sorting
 
-  // `is_whole_call` says whether the search is all that the call does.
+  // `is_whole_call` tells whether the call consists of this search.
   Of_search(Solver_visitor& visitor, const bool is_whole_call)
     : m_visitor(visitor), m_is_whole_call(is_whole_call)
   {
@@ -126,7 +126,7 @@ public:
   bool go_further()
   {
     constexpr std::size_t nodes_between_looks = 1024;
-    if(m_number_done - m_last_look < nodes_between_looks) // a new search begins with less
+    if(m_number_done - m_last_look < nodes_between_looks) // wraps around at a new search
       return true;
     m_last_look = m_number_done;
     if(m_is_whole_call)

@@ -20,8 +20,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A graph for distances from the sources, and the one for distances to them, which is made when it
- * is asked for; the same one if costs do not depend on the direction.
+ * A graph for distances from the sources, and its reversal for distances to the sources, which is
+ * built on demand. Undirected graphs are not duplicated.
  */
 class Two_way_graph
 {

@@ -16,9 +16,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The graph of exact distances, whose searches can end amid the arcs of a node: on a convex
- * surface, where no path bends, all arcs are those of the source, and finding them is the whole
- * search.
+ * The exact graph with searches that can be interrupted amid the arcs of a node. On a convex
+ * surface there are no pseudo-sources, so the arcs of the source are the whole search.
  */
 class Watched_exact_graph : public Saddle_vertex_graph
 {

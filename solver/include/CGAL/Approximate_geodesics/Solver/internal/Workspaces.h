@@ -19,8 +19,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Workspaces for searches of one graph. A thread borrows one for the time of a search, so that
- * there are never more than threads that search at the same time.
+ * A pool of search workspaces for one graph. A thread borrows a workspace for the duration of a
+ * search, so there are at most as many as concurrent searches.
  */
 template <typename Search>
 class Workspaces
@@ -43,7 +43,7 @@ public:
     return std::unique_ptr<Search, Return>(take().release(), Return{this});
   }
 
-  // The sum of `f(search)` for all that nobody has borrowed.
+  // Returns the sum of `f(search)` over all workspaces that are not borrowed.
   template <typename F>
   std::size_t sum(const F& f) const
   {
@@ -60,7 +60,7 @@ private:
     const std::lock_guard lock(m_mutex);
     if(m_searches.empty())
     {
-      m_searches.reserve(++m_number); // so that putting back cannot fail
+      m_searches.reserve(++m_number); // so that put_back() cannot throw
       return std::make_unique<Search>(m_graph);
     }
     Pointer result = std::move(m_searches.back());

@@ -30,10 +30,10 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// A cost function, whichever it is: faces are given by their numbers.
+// A type-erased cost function of a face index and a direction.
 using Cost_function = std::function<double(std::size_t, const Simple_cartesian<double>::Vector_3&)>;
 
-// Vectors of faces, three numbers each, as a property map.
+// A property map of face vectors, three numbers each.
 struct Face_vectors
 {
   const double* numbers;
@@ -45,7 +45,7 @@ struct Face_vectors
   }
 };
 
-// Tensors of faces, six numbers each.
+// A property map of face tensors, six numbers each.
 struct Face_tensors
 {
   const double* numbers;
@@ -66,12 +66,12 @@ inline void check_numbers_of_faces(const Solver_cost& cost, const std::size_t nu
                                                                                     : 0;
   if(cost.of_faces.size() != per_face * number_of_faces)
     reject("the costs have " + std::to_string(cost.of_faces.size()) + " numbers for " +
-           std::to_string(number_of_faces) + " faces; it must be " + std::to_string(per_face) +
+           std::to_string(number_of_faces) + " faces; there must be " + std::to_string(per_face) +
            " per face");
   for(std::size_t i = 0; i < cost.of_faces.size(); ++i)
     if(!std::isfinite(cost.of_faces[i]))
       reject("face " + std::to_string(i / per_face) + " has the number " +
-             text_of(cost.of_faces[i]) + " among those of its cost; they must be finite");
+             text_of(cost.of_faces[i]) + " in its cost; numbers must be finite");
 }
 
 inline Cost_function ready_function(const Solver_cost& cost)
@@ -80,7 +80,7 @@ inline Cost_function ready_function(const Solver_cost& cost)
   const auto parameter = [&](const std::size_t i) {
     if(i >= cost.parameters.size())
       reject("the costs have " + std::to_string(cost.parameters.size()) +
-             " parameters, which are too few");
+             " parameters, too few for their model");
     return cost.parameters[i];
   };
   switch(cost.model)
@@ -96,10 +96,10 @@ inline Cost_function ready_function(const Solver_cost& cost)
   case Solver_cost::TENSOR_COST:
     return Tensor_cost<Face_tensors>({numbers});
   }
-  reject("the costs are of model " + std::to_string(int(cost.model)) + ", which there is not");
+  reject("unknown cost model " + std::to_string(int(cost.model)));
 }
 
-// Returns the function, which refers to `cost`. It can be interrupted.
+// Returns an interruptible function, which refers to `cost`.
 inline Cost_function cost_function(const Solver_cost& cost, const std::size_t number_of_faces)
 {
   check_numbers_of_faces(cost, number_of_faces);

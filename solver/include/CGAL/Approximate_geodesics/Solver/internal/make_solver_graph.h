@@ -38,15 +38,15 @@ std::unique_ptr<Solver_graph> solver_graph(Graph graph)
   return std::make_unique<Solver_graph_of<Graph>>(std::move(graph));
 }
 
-// The bound, and what is to be done where it cannot be kept.
+// The requested error bound.
 struct Bound_of_graph
 {
   std::optional<double> epsilon;
   bool accepts_weaker = false;
-  std::size_t maximum_number_of_points = 0; // by default
+  std::size_t maximum_number_of_points = 0; // selects the default
 };
 
-// The points for a bound, or none.
+// The Steiner points for a bound, or none.
 template <typename Placement>
 Optional_points<Placement> optional_points(const Bound_of_graph& bound)
 {
@@ -59,7 +59,7 @@ Optional_points<Placement> optional_points(const Bound_of_graph& bound)
       Placement(parameters::epsilon(*bound.epsilon).accept_weaker_bound(bound.accepts_weaker)));
 }
 
-// The graph for a bound: along edges if there is none. A graph that was saved is read.
+// Returns the graph for a bound, or the edge graph if there is no bound. A saved graph is read.
 inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation triangulation,
                                                        const Bound_of_graph& bound,
                                                        std::istream* const saved)

@@ -22,16 +22,15 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Calls `f` where at most so many threads may take part in loops, this one among them; `0` stands
-// for as many as there are cores. Each thread keeps its arenas, as some versions of TBB do not free
-// all of the memory of one.
+// Calls `f` in a task arena of `number` threads, including this one; `0` selects one per core.
+// Arenas are kept per thread, because some versions of TBB leak memory when an arena is destroyed.
 template <typename F>
 void with_threads([[maybe_unused]] const std::size_t number, const F& f)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   constexpr std::size_t most = 1 << 16;
   if(number > most)
-    reject("the number of threads is " + std::to_string(number) + ", above " +
+    reject("the number of threads is " + std::to_string(number) + ", more than " +
            std::to_string(most));
   if(number == 0 || number >= static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()))
     return f();

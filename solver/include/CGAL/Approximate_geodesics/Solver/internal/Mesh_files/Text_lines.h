@@ -22,7 +22,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The lines of a text that have words, and these words. The rest of a line after # is a comment.
+ * Splits a text into lines of words. It skips blank lines, and comments that begin with #.
  */
 class Text_lines
 {
@@ -30,7 +30,7 @@ public:
   // The stream is referred to, not copied.
   explicit Text_lines(std::istream& in) : m_in(in) {}
 
-  // Goes to the next line. Returns whether there is one.
+  // Reads the next line. Returns whether there is one.
   bool next()
   {
     words.clear();
@@ -43,14 +43,14 @@ public:
     return !words.empty();
   }
 
-  // What messages about the line begin with.
+  // The prefix of messages about the current line.
   std::string name() const { return "line " + std::to_string(m_number) + ": "; }
 
   std::vector<std::string> words;
 
 private:
   std::istream& m_in;
-  std::size_t m_number = 0; // counted from 1, as in editors
+  std::size_t m_number = 0; // counted from 1
 };
 
 inline bool is_finite_number(const std::string& word)
@@ -67,7 +67,7 @@ inline std::optional<std::size_t> to_count(const std::string& word)
   return std::stoull(word);
 }
 
-// Whether there are three numbers from a word on.
+// Whether three numbers begin at a word.
 inline bool has_coordinates(const std::vector<std::string>& words, const std::size_t first)
 {
   for(std::size_t i = first; i < first + 3; ++i)

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Whether CGAL passes over lines that begin with a word.
+// Whether CGAL's reader accepts a keyword.
 inline bool can_be_in_obj(const std::string& word)
 {
   std::istringstream in("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + word + "\n");
@@ -32,8 +32,8 @@ inline bool can_be_in_obj(const std::string& word)
   return IO::read_OBJ(in, points, faces);
 }
 
-// What is wrong with a line of a face, or nothing. Vertices count from 1, or from the last one
-// back.
+// Returns the error in a face line, or an empty string. Vertex numbers start from 1; negative ones
+// count from the end.
 inline std::string error_in_obj_face(const Text_lines& line,
                                      const std::size_t face,
                                      const std::size_t number_of_vertices)
@@ -48,10 +48,10 @@ inline std::string error_in_obj_face(const Text_lines& line,
              "; the vertices are numbered from 1, and there are " +
              std::to_string(number_of_vertices);
   }
-  return line.words.size() < 4 ? line.name() + name + " has less than three vertices" : "";
+  return line.words.size() < 4 ? line.name() + name + " has fewer than three vertices" : "";
 }
 
-// Why a text is no mesh in the OBJ format, or nothing if that is not known.
+// Returns why an OBJ file cannot be read, or an empty string if the reason is unknown.
 inline std::string error_in_obj(std::istream& in)
 {
   std::size_t number_of_vertices = 0, number_of_faces = 0;
@@ -61,9 +61,9 @@ inline std::string error_in_obj(std::istream& in)
     const std::string& first = line.words.front();
     if(first == "v" && !has_coordinates(line.words, 1))
       return line.name() + "vertex " + std::to_string(number_of_vertices) +
-             " has no three finite coordinates";
+             " does not have three finite coordinates";
     if(known.insert(first).second && !can_be_in_obj(first))
-      return line.name() + '"' + first + "\" is not known";
+      return line.name() + '"' + first + "\" is an unknown keyword";
     number_of_vertices += first == "v" ? 1 : 0;
   }
   in.clear();

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// What is wrong with a line of a face, or nothing.
+// Returns the error in a face line, or an empty string.
 inline std::string error_in_off_face(const Text_lines& line,
                                      const std::size_t face,
                                      const std::size_t number_of_vertices)
@@ -28,7 +28,7 @@ inline std::string error_in_off_face(const Text_lines& line,
   const std::optional<std::size_t> size = to_count(line.words.front());
   if(!size)
     return line.name() + name + " has \"" + line.words.front() +
-           "\" in place of the number of its vertices";
+           "\" instead of its number of vertices";
   for(std::size_t i = 1; i <= *size; ++i)
   {
     if(i >= line.words.size())
@@ -41,7 +41,7 @@ inline std::string error_in_off_face(const Text_lines& line,
   return "";
 }
 
-// Why a text is no mesh in the OFF format, or nothing if that is not known.
+// Returns why an OFF file cannot be read, or an empty string if the reason is unknown.
 inline std::string error_in_off(std::istream& in)
 {
   Text_lines line(in);
@@ -65,7 +65,8 @@ inline std::string error_in_off(std::istream& in)
     if(!line.next())
       return end(i, *vertices, "vertices");
     else if(!has_coordinates(line.words, 0))
-      return line.name() + "vertex " + std::to_string(i) + " has no three finite coordinates";
+      return line.name() + "vertex " + std::to_string(i) +
+             " does not have three finite coordinates";
   for(std::size_t i = 0; i < *faces; ++i)
   {
     if(!line.next())

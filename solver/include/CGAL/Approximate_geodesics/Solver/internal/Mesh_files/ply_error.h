@@ -24,7 +24,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * What the header of a PLY file announces.
+ * The header of a PLY file.
  */
 struct Ply_header
 {
@@ -48,11 +48,11 @@ struct Ply_header
   bool begins = false;
   bool ends = false;
   bool lists_corners = false;
-  std::map<std::string, std::size_t> number_of; // elements
+  std::map<std::string, std::size_t> number_of; // by element
 };
 
-// Why a file is no mesh in the PLY format, or nothing if that is not known. CGAL's reader tells, as
-// it keeps what it has read.
+// Returns why a PLY file cannot be read, or an empty string if the reason is unknown. After a
+// failure, CGAL's reader keeps the elements before the error, which locates it.
 inline std::string error_in_ply(std::istream& in)
 {
   Ply_header header(in);
@@ -68,9 +68,8 @@ inline std::string error_in_ply(std::istream& in)
   std::vector<std::vector<std::size_t>> faces;
   IO::read_PLY(in, points, faces, parameters::verbose(false));
   in.clear();
-  const std::string reason = in.peek() == std::istream::traits_type::eof()
-                                 ? "it ends in "
-                                 : "something is not a number in ";
+  const std::string reason =
+      in.peek() == std::istream::traits_type::eof() ? "it ends in " : "invalid number in ";
   if(points.size() < header.number_of["vertex"])
     return reason + "vertex " + std::to_string(points.size()) + " of " +
            std::to_string(header.number_of["vertex"]);

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Why a file is no mesh in the STL format, or nothing if that is not known.
+// Returns why an STL file cannot be read.
 inline std::string error_in_stl(std::istream& in)
 {
   std::string word;
@@ -28,7 +28,7 @@ inline std::string error_in_stl(std::istream& in)
     std::size_t number_of_faces = 0;
     while(in >> word)
       number_of_faces += word == "endfacet" ? 1 : 0;
-    return "face " + std::to_string(number_of_faces) + ", or its end, is missing or wrong";
+    return "face " + std::to_string(number_of_faces) + " or its end is missing or malformed";
   }
   constexpr std::streamoff header = 80, size_of_face = 50;
   std::uint32_t announced = 0;
