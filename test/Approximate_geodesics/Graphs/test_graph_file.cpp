@@ -113,7 +113,7 @@ TEST_F(Graph_file, serves_the_class)
 TEST_F(Graph_file, is_refused_if_anything_is_missing)
 {
   for(std::size_t size = 0; size < m_file.size(); size += 1 + size / 50)
-    expect_refused(m_file.substr(0, size), m_mesh, "ends too early");
+    expect_refused(m_file.substr(0, size), m_mesh, "is truncated");
 }
 
 TEST_F(Graph_file, is_refused_if_anything_is_changed)

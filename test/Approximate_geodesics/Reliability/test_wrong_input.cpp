@@ -262,7 +262,7 @@ TEST_F(Wrong_input, of_graph_files)
   const std::string file = graph_file(m_mesh);
   expect_refusals({
       {"a graph of another mesh", load(graph_file(to_mesh(flat_grid(5, 5)))), {"25 vertices"}},
-      {"half a graph", load(file.substr(0, file.size() / 2)), {"the graph ends too early"}},
+      {"half a graph", load(file.substr(0, file.size() / 2)), {"the graph is truncated"}},
       {"no graph",
        load("This is a text of more than sixteen characters."),
        {"not that of a discrete geodesic graph"}},

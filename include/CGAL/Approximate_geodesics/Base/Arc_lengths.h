@@ -21,16 +21,16 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsBase
  *
- * What a priority queue knows about the arcs of a graph when it is made: their shortest, mean and
- * longest length, in units of the graph. All are `0` for a graph without arcs.
+ * The shortest, mean and longest length of the arcs of a graph, in units of the graph. Priority
+ * queues derive their parameters from them. All are `0` for a graph without arcs.
  */
 struct Arc_lengths
 {
   /// the length of the shortest arc.
   double shortest = 0;
-  /// the mean length of the arcs; an estimate is good enough.
+  /// the mean length of the arcs, or an estimate.
   double mean = 0;
-  /// the length of the longest arc, or an estimate; queues work with longer ones, too.
+  /// the length of the longest arc, or an estimate; longer arcs are allowed.
   double longest = 0;
 };
 
@@ -45,7 +45,7 @@ inline Arc_lengths summarize_arc_lengths(const std::vector<double>& lengths)
   if(lengths.empty())
     return {};
 
-  constexpr std::size_t LANES = 8; // independent of each other, so that the loop vectorizes
+  constexpr std::size_t LANES = 8; // independent accumulators let the loop vectorize
   std::array<double, LANES> shortest, sum, longest;
   shortest.fill(std::numeric_limits<double>::infinity());
   sum.fill(0);
@@ -69,7 +69,7 @@ inline Arc_lengths summarize_arc_lengths(const std::vector<double>& lengths)
 
 namespace internal {
 
-// Gathers what a queue wants to know of arcs, one after the other or many at once.
+// Accumulates `Arc_lengths`.
 class Arc_length_summary
 {
 public:
@@ -90,7 +90,7 @@ public:
 
   std::size_t number_of_arcs() const { return m_number; }
 
-  // in another unit, a power of two
+  // Returns the lengths multiplied by `unit`, a power of two.
   Arc_lengths result(const double unit = 1) const
   {
     if(m_number == 0)

@@ -31,30 +31,31 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
  *
- * A monotone priority queue that sorts its entries into buckets by their keys, and does not sort
- * them further. The bucket of the smallest keys is drained in rounds: a round is what the bucket
- * held when the round started, and comes out in batches; what enters the bucket meanwhile makes the
- * next round. A node whose key is lowered is entered again; the search skips the stale entry when
- * it comes out. After each run, its figures determine the width of the buckets for the next one.
+ * A monotone priority queue that distributes its entries to buckets by their keys, and leaves each
+ * bucket unsorted. The bucket of the smallest keys is drained in rounds: a round consists of the
+ * entries that are in the bucket when the round starts, and is extracted in batches; entries that
+ * are pushed into the bucket meanwhile form the next round. A node whose key decreases is pushed
+ * again; the search skips the stale entry. The statistics of each run determine the bucket width of
+ * the next run.
  *
- * All keys in the queue lie within one longest arc of the current bucket, so a small circle of
- * buckets is enough. So few entries share a bucket that their order hardly matters: on scanned
- * models a node is expanded 1.00 to 1.04 times on average. Two fallbacks bound the cost where arc
- * lengths differ by many orders of magnitude:
- * - Keys beyond the circle, whose length is limited, wait in a heap until the circle reaches them.
- *   There, keys are lowered in place.
- * - A bucket that keeps growing while it is drained moves to the heap, and comes out smallest key
- *   first. So does every bucket once the number of entries extracted, or of those that wait, is
- *   several times the number of nodes. A run therefore expands \cgalBigO{n} nodes, for `n` of
- *   them, whatever the lengths.
+ * All keys in the queue exceed those of the current bucket by at most the length of the longest
+ * arc, so a small circular array of buckets suffices. Buckets hold so few entries that their order
+ * hardly matters: on scanned models, a node is expanded 1.00 to 1.04 times on average. Two
+ * fallbacks bound the cost if arc lengths differ by many orders of magnitude:
+ * - The number of buckets is limited. Keys beyond the last bucket wait in a heap, which supports
+ *   decreasing keys in place.
+ * - A bucket that keeps growing while it is drained moves to the heap, and is extracted in
+ *   increasing order. The same holds for every bucket once the number of extracted or of waiting
+ *   entries is several times the number of nodes. Hence a run expands \cgalBigO{n} nodes, for `n`
+ *   nodes in the graph, for any arc lengths.
  *
  * `push()` and `extract_min()` take constant time per entry, and \cgalBigO{\log m} for the `m`
- * entries on the heap. Each bucket of the circle keeps the memory of the largest number of entries
- * that it held, also from run to run. The heap takes 4 bytes per node from when it is first needed.
+ * entries on the heap. Buckets retain the memory of their largest sizes, also between runs. The
+ * heap takes 4 bytes per node once it is used.
  *
  * Adapting the buckets to the mesh from run to run is an idea of Schwartz, de Rezende and Pedrini
- * \cgalCite{srp-fasgp-15}; the circle, draining in any order and the fallbacks are additions of
- * this package. Denardo and Fox introduced buckets drained in any order \cgalCite{df-spmrp-79}.
+ * \cgalCite{srp-fasgp-15}; the circular array, unordered draining and the fallbacks are additions
+ * of this package. Denardo and Fox introduced buckets drained in any order \cgalCite{df-spmrp-79}.
  *
  * \tparam WidthPolicy a model of `BucketWidthPolicy`
  *
@@ -70,13 +71,13 @@ public:
   /// a distance, in units of the graph.
   using Key = double;
 
-  /// what comes out of the queue.
+  /// an entry of the queue.
   using Entry = Queue_entry;
 
   /// a range of entries.
   using Batch = Iterator_range<const Entry*>;
 
-  /// makes an empty queue for a graph with `number_of_nodes` nodes and the given arcs.
+  /// constructs an empty queue for a graph with `number_of_nodes` nodes and the given arc lengths.
   explicit Basic_adaptive_bucket_queue(const std::size_t number_of_nodes = 0,
                                        const Arc_lengths& arcs = Arc_lengths())
     : m_heap(number_of_nodes),
@@ -87,12 +88,12 @@ public:
     set_up_circle();
   }
 
-  /// returns whether no entry is left.
+  /// returns whether the queue is empty.
   bool is_empty() const { return m_size == 0; }
 
   /*!
-   * enters `node` with `key`.
-   * \pre `key` is not a NaN, and not below the bucket that is being drained.
+   * inserts `node` with `key`.
+   * \pre `key` is not NaN, and not below the bucket that is being drained.
    */
   void push(const Node node, const Key key)
   {
@@ -108,15 +109,15 @@ public:
   }
 
   /*!
-   * removes up to `LARGEST_BATCH` entries of the first bucket that is not empty, and returns them.
-   * They may be stale: the node may have been entered with a smaller key since. The range is valid
-   * until the next call of `extract_min()` or `clear()`.
+   * removes and returns up to `LARGEST_BATCH` entries of the first nonempty bucket. Entries are
+   * stale if their node was pushed again with a smaller key. The range is valid until the next call
+   * of `extract_min()` or `clear()`.
    * \pre `!is_empty()`
    */
   Batch extract_min() { return extract(LARGEST_BATCH); }
 
-  /// removes all entries of the first bucket that is not empty, but for those that enter it from
-  /// now on, and returns them: a batch that keeps several threads busy. \pre `!is_empty()`
+  /// removes and returns all current entries of the first nonempty bucket: a batch that is large
+  /// enough for several threads. \pre `!is_empty()`
   Batch extract_round() { return extract((std::numeric_limits<std::size_t>::max)()); }
 
   /// the largest number of entries in a batch.
@@ -125,7 +126,7 @@ public:
   /// returns whether `key` is smaller than all keys in the queue and all that may still be pushed.
   bool is_final(const Key key) const { return bucket_index(key) < m_current; }
 
-  /// calls `f(node)` for the nodes of all entries, for some of them more than once.
+  /// calls `f(node)` for the nodes of all entries; a node may be repeated.
   template <typename F>
   void for_each_node(F f) const
   {
@@ -137,7 +138,7 @@ public:
         f(e.node);
   }
 
-  /// removes all entries, and adapts the width of the buckets to the last run.
+  /// removes all entries, and adapts the bucket width to the last run.
   void clear()
   {
     for(Bucket& b : m_buckets)
@@ -147,7 +148,7 @@ public:
     set_up_circle();
   }
 
-  /// returns the figures of the run since the last call of `clear()`.
+  /// returns the statistics since the last call of `clear()`.
   Bucket_statistics statistics() const
   {
     Bucket_statistics result = m_statistics;
@@ -157,7 +158,7 @@ public:
     return result;
   }
 
-  /// returns the number of bytes that the queue takes.
+  /// returns the size of the queue in bytes.
   std::size_t memory() const
   {
     std::size_t entries = m_round.capacity();
@@ -168,7 +169,7 @@ public:
 
 private:
   using Bucket = std::vector<Entry>;
-  using Index = std::uint64_t; // of a bucket, counted from key 0 on
+  using Index = std::uint64_t; // of a bucket, starting at key 0
 
   static constexpr Index LARGEST_CIRCLE = 1024; // arcs longer than 1023 widths are rare
   static constexpr Index LARGEST_INDEX = Index(1) << 62;
@@ -185,7 +186,7 @@ private:
     return Batch(first, first + size);
   }
 
-  // Monotone in `key`, which is all that correctness needs of it.
+  // Monotone in `key`, which suffices for correctness.
   Index bucket_index(const Key key) const
   {
     const double index = key * m_buckets_per_unit;
@@ -214,7 +215,7 @@ private:
     open_bucket(0);
   }
 
-  // Limit on unordered entries, in the queue and extracted; ordinary runs stay far below.
+  // Limit on unordered entries, both queued and extracted; ordinary runs stay far below it.
   std::size_t unordered_limit() const { return 8 * m_number_of_nodes + 1024; }
 
   void open_bucket(const Index index)
@@ -227,11 +228,10 @@ private:
     m_first_round = 0;
   }
 
-  // Entries of the current bucket, none of which is in the last round.
+  // The entries of the current bucket that are not in the last round.
   Bucket& current_bucket() { return bucket(m_current); }
 
-  // A round is what the current bucket holds. What is pushed into it meanwhile makes the next
-  // round.
+  // Takes the entries of the current bucket as the next round.
   BOOST_NOINLINE void start_next_round()
   {
     m_round.clear();
@@ -252,12 +252,12 @@ private:
       m_first_round = m_drained;
   }
 
-  // Goes on to the next bucket, which may be empty.
+  // Advances to the next bucket, which may be empty.
   void open_next_bucket()
   {
     add_current_bucket(m_statistics);
     if(m_round.capacity() > current_bucket().capacity())
-      std::swap(m_round, current_bucket()); // or each bucket would get the memory of the largest
+      std::swap(m_round, current_bucket()); // returns its buffer: else all grow to the largest
     m_unordered_budget -= (std::min)(m_unordered_budget, m_drained);
 
     const bool circle_is_empty = m_size == m_heap.size();
@@ -266,7 +266,7 @@ private:
       move_nearest_into_circle();
   }
 
-  // the number of entries of the current bucket that were extracted
+  // The number of entries extracted from the current bucket.
   std::size_t number_drained() const { return m_drained - (m_round.size() - m_next); }
 
   void add_current_bucket(Bucket_statistics& statistics) const
@@ -275,14 +275,14 @@ private:
     statistics.add_bucket(drained, drained - (std::min)(drained, m_first_round));
   }
 
-  // Whether the bucket refills faster than it drains, and is to be emptied in order.
+  // Whether the bucket refills faster than it drains, and must be drained in order.
   bool shall_be_put_in_order() const
   {
     const std::size_t limit = (std::min)(3 * m_first_round / 2 + 64, m_unordered_budget);
     return m_drained >= limit || m_size > unordered_limit();
   }
 
-  // From now on, entries of the current bucket wait in the heap.
+  // Moves the entries of the current bucket to the heap, now and in the future.
   void put_in_order()
   {
     m_is_in_order = true;
@@ -308,7 +308,7 @@ private:
     m_heap.pop();
   }
 
-  // the index of the smallest key on the heap
+  // The bucket index of the smallest key on the heap.
   Index nearest_index() const
   {
     return m_heap.is_empty() ? (std::numeric_limits<Index>::max)() : bucket_index(m_heap.top().key);
@@ -319,25 +319,25 @@ private:
     m_size += static_cast<std::size_t>(m_heap.push(e));
   }
 
-  std::vector<Bucket> m_buckets; // a circle; their number is a power of two
+  std::vector<Bucket> m_buckets; // circular; the size is a power of two
   internal::Indexed_heap m_heap; // entries beyond the circle, or to be extracted in order
   Bucket m_round;                // entries of the current bucket
-  std::size_t m_next = 0;        // the first of the round that is left
-  std::size_t m_size = 0;        // the number of entries left
-  Index m_mask = 0;              // reduces an index to the circle
+  std::size_t m_next = 0;        // the next entry of the round
+  std::size_t m_size = 0;        // the number of entries
+  Index m_mask = 0;              // maps an index to a bucket
   double m_buckets_per_unit = 1;
 
-  // the buckets in the circle; entries of all others go to the heap
+  // The range of buckets in the circle; entries of all others go to the heap.
   Index m_first_in_circle = 0;
   Index m_number_in_circle = 0;
 
-  // the bucket that is being drained
+  // The bucket that is being drained.
   Index m_current = 0;
   bool m_is_in_order = false;
-  std::size_t m_drained = 0;     // the number of entries of its rounds
-  std::size_t m_first_round = 0; // that of the first round; entries of further rounds are late
+  std::size_t m_drained = 0;     // entries in its rounds so far
+  std::size_t m_first_round = 0; // entries in the first round; later entries are late
 
-  std::size_t m_unordered_budget = 0; // how many more entries may be extracted in any order
+  std::size_t m_unordered_budget = 0; // entries left to extract unordered
 
   std::size_t m_number_of_nodes;
   double m_longest_arc;

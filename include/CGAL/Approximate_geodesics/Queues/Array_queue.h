@@ -24,11 +24,11 @@ namespace Approximate_geodesics {
  * \ingroup PkgApproximateGeodesicsQueues
  *
  * A priority queue that keeps its entries in an unordered array, and searches all of them for the
- * smallest key. Dijkstra's algorithm was published with this queue \cgalCite{d-ntpcg-59}; it is
- * provided for comparison.
+ * smallest key. This is the queue of Dijkstra's original algorithm \cgalCite{d-ntpcg-59}, provided
+ * for comparison.
  *
- * `push()` takes constant time and lowers keys in place; `extract_min()` takes time
- * \cgalBigO{m} for `m` entries. Memory is \cgalBigO{n} for `n` nodes.
+ * `push()` takes constant time and decreases keys in place; `extract_min()` takes time \cgalBigO{m}
+ * for `m` entries. Memory is \cgalBigO{n} for `n` nodes.
  *
  * \cgalModels{GeodesicPriorityQueue}
  */
@@ -38,17 +38,17 @@ class Array_queue
 #endif
 {
 public:
-  /// makes an empty queue for a graph with `number_of_nodes` nodes.
+  /// constructs an empty queue for a graph with `number_of_nodes` nodes.
   explicit Array_queue(const std::size_t number_of_nodes = 0, const Arc_lengths& = Arc_lengths())
     : m_position(number_of_nodes, absent)
   {
   }
 
-  /// returns whether no entry is left.
+  /// returns whether the queue is empty.
   bool is_empty() const { return m_entries.empty(); }
 
-  /// enters `node` with `key`, or lowers its key.
-  /// \pre the node exists, and `key` is not below the key extracted last.
+  /// inserts `node` with `key`, or decreases its key.
+  /// \pre The node exists, and `key` is not smaller than the last extracted key.
   void push(const Node node, const Key key)
   {
     CGAL_precondition(node < m_position.size() && !is_final(key));
@@ -62,7 +62,7 @@ public:
     position = static_cast<Node>(m_entries.size() - 1);
   }
 
-  /// removes the entry with the smallest key, and returns it. \pre `!is_empty()`
+  /// removes and returns the entry with the smallest key. \pre `!is_empty()`
   Batch extract_min()
   {
     CGAL_precondition(!is_empty());
@@ -94,7 +94,7 @@ public:
     restart();
   }
 
-  /// returns the number of bytes that the queue takes.
+  /// returns the size of the queue in bytes.
   std::size_t memory() const
   {
     return m_entries.capacity() * sizeof(Entry) + m_position.capacity() * sizeof(Node);
@@ -104,7 +104,7 @@ private:
   static constexpr Node absent = (std::numeric_limits<Node>::max)();
 
   std::vector<Entry> m_entries;
-  std::vector<Node> m_position; // of the entry of each node
+  std::vector<Node> m_position; // of the entry, by node
 };
 
 } // namespace Approximate_geodesics

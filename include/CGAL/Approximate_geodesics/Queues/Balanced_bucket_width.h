@@ -23,11 +23,11 @@ namespace Approximate_geodesics {
  *
  * The default policy for the width of the buckets of an adaptive bucket queue.
  *
- * Wide buckets lead to late entries: nodes that enter a bucket while it is being drained, and may
- * have to be expanded again. Narrow buckets have to be visited, and many are empty; a visit costs
- * as much as a few late entries. After every run, the width changes by a factor of \f$\sqrt 2\f$
- * until neither overhead is much larger than the other. The first width is half the mean arc
- * length, which is close to balanced on scanned models.
+ * Wide buckets cause late entries: nodes that enter a bucket while it is being drained may have to
+ * be expanded again. Narrow buckets are many and often empty; visiting one costs as much as a few
+ * late entries. After every run, the width changes by a factor of \f$\sqrt 2\f$ unless the two
+ * overheads are balanced. The first width is half the mean arc length, which is nearly balanced on
+ * scanned models.
  *
  * \cgalModels{BucketWidthPolicy}
  */
@@ -45,7 +45,7 @@ public:
   /// returns the width of the buckets, in units of the graph.
   double width() const { return m_width; }
 
-  /// chooses the width for the next run, given the figures of the last one.
+  /// chooses the width for the next run from the statistics of the last one.
   void update(const Bucket_statistics& last_run)
   {
     if(last_run.entries < SMALLEST_SAMPLE)
@@ -58,11 +58,11 @@ public:
 
 private:
   static constexpr double STEP = 1.4142135623730951;
-  static constexpr std::size_t COST_OF_VISIT = 8; // in late entries, or less
-  static constexpr std::size_t SLACK = 2; // further apart: a step must not lead to its opposite
-  static constexpr double NARROWEST_PART = 1e-9; // of the longest arc: bucket indices stay small
+  static constexpr std::size_t COST_OF_VISIT = 8; // upper bound, in late entries
+  static constexpr std::size_t SLACK = 2;         // hysteresis: prevents oscillation
+  static constexpr double NARROWEST_PART = 1e-9;  // of the longest arc: limits bucket indices
   static constexpr double SMALLEST_INVERTIBLE = 4 / (std::numeric_limits<double>::max)();
-  static constexpr std::size_t SMALLEST_SAMPLE = 1000; // smaller runs say little about the mesh
+  static constexpr std::size_t SMALLEST_SAMPLE = 1000; // smaller runs are not representative
 
   double m_narrowest;
   double m_widest;

@@ -18,28 +18,28 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
  *
- * The figures of a run of a bucket queue. They are counted per bucket, not per entry, which costs
- * next to nothing.
+ * The statistics of a run of a bucket queue. They are updated per bucket, not per entry, so the
+ * overhead is negligible.
  */
 struct Bucket_statistics
 {
   /// the width of the buckets, in units of the graph.
   double width = 0;
-  /// the number of buckets visited, empty ones included.
+  /// the number of visited buckets, including empty ones.
   std::size_t visited_buckets = 0;
-  /// the number of buckets that were not empty.
+  /// the number of nonempty buckets.
   std::size_t used_buckets = 0;
-  /// the number of entries extracted.
+  /// the number of extracted entries.
   std::size_t entries = 0;
-  /// the number of these that entered a bucket while it was being drained.
+  /// the number of extracted entries that entered a bucket while it was being drained.
   std::size_t late_entries = 0;
   /// the number of comparisons between entries.
   std::size_t comparisons = 0;
-  /// the sum of the squared numbers of entries of the buckets.
+  /// the sum over all buckets of the squared number of entries.
   double sum_of_squared_occupancies = 0;
 
-  /// adds a bucket that was visited, the number of entries extracted from it, and of those among
-  /// them that entered it while it was being drained.
+  /// adds a visited bucket with its number of extracted entries, and the number of late ones among
+  /// them.
   void add_bucket(const std::size_t occupancy, const std::size_t late = 0)
   {
     ++visited_buckets;
@@ -51,13 +51,13 @@ struct Bucket_statistics
     sum_of_squared_occupancies += static_cast<double>(occupancy) * static_cast<double>(occupancy);
   }
 
-  /// returns the mean number of entries of the buckets that were not empty.
+  /// returns the mean number of entries of the nonempty buckets.
   double mean_occupancy() const
   {
     return used_buckets == 0 ? 0 : static_cast<double>(entries) / static_cast<double>(used_buckets);
   }
 
-  /// returns the standard deviation of the number of entries of the buckets that were not empty.
+  /// returns the standard deviation of the number of entries of the nonempty buckets.
   double standard_deviation_of_occupancy() const
   {
     if(used_buckets == 0)

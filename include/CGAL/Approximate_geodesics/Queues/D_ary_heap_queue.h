@@ -32,13 +32,12 @@ using Boost_d_ary_heap_queue =
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
  *
- * A priority queue on an implicit heap whose nodes have `D` children each, from the library
- * Boost.Heap. Keys are lowered in place.
+ * A priority queue based on the implicit `D`-ary heap of Boost.Heap. Keys are decreased in place.
  *
  * `push()` takes time \cgalBigO{\log_D m}, `extract_min()` takes \cgalBigO{D \log_D m} for `m`
  * entries. Memory is \cgalBigO{n} for `n` nodes.
  *
- * Objects can be moved, but not copied.
+ * The class is movable, but not copyable.
  *
  * \tparam D the number of children, at least 2
  *
@@ -51,7 +50,7 @@ class D_ary_heap_queue
 #endif
 {
 public:
-  /// makes an empty queue for a graph with `number_of_nodes` nodes.
+  /// constructs an empty queue for a graph with `number_of_nodes` nodes.
   explicit D_ary_heap_queue(const std::size_t number_of_nodes = 0,
                             const Arc_lengths& arcs = Arc_lengths())
     : internal::Boost_d_ary_heap_queue<D>(number_of_nodes, arcs)
@@ -62,7 +61,7 @@ public:
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
  *
- * An implicit binary heap.
+ * A priority queue based on an implicit binary heap.
  *
  * \cgalModels{GeodesicPriorityQueue}
  */

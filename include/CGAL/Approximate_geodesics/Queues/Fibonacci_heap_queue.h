@@ -28,14 +28,13 @@ using Boost_fibonacci_heap_queue = Boost_heap_queue<
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
  *
- * A priority queue on a Fibonacci heap \cgalCite{ft-fhtui-87}, from the library Boost.Heap. Its
- * bounds are the best of all heaps in practical use, its constants are large. Keys are lowered in
- * place.
+ * A priority queue based on the Fibonacci heap \cgalCite{ft-fhtui-87} of Boost.Heap. It has the
+ * best asymptotic bounds of all practical heaps, but large constants. Keys are decreased in place.
  *
  * `push()` takes amortized constant time, `extract_min()` amortized time \cgalBigO{\log m} for `m`
  * entries. Memory is \cgalBigO{n} for `n` nodes.
  *
- * Objects can be moved, but not copied.
+ * The class is movable, but not copyable.
  *
  * \cgalModels{GeodesicPriorityQueue}
  */
@@ -45,7 +44,7 @@ class Fibonacci_heap_queue
 #endif
 {
 public:
-  /// makes an empty queue for a graph with `number_of_nodes` nodes.
+  /// constructs an empty queue for a graph with `number_of_nodes` nodes.
   explicit Fibonacci_heap_queue(const std::size_t number_of_nodes = 0,
                                 const Arc_lengths& arcs = Arc_lengths())
     : internal::Boost_fibonacci_heap_queue(number_of_nodes, arcs)

@@ -16,7 +16,7 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
  *
- * An entry of a queue: a node, and the key that it was entered with.
+ * An entry of a queue: a node and its key.
  */
 struct Queue_entry
 {

@@ -26,17 +26,16 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
  *
- * A monotone priority queue that puts an entry into one of 65 buckets, by the first bit in which
- * its key differs from a lower bound of all keys \cgalCite{amot-faspp-90}. Doubles that are not
- * negative have the order of their bit patterns, so neither a unit nor a range of keys has to be
- * known.
+ * A monotone priority queue with 65 buckets. The bucket of an entry is the position of the first
+ * bit in which its key differs from a lower bound of all keys \cgalCite{amot-faspp-90}. Nonnegative
+ * doubles are ordered like their bit patterns, so neither a unit nor a range of keys is required.
  *
- * When the first bucket is empty, the entries of the first bucket that is not are distributed to
- * the buckets before it. An entry moves at most 64 times, and a few times in practice. A node whose
- * key is lowered is entered again; the search skips the stale entry when it comes out.
+ * When the first bucket is empty, the entries of the first nonempty bucket are redistributed to the
+ * buckets before it. An entry moves at most 64 times, and a few times in practice. A node whose key
+ * decreases is pushed again; the search skips the stale entry.
  *
  * `push()` takes constant time, and `extract_min()` amortized time \cgalBigO{B} for keys of `B`
- * bits. Memory is that of the largest number of entries that each bucket held.
+ * bits. Buckets retain the memory of their largest sizes.
  *
  * \cgalModels{GeodesicPriorityQueue}
  */
@@ -46,16 +45,16 @@ class Radix_heap_queue
 #endif
 {
 public:
-  /// makes an empty queue.
+  /// constructs an empty queue.
   explicit Radix_heap_queue(std::size_t /* number_of_nodes */ = 0,
                             const Arc_lengths& = Arc_lengths())
   {
   }
 
-  /// returns whether no entry is left.
+  /// returns whether the queue is empty.
   bool is_empty() const { return m_size == 0; }
 
-  /// enters `node` with `key`. \pre `key` is not below the key extracted last.
+  /// inserts `node` with `key`. \pre `key` is not smaller than the last extracted key.
   void push(const Node node, const Key key)
   {
     CGAL_precondition(!is_final(key));
@@ -63,7 +62,7 @@ public:
     ++m_size;
   }
 
-  /// removes an entry with the smallest key, which may be stale, and returns it.
+  /// removes and returns an entry with the smallest key, which may be stale.
   /// \pre `!is_empty()`
   Batch extract_min()
   {
@@ -96,7 +95,7 @@ public:
     restart();
   }
 
-  /// returns the number of bytes that the queue takes.
+  /// returns the size of the queue in bytes.
   std::size_t memory() const
   {
     std::size_t entries = 0;
@@ -123,8 +122,7 @@ private:
     return m_buckets[internal::bit_width(bits_of(key) ^ m_least)];
   }
 
-  // The keys in a bucket have the bit in common that it stands for, so each differs from the
-  // smallest of them in a later bit.
+  // The keys of a bucket agree in its bit, so they differ from their minimum in a lower bit only.
   void distribute(Bucket& bucket)
   {
     const auto smallest = std::min_element(

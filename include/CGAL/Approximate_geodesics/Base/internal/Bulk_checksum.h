@@ -21,8 +21,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A checksum of 64 bits for many bytes. They are dealt out in turn to eight sums that do not wait
- * for each other, which makes it two and a half times as fast as one.
+ * A 64-bit checksum for bulk data. Eight interleaved CRCs run in parallel, which is 2.5 times as
+ * fast as a single one.
  */
 class Bulk_checksum
 {
@@ -43,14 +43,14 @@ public:
   template <typename T>
   void add(const std::vector<T>& values)
   {
-    static_assert(std::is_arithmetic_v<T>, "others have bytes that mean nothing");
+    static_assert(std::is_arithmetic_v<T>, "other types may have padding bytes");
     add(values.data(), values.size() * sizeof(T));
   }
 
   template <typename T>
   void add_value(const T value)
   {
-    static_assert(std::is_arithmetic_v<T>, "others have bytes that mean nothing");
+    static_assert(std::is_arithmetic_v<T>, "other types may have padding bytes");
     add(&value, sizeof(T));
   }
 

@@ -15,10 +15,10 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A number with about 32 digits: the sum of two `double`s, the second of which is smaller than the
- * first one's rounding error. (T. J. Dekker, A floating-point technique for extending the available
- * precision, 1971.) Sums and products have errors of some 2^-104 of their largest term, where they
- * neither overflow nor underflow.
+ * A double-double number, with about 32 digits: the unevaluated sum of two `double`s, where `low`
+ * is at most half an ulp of `high` (T. J. Dekker, A floating-point technique for extending the
+ * available precision, 1971). Without overflow and underflow, sums and products have errors of
+ * about 2^-104 relative to their largest term.
  */
 struct Double_double
 {

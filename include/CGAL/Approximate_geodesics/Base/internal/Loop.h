@@ -27,15 +27,15 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A loop whose turns are independent. A tag chooses whether several threads take them; who runs the
- * loop need not know it, and needs no library of threads.
+ * A loop with independent iterations. A concurrency tag selects sequential or parallel execution;
+ * the function that runs the loop does not depend on the tag or on TBB.
  */
 class Loop
 {
 public:
   using Turn = std::function<void(std::size_t, std::size_t)>;
 
-  static constexpr std::size_t SIZE_OF_BLOCK = 4096; // a fraction of a millisecond, for vertices
+  static constexpr std::size_t SIZE_OF_BLOCK = 4096; // of vertices: a fraction of a millisecond
 
   template <typename ConcurrencyTag>
   static Loop with_tag()
@@ -55,7 +55,7 @@ public:
 
   bool is_parallel() const { return m_run != nullptr; }
 
-  // the largest number of threads that may take turns now
+  // Returns the maximum number of threads available to a loop.
   static std::size_t number_of_threads()
   {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -65,12 +65,12 @@ public:
 #endif
   }
 
-  // Calls `turn(i, thread)` for all numbers `i` below `size`; no two threads at a time have the
-  // same number, which is below `number_of_threads()`. \pre The loop is parallel.
+  // Calls `turn(i, thread)` for all `i` below `size`. Concurrent calls have different values of
+  // `thread`, all below `number_of_threads()`. Precondition: the loop is parallel.
   void run(const std::size_t size, const Turn& turn) const { m_run(size, turn); }
 
-  // Calls `f(first, beyond)` for blocks of the numbers below `size`, or for all at once if the loop
-  // is not parallel.
+  // Calls `f(first, beyond)` for blocks of `[0, size)`, or for the whole range if the loop is
+  // sequential.
   template <typename F>
   void run_blocks(const std::size_t size, const F& f) const
   {
@@ -85,8 +85,8 @@ public:
 
 private:
 #ifdef CGAL_LINKED_WITH_TBB
-  // Who has time takes the next turn. Who waits for the others takes up nothing of another loop
-  // that this one may be part of: that could need what is being used here.
+  // Distributes iterations dynamically. Isolation prevents a waiting thread from stealing a task of
+  // an enclosing loop, which could need a resource that is in use here.
   static void run_all(const std::size_t size, const Turn& turn)
   {
     std::atomic<std::size_t> next(0);

@@ -23,7 +23,7 @@
 #include <stdexcept>
 #include <string>
 
-// Numbers in binary streams: little-endian on every machine, and with a checksum.
+// Portable binary streams: numbers are little-endian, followed by a checksum.
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -54,7 +54,7 @@ T from_bytes(const std::array<char, sizeof(T)>& bytes)
   return result;
 }
 
-// the number whose bytes in memory are those of `value` in a file
+// Returns `value` with its bytes in little-endian order.
 template <typename T>
 T little_endian(const T value)
 {
@@ -64,7 +64,7 @@ T little_endian(const T value)
   return result;
 }
 
-// numbers, one after the other
+// Returns the concatenated little-endian bytes of the numbers.
 template <typename... Numbers>
 std::string packed(const Numbers... numbers)
 {
@@ -74,7 +74,7 @@ std::string packed(const Numbers... numbers)
   return result;
 }
 
-// the CRC-32 of ZIP archives and PNG images
+// The CRC-32 of ZIP archives and PNG images.
 class Checksum
 {
 public:
@@ -98,7 +98,7 @@ private:
   boost::crc_32_type m_crc;
 };
 
-// Messages name what is written, such as "the graph".
+// `contents` names the written data in messages, such as "the graph".
 class Binary_writer
 {
 public:
@@ -114,7 +114,7 @@ public:
     m_out.write(bytes.data(), sizeof(T));
   }
 
-  // Writes the checksum of everything before, and sees whether all went well.
+  // Writes the checksum of all preceding data. Throws if any write failed.
   void finish()
   {
     write(m_checksum.value());
@@ -143,17 +143,17 @@ public:
   {
     std::array<char, sizeof(T)> bytes;
     if(!m_in.read(bytes.data(), sizeof(T)))
-      reject("the file of " + m_contents + " ends too early");
+      reject("the file of " + m_contents + " is truncated");
     m_checksum.add(bytes);
     return from_bytes<T>(bytes);
   }
 
-  // Compares the checksum of everything before with the one that comes next.
+  // Reads the checksum, and compares it with that of all preceding data.
   void finish()
   {
     const std::uint32_t expected = m_checksum.value();
     if(read<std::uint32_t>() != expected)
-      reject("the file of " + m_contents + " is damaged: its checksum is not that of its contents");
+      reject("the file of " + m_contents + " is damaged: its checksum does not match");
   }
 
 private:

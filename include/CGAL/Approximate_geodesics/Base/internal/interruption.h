@@ -19,9 +19,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * What may end the work of a thread, by an exception. Functions that take long and have no visitor
- * check for it from time to time, and some tell how far they are. A caller further up sets it, if
- * any does; threads that help with a loop have none.
+ * A per-thread hook that can cancel a computation by throwing. Long functions without a visitor
+ * poll it, and some report progress to it. An outer caller may install it; worker threads of a
+ * parallel loop have none.
  */
 class Interruption
 {
@@ -39,8 +39,8 @@ protected:
   ~Interruption() = default;
 };
 
-// What threads throw that help with a loop which another one has ended. The loop passes on what
-// that one has thrown.
+// Thrown by the worker threads of a loop that another thread has canceled. The loop rethrows the
+// exception of that thread.
 struct Loop_canceled
 {
 };
@@ -55,7 +55,7 @@ inline void check_for_interruption()
 #endif
 }
 
-// The same, and tells how much is done, by all threads together.
+// Reports the progress of all threads together before the check.
 inline void check_for_interruption(const std::size_t number_done, const std::size_t number)
 {
   if(Interruption* const interruption = Interruption::of_this_thread())
@@ -63,7 +63,7 @@ inline void check_for_interruption(const std::size_t number_done, const std::siz
   check_for_interruption();
 }
 
-// The same as the first one in a loop whose turns are short, after many of them.
+// Checks only every few thousand iterations, for loops with cheap iterations.
 inline void check_for_interruption_at(const std::size_t turn)
 {
   constexpr std::size_t turns_between_checks = 4096;

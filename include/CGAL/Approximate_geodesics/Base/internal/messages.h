@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// a number with enough digits to recognize it, whatever its size
+// Returns a number as text, with all significant digits.
 inline std::string text_of(const double number)
 {
   std::ostringstream text;
@@ -27,14 +27,14 @@ inline std::string text_of(const double number)
   return text.str();
 }
 
-// what messages begin with
+// The prefix of all messages.
 inline const std::string& name_of_package()
 {
   static const std::string result = "Approximate_geodesics: ";
   return result;
 }
 
-// tells the caller what is wrong with the input
+// Throws an error about invalid input.
 [[noreturn]] inline void reject(const std::string& reason)
 {
   throw std::invalid_argument(name_of_package() + reason);
@@ -45,8 +45,8 @@ inline std::string name_in_list(const std::string& role, const std::size_t posit
   return role + ' ' + std::to_string(position) + " (counted from 0)";
 }
 
-// Returns `f()`. If that rejects its input, says what it was: `name()`. Other exceptions, such as
-// those of property maps, stay as they are.
+// Returns `f()`. If `f` rejects its input, prepends `name()` to the message. Other exceptions, such
+// as those of property maps, pass unchanged.
 template <typename Name, typename F>
 auto name_in_message(const Name& name, const F& f)
 {

@@ -15,11 +15,11 @@
 #include <functional>
 #include <type_traits>
 
-// The named parameters of this package. Inside CGAL this whole file is one line per name in
-// CGAL/STL_Extension/internal/parameters_interface.h. Outside, CGAL's own chain of parameters
-// cannot be extended; so a chain that starts with a name of ours has a type of ours, which is
-// derived from CGAL's and has the names of both. The other way round, a chain that starts with a
-// name of CGAL, takes `parameters::combine()`.
+// The named parameters of this package. Inside CGAL, each of them would be one line in
+// CGAL/STL_Extension/internal/parameters_interface.h, and this file would be unnecessary. Outside,
+// CGAL's parameter chain cannot be extended. So a chain that starts with a parameter of this
+// package has its own type, which derives from CGAL's and offers the parameters of both. A chain
+// that starts with a parameter of CGAL requires `parameters::combine()`.
 
 #define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER(APPLY)                                   \
   APPLY(accept_weaker_bound_t, accept_weaker_bound, accept_weaker_bound)                           \
@@ -38,7 +38,7 @@
   APPLY(nearest_source_t, nearest_source, nearest_source_map)                                      \
   APPLY(geodesic_predecessor_t, geodesic_predecessor, predecessor_map)
 
-// names that newer versions of CGAL already have
+// Parameters that newer versions of CGAL provide.
 #if CGAL_VERSION_NR < 1050601000
 #define CGAL_APPROXIMATE_GEODESICS_MAXIMUM_DISTANCE(APPLY)                                         \
   APPLY(maximum_distance_t, maximum_distance, maximum_distance)
@@ -53,7 +53,7 @@
 #define CGAL_APPROXIMATE_GEODESICS_CONCURRENCY_TAG(APPLY)
 #endif
 
-// names of CGAL that change a result
+// Parameters of CGAL that affect results.
 #define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_OF_CGAL(APPLY)                                         \
   APPLY(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)                       \
   APPLY(maximum_distance_t, maximum_distance, maximum_distance)                                    \
@@ -85,9 +85,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A chain of named parameters that continues with those of this package and those of CGAL, in any
- * order. Only the outermost link is of this type, the ones below it are CGAL's: that is what makes
- * CGAL's functions accept it (of several base classes that match, the nearest is deduced, CWG
+ * A chain of named parameters that can be continued with those of this package and of CGAL, in any
+ * order. Only the outermost link has this type and the inner ones are CGAL's, so that CGAL's
+ * functions accept the chain: among several matching base classes, the nearest is deduced (CWG
  * 2303).
  */
 template <typename T, typename Tag, typename Base = internal_np::No_property>
@@ -138,12 +138,12 @@ template <typename T, typename Tag, typename Base>
 std::true_type is_named_parameters_test(const Named_function_parameters<T, Tag, Base>*);
 std::false_type is_named_parameters_test(...);
 
-// to tell named parameters from another last argument
+// Distinguishes named parameters from another last argument.
 template <typename T>
 constexpr bool is_named_parameters =
     decltype(is_named_parameters_test(static_cast<const T*>(nullptr)))::value;
 
-// whether several threads are wanted
+// The concurrency tag; sequential by default.
 template <typename NamedParameters>
 using Concurrency_tag = typename internal_np::
     Lookup_named_param_def<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type;
@@ -154,9 +154,9 @@ constexpr bool is_any_given = (is_given<NamedParameters, Tags> || ...);
 template <typename T, typename... Types>
 constexpr bool is_same_as_any = (std::is_same_v<T, Types> || ...);
 
-// Whether a function that reads the parameters with the tags `Read` would ignore another one: one
-// of this package, or one of CGAL's that changes a result. Those that describe the mesh, such as
-// index maps, and `concurrency_tag` do no harm where they are not read.
+// Whether a function that reads the parameters `Read` would ignore a given parameter of this
+// package, or one of CGAL's that affects results. Ignoring `concurrency_tag`, or a parameter that
+// describes the mesh, such as an index map, is harmless.
 #define CGAL_APPROXIMATE_GEODESICS_OR_IGNORED(TAG, VALUE, NAME)                                    \
   || (is_given<NamedParameters, internal_np::TAG> && !is_same_as_any<internal_np::TAG, Read...>)
 template <typename NamedParameters, typename... Read>
@@ -196,14 +196,15 @@ CGAL_APPROXIMATE_GEODESICS_FOR_EACH_PARAMETER(CGAL_APPROXIMATE_GEODESICS_FUNCTIO
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions
  *
- * joins two or more chains of named parameters, whichever library they come from.
+ * concatenates two or more chains of named parameters of this package and of \cgal.
  *
  * A chain that starts with a named parameter of this package can be continued with any other;
  * a chain that starts with one of \cgal's cannot be continued with one of this package's.
  * This function is for the latter:
  * `combine(vertex_point_map(vpm).verbose(true), targets(range))`.
  *
- * \return a sequence of \ref bgl_namedparameters "Named Parameters" with those of all arguments.
+ * \return a sequence of \ref bgl_namedparameters "Named Parameters" that contains the parameters of
+ *         all arguments.
  */
 template <typename T, typename Tag, typename Base, typename... NamedParameters>
 auto combine(const Named_function_parameters<T, Tag, Base>& first,

@@ -15,15 +15,15 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Prefetches the cache line of entry `i` of an array, which may lie beyond its end: an address, as
-// a number, may be any, while a pointer must not leave its array.
+// Prefetches the cache line of entry `i` of an array. The entry may lie beyond the end, so the
+// address is computed as an integer, because pointer arithmetic must stay in the array.
 template <typename T>
 void prefetch(const T* const array, const std::size_t i)
 {
 #if defined(__GNUC__)
   __builtin_prefetch(
       reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(array) + i * sizeof(T)));
-  __asm__ volatile(""); // or g++ may take this for a function without effects, and drop its calls
+  __asm__ volatile(""); // keeps g++ from removing calls as side-effect free
 #else
   static_cast<void>(array), static_cast<void>(i);
 #endif

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// A vector in space, or a point.
+// A vector or a point in space.
 using Space_vector = std::array<double, 3>;
 
 inline Space_vector difference(const Space_vector& a, const Space_vector& b)

@@ -20,15 +20,15 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Boost's heaps have their largest entry on top.
+// Reverses the order: Boost's heaps are max-heaps.
 struct Has_larger_key
 {
   bool operator()(const Queue_entry& a, const Queue_entry& b) const { return a.key > b.key; }
 };
 
 /*
- * A priority queue that keeps a handle to the entry of each node, and so lowers keys in place. The
- * handles of a copied heap would be those of the original, so such a queue can only be moved.
+ * A priority queue that decreases keys in place by keeping a handle per node. It is not copyable,
+ * because the handles would refer to the original heap.
  */
 template <typename Heap>
 class Boost_heap_queue : public Ordered_queue_base
@@ -69,7 +69,7 @@ public:
       ++m_size;
     }
     else if(key < (*m_handle[node]).key)
-      m_heap.increase(m_handle[node], {key, node}); // comes closer to the top
+      m_heap.increase(m_handle[node], {key, node}); // in the reversed order
   }
 
   Batch extract_min()
@@ -87,16 +87,16 @@ public:
       f(e.node);
   }
 
-  // Boost would follow chains of nodes recursively, and they may be too long for the stack.
+  // Pops entries one by one: clear() of Boost's heaps is recursive and can overflow the stack.
   void clear()
   {
     while(!is_empty())
       pop();
-    m_heap.clear(); // for the number of entries in Boost's Fibonacci heap: see m_size
+    m_heap.clear(); // resets the size of Boost's Fibonacci heap: see m_size
     restart();
   }
 
-  // An estimate: besides an entry, a node of the heap holds about four pointers.
+  // An estimate: a heap node holds an entry and about four pointers.
   std::size_t memory() const
   {
     return m_size * (sizeof(Entry) + 4 * sizeof(void*)) +
@@ -121,9 +121,9 @@ private:
   }
 
   Heap m_heap;
-  std::vector<typename Heap::handle_type> m_handle; // of each node
+  std::vector<typename Heap::handle_type> m_handle; // by node
   std::vector<char> m_is_present;
-  std::size_t m_size = 0; // Boost also counts an entry for which there was no memory
+  std::size_t m_size = 0; // Boost's size is wrong after a failed allocation
 };
 
 } // namespace internal

@@ -22,9 +22,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * An implicit heap whose entries have four children each, with one entry for each node at most,
- * whose key can be lowered. It knows where the entry of each node is, in an array that it makes
- * when it is first needed.
+ * An implicit 4-ary heap with at most one entry per node, which supports decreasing keys. The array
+ * of entry positions is allocated at the first push.
  */
 class Indexed_heap
 {
@@ -37,16 +36,16 @@ public:
   bool is_empty() const { return m_entries.empty(); }
   std::size_t size() const { return m_entries.size(); }
 
-  // the entry with the smallest key
+  // The entry with the smallest key.
   const Entry& top() const { return m_entries.front(); }
 
-  // all entries, in any order
+  // All entries, in heap order.
   const std::vector<Entry>& entries() const { return m_entries; }
 
-  // the number of comparisons since the last call of `clear()`
+  // The number of comparisons since the last call of `clear()`.
   std::size_t comparisons() const { return m_comparisons; }
 
-  // Enters a node, or lowers its key if it is there with a larger one. Returns whether it is new.
+  // Inserts a node, or decreases its key. Returns whether the node is new.
   bool push(const Entry& e)
   {
     if(e.node >= m_position.size())
@@ -63,7 +62,7 @@ public:
     return false;
   }
 
-  // removes the entry with the smallest key
+  // Removes the entry with the smallest key.
   void pop()
   {
     CGAL_precondition(!is_empty());
@@ -88,7 +87,7 @@ public:
   }
 
 private:
-  using Position = std::uint32_t; // there are no more entries than nodes
+  using Position = std::uint32_t; // entries do not outnumber nodes
 
   static constexpr Position ABSENT = (std::numeric_limits<Position>::max)();
   static constexpr std::size_t ARITY = 4;
@@ -99,7 +98,7 @@ private:
     m_position[e.node] = static_cast<Position>(position);
   }
 
-  // Places `e` at the given position, or above.
+  // Sifts `e` up from a position.
   void move_up(std::size_t position, const Entry& e)
   {
     while(position > 0)
@@ -114,7 +113,7 @@ private:
     place(position, e);
   }
 
-  // Places `e` at the top, or below.
+  // Sifts `e` down from the top.
   void move_down(const Entry& e)
   {
     std::size_t position = 0;
@@ -144,7 +143,7 @@ private:
 
   std::size_t m_number_of_nodes;
   std::vector<Entry> m_entries;
-  std::vector<Position> m_position; // by node; empty until a node is entered
+  std::vector<Position> m_position; // by node; empty until the first push
   std::size_t m_comparisons = 0;
 };
 

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// The common part of queues that hand out their entries one by one and in order.
+// Common base of the queues that extract single entries in order.
 class Ordered_queue_base
 {
 public:
@@ -38,7 +38,7 @@ protected:
   void restart() { m_extracted = Entry{0, 0}; }
 
 private:
-  Entry m_extracted{0, 0}; // last
+  Entry m_extracted{0, 0}; // the last extracted entry
 };
 
 } // namespace internal

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// the number of bits needed to represent `i`, as std::bit_width() of C++20
+// std::bit_width() of C++20.
 inline std::size_t bit_width(const std::uint64_t i)
 {
   if(i == 0)
