@@ -85,7 +85,7 @@ TEST_F(Bad_matrix, points_that_the_mesh_has_not)
   {
     const std::string text = (bad == Mesh::null_vertex() ? std::string("the null vertex")
                                                          : "vertex " + std::to_string(bad.idx())) +
-                             " is not one of the mesh";
+                             " is not in the mesh";
     const std::vector<Vertex> list{Vertex(0), bad};
     expect_rejection({text}, m_mesh, bad, none);
     expect_rejection({text}, m_mesh, list, none);

@@ -86,9 +86,9 @@ protected:
 
 TEST_F(Bad_place, in_a_face_that_the_mesh_has_not)
 {
-  expect_rejected({Mesh::null_face(), {0.2, 0.3, 0.5}}, "the null face is not one of the mesh");
-  expect_rejected({Face(50), {0.2, 0.3, 0.5}}, "face 50 is not one of the mesh");
-  expect_rejected({Face(1000), {0.2, 0.3, 0.5}}, "face 1000 is not one of the mesh");
+  expect_rejected({Mesh::null_face(), {0.2, 0.3, 0.5}}, "the null face is not in the mesh");
+  expect_rejected({Face(50), {0.2, 0.3, 0.5}}, "face 50 is not in the mesh");
+  expect_rejected({Face(1000), {0.2, 0.3, 0.5}}, "face 1000 is not in the mesh");
 }
 
 TEST_F(Bad_place, in_a_face_that_was_removed)
@@ -100,7 +100,7 @@ TEST_F(Bad_place, in_a_face_that_was_removed)
     CGAL::Euler::remove_face(m_mesh.halfedge(bad), m_mesh);
     ASSERT_TRUE(m_mesh.is_removed(bad));
     expect_rejected({bad, {0.2, 0.3, 0.5}},
-                    "face " + std::to_string(bad.idx()) + " is not one of the mesh");
+                    "face " + std::to_string(bad.idx()) + " is not in the mesh");
   }
 }
 
@@ -125,11 +125,11 @@ TEST_F(Bad_place, on_no_part_of_a_halfedge)
   Paths paths(m_mesh);
   for(const double bad : {-0.1, 1.1, not_a_number, infinity, -1e-300})
     expect_rejection([&] { paths.add_source_point(Edge_location(Halfedge(3), bad)); },
-                     "part of the way along a halfedge");
+                     "parameter along a halfedge");
   expect_rejection([&] { paths.add_source_point(Edge_location(Mesh::null_halfedge(), 0.5)); },
-                   "the null halfedge is not one of the mesh");
+                   "the null halfedge is not in the mesh");
   expect_rejection([&] { paths.add_source_point(Edge_location(Halfedge(10000), 0.5)); },
-                   "halfedge 10000 is not one of the mesh");
+                   "halfedge 10000 is not in the mesh");
   for(const double end : {0., 1.})
     EXPECT_NO_THROW(paths.add_source_point(Edge_location(Halfedge(3), end)));
 }

@@ -53,7 +53,7 @@ protected:
   std::string message_about(const Vertex v) const
   {
     return (v == m_null ? "the null vertex" : "vertex " + std::to_string(v.idx())) +
-           " is not one of the mesh";
+           " is not in the mesh";
   }
 
   static Mesh make_mesh()

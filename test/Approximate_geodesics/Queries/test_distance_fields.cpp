@@ -299,11 +299,11 @@ TEST(Distance_fields, refuse_sources_that_are_not_vertices)
 {
   const Mesh mesh = to_mesh(flat_grid(3, 2));
   const std::vector<Vertex> wrong = {Vertex(0), Vertex(6)};
-  const char* message = "vertex 6 is not one of the mesh";
+  const char* message = "vertex 6 is not in the mesh";
   expect_message<std::invalid_argument>([&] { partition(mesh, wrong); }, message);
   expect_message<std::invalid_argument>([&] { sample(mesh, wrong, 3); }, message);
   expect_message<std::invalid_argument>([&] { sample(mesh, {Mesh::null_vertex()}, 3); },
-                                        "the null vertex is not one of the mesh");
+                                        "the null vertex is not in the mesh");
 }
 
 } // namespace

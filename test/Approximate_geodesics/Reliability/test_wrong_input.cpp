@@ -217,19 +217,19 @@ TEST_F(Wrong_input, of_places)
   expect_refusals({
       {"a source of another mesh",
        distances_from(sources),
-       {"source 1 (counted from 0): vertex 1000 is not one of the mesh"}},
+       {"source 1 (counted from 0): vertex 1000 is not in the mesh"}},
       {"a target of another mesh",
        [&] { path(Vertex(0), Vertex(1000)); },
-       {"target: vertex 1000 is not one of the mesh"}},
+       {"target: vertex 1000 is not in the mesh"}},
       {"a face of another mesh",
        distances_from(Face_location(Face(1000), {0.5, 0.5, 0})),
-       {"source: face 1000 is not one of the mesh"}},
+       {"source: face 1000 is not in the mesh"}},
       {"a vertex that was never set",
        [&] { path(Vertex(), Vertex(0)); },
-       {"source: the null vertex is not one of the mesh"}},
+       {"source: the null vertex is not in the mesh"}},
       {"a vertex that was removed",
        [&] { path(Vertex(36), Vertex(0)); },
-       {"source: vertex 36 is not one of the mesh"}},
+       {"source: vertex 36 is not in the mesh"}},
   });
 }
 

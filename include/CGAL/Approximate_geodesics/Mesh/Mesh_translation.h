@@ -36,7 +36,7 @@ namespace Approximate_geodesics {
 
 namespace internal {
 
-// The mesh whose numbers descriptors are: a part of a mesh has those of the mesh.
+// Returns the mesh whose descriptors `tmesh` uses. Overloaded for a part of a mesh.
 template <typename TriangleMesh>
 const TriangleMesh& whole(const TriangleMesh& tmesh)
 {
@@ -48,11 +48,11 @@ const TriangleMesh& whole(const TriangleMesh& tmesh)
 /*!
  * \ingroup PkgApproximateGeodesicsMesh
  *
- * Translates between the points on the surface of a mesh, which are vertices, points on edges and
- * points in faces, and the points of its triangulation, which `Surface_search` knows.
+ * Converts between points on the surface of a mesh, which are vertices, points on edges or points
+ * in faces, and points of its intrinsic triangulation, on which `Surface_search` operates.
  *
- * Members that are `const` write nothing, so that several threads can call them. Those that return
- * elements or points of the mesh need a list of its vertices: call `list_vertices()` before.
+ * All `const` member functions are thread-safe. Functions that return elements or points of the
+ * mesh require a list of its vertices: call `list_vertices()` before.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertices of the mesh as keys and
@@ -85,7 +85,8 @@ public:
   /// \name Creation
   /// @{
 
-  /// a translation for `tmesh` and the triangulation that was made from it with the same index map.
+  /// constructs a translation for `tmesh` and the triangulation built from it with the same index
+  /// map.
   /// \warning Both are referred to, not copied.
   Mesh_translation(const TriangleMesh& tmesh,
                    VertexIndexMap vertex_index_map,
@@ -113,14 +114,14 @@ public:
   /// Run time is linear.
   void check_size() const
   {
-    // counts what is there: some meshes' numbers include what was removed
+    // num_vertices() of some mesh types includes removed vertices
     const Intrinsic_triangulation& t = *m_triangulation;
     const auto count = [](const auto& range) {
       return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
     };
     const std::size_t v = count(vertices(*m_mesh)), h = count(halfedges(*m_mesh));
     if(v != t.number_of_vertices() || h != t.number_of_halfedges())
-      internal::reject("the graph is that of another mesh: it has " +
+      internal::reject("the graph belongs to another mesh: it has " +
                        std::to_string(t.number_of_vertices()) + " vertices and " +
                        std::to_string(t.number_of_halfedges()) + " halfedges, and the mesh has " +
                        std::to_string(v) + " and " + std::to_string(h));
@@ -129,23 +130,23 @@ public:
   /// @}
 
   /// \name From the Mesh to Its Triangulation
-  /// These functions throw `std::invalid_argument` if they are given something that is not an
-  /// element of the mesh, or numbers that are not those of a point in it; the message names it.
+  /// These functions throw `std::invalid_argument` if an element is not in the mesh, or coordinates
+  /// are invalid; the message names it.
   /// @{
 
-  /// returns the number of the vertex `v` in the triangulation.
+  /// returns the index of the vertex `v` in the triangulation.
   Index node(const vertex_descriptor v) const
   {
     if(v == Graph_traits::null_vertex())
-      internal::reject("the null vertex is not one of the mesh");
+      internal::reject("the null vertex is not in the mesh");
     const auto index = get(m_vertex_index_map, v);
     const Index result = m_triangulation->vertex(static_cast<std::size_t>(index));
     if(result == Intrinsic_triangulation::null_index)
-      internal::reject("vertex " + std::to_string(index) + " is not one of the mesh");
+      internal::reject("vertex " + std::to_string(index) + " is not in the mesh");
     return result;
   }
 
-  /// returns whether a node is a vertex, and not one that a graph has added.
+  /// returns whether a node is a vertex, as opposed to a point that a graph has added.
   bool is_vertex(const Index node) const { return node < m_triangulation->number_of_vertices(); }
 
   /// returns the point at the vertex `v`.
@@ -154,21 +155,21 @@ public:
     return Intrinsic_point::at_vertex(node(v));
   }
 
-  /// returns the point at the part `t` of the way along `h`, from its source.
+  /// returns the point at the parameter `t` along `h`: `0` is its source, `1` is its target.
   Intrinsic_point intrinsic_point(const halfedge_descriptor h, const double t) const
   {
     if(h == Graph_traits::null_halfedge() || !is_in_range(h, num_halfedges(mesh_of_numbers())))
       reject_foreign("halfedge", h, Graph_traits::null_halfedge());
     if(!(t >= 0 && t <= 1))
-      internal::reject("the part of the way along a halfedge is " + internal::text_of(t) +
+      internal::reject("the parameter along a halfedge is " + internal::text_of(t) +
                        "; it must be a number from 0 to 1");
     if(t < rounding || 1 - t < rounding)
       return intrinsic_point(t < rounding ? source(h, *m_mesh) : target(h, *m_mesh));
     return Intrinsic_point::on_edge(number(h), t);
   }
 
-  /// returns the point of the face `f` with the given barycentric coordinates: a point of an edge
-  /// or a vertex, if some of them are zero.
+  /// returns the point of the face `f` with the given barycentric coordinates. If some of them are
+  /// zero, it is a point on an edge or a vertex.
   template <typename FT>
   Intrinsic_point intrinsic_point(const face_descriptor f,
                                   const std::array<FT, 3>& coordinates) const
@@ -196,13 +197,13 @@ public:
     return intrinsic_point(location.first, location.second);
   }
 
-  /// returns the point of an edge.
+  /// returns the point at a parameter along a halfedge.
   Intrinsic_point intrinsic_point(const std::pair<halfedge_descriptor, double>& point) const
   {
     return intrinsic_point(point.first, point.second);
   }
 
-  /// returns a point of the surface.
+  /// returns the point at a point of the surface.
   Intrinsic_point intrinsic_point(const Surface_point<TriangleMesh>& point) const
   {
     return std::visit([this](const auto& p) { return this->intrinsic_point(p); }, point);
@@ -213,7 +214,7 @@ public:
   /// \name From the Triangulation to the Mesh
   /// @{
 
-  /// lists the vertices, which the functions that follow need. Run time and memory are
+  /// lists the vertices, which the following functions require. Run time and memory are
   /// \cgalBigO{n}.
   void list_vertices()
   {
@@ -224,7 +225,7 @@ public:
     m_vertices = std::move(result);
   }
 
-  /// returns the vertex with the number `node`.
+  /// returns the vertex with the index `node` in the triangulation.
   vertex_descriptor vertex(const Index node) const
   {
     if(node >= m_vertices.size())
@@ -233,10 +234,11 @@ public:
     return m_vertices[node];
   }
 
-  /// returns the halfedge with the number `h`. Run time is linear in the degree of its source.
+  /// returns the halfedge with the index `h` in the triangulation. Run time is linear in the degree
+  /// of its source.
   halfedge_descriptor mesh_halfedge(const Index h) const
   {
-    // the triangulation keeps the order around vertices
+    // halfedges have the same order around vertices
     const Index source = m_triangulation->source(h);
     halfedge_descriptor result = internal::first_halfedge_from(vertex(source), *m_mesh);
     for(Index i = m_triangulation->first_halfedge(source); i < h; ++i)
@@ -244,7 +246,7 @@ public:
     return result;
   }
 
-  /// returns where a point that is not a vertex is in the face to the left of its halfedge.
+  /// returns the location of a point in the face to the left of its halfedge. \pre `!p.is_vertex()`
   Face_location<TriangleMesh> face_location(const Intrinsic_point& p) const
   {
     const halfedge_descriptor h = mesh_halfedge(p.halfedge);
@@ -258,7 +260,7 @@ public:
     return {f, {p.t, p.s, rest}};
   }
 
-  /// returns a point as a vertex, a point of an edge, or a point in a face.
+  /// returns the point of the surface at `p`.
   Surface_point<TriangleMesh> surface_point(const Intrinsic_point& p) const
   {
     if(p.is_vertex())
@@ -268,7 +270,7 @@ public:
     return face_location(p);
   }
 
-  /// reports to `visitor`, a model of `SurfaceMeshShortestPathVisitor`, where a point is.
+  /// reports the location of a point to `visitor`, a model of `SurfaceMeshShortestPathVisitor`.
   template <typename Visitor>
   void visit(const Intrinsic_point& p, Visitor& visitor) const
   {
@@ -283,14 +285,14 @@ public:
     }
   }
 
-  /// returns the position in space of a point that is a vertex.
+  /// returns the position of a vertex in space. \pre `p.is_vertex()`
   template <typename VertexPointMap>
   auto point_of_vertex(const Intrinsic_point& p, const VertexPointMap& point_map) const
   {
     return get(point_map, vertex(p.vertex));
   }
 
-  /// returns the position of a point in space, which `traits`, a model of `Kernel`, computes.
+  /// returns the position of a point in space, computed with `traits`, a model of `Kernel`.
   template <typename VertexPointMap, typename Traits>
   auto point(const Intrinsic_point& p, const VertexPointMap& point_map, const Traits& traits) const
   {
@@ -308,8 +310,8 @@ public:
     return Result(barycenter(target, FT(p.t), third, FT(p.s), source));
   }
 
-  /// returns a function of the numbers of vertices that gives positions, for `Vertex_positions`.
-  /// They are relative to the first one: the origin may be far away from all of them.
+  /// returns a function from vertex indices to positions, for `Vertex_positions`. Positions are
+  /// relative to the first vertex, which avoids cancellation if the origin is far away.
   template <typename VertexPointMap>
   auto position_of_vertex(const VertexPointMap& point_map) const
   {
@@ -336,11 +338,11 @@ private:
         f != Graph_traits::null_face() && is_in_range(f, num_faces(mesh_of_numbers()));
     const halfedge_descriptor h =
         may_be_face ? halfedge(f, *m_mesh) : Graph_traits::null_halfedge();
-    if(h == Graph_traits::null_halfedge() || face(h, *m_mesh) != f) // or was removed
+    if(h == Graph_traits::null_halfedge() || face(h, *m_mesh) != f) // or `f` was removed
       reject_foreign("face", f, Graph_traits::null_face());
   }
 
-  // Names an element by its number, if descriptors are numbers.
+  // Names an element by its index, if descriptors are integers.
   template <typename Descriptor>
   [[noreturn]] static void
   reject_foreign(const std::string& kind, const Descriptor d, const Descriptor null)
@@ -349,10 +351,10 @@ private:
     if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
       if(d != null)
         name = kind + ' ' + std::to_string(static_cast<std::size_t>(d));
-    internal::reject(name + " is not one of the mesh");
+    internal::reject(name + " is not in the mesh");
   }
 
-  // Whether a descriptor can be one of so many, if it is a number.
+  // Whether a descriptor is in range, if descriptors are integers.
   template <typename Descriptor, typename Size>
   static bool is_in_range([[maybe_unused]] const Descriptor d, [[maybe_unused]] const Size size)
   {
@@ -362,7 +364,7 @@ private:
       return true;
   }
 
-  // Barycentric coordinates, without what can only be rounding errors.
+  // Validates barycentric coordinates, and snaps values within rounding errors to zero.
   template <typename FT>
   static std::array<double, 3> checked(const std::array<FT, 3>& coordinates)
   {
@@ -384,8 +386,8 @@ private:
     return result;
   }
 
-  // The number of a halfedge in the triangulation. It is counted around the vertex of its face that
-  // has the fewest neighbors.
+  // Returns the index of a halfedge in the triangulation, by rotating around the vertex of its face
+  // with the smallest degree.
   Index number(const halfedge_descriptor h) const
   {
     const Intrinsic_triangulation& t = *m_triangulation;
@@ -420,13 +422,13 @@ private:
   const TriangleMesh* m_mesh;
   VertexIndexMap m_vertex_index_map;
   const Intrinsic_triangulation* m_triangulation;
-  std::vector<vertex_descriptor> m_vertices; // by node, once they are listed
+  std::vector<vertex_descriptor> m_vertices; // by node; filled by list_vertices()
 };
 
 namespace internal {
 
-// The point of the mesh's kernel that a point of its triangulation is. Where points are not those
-// of a kernel, only vertices have one.
+// Returns the position of a point in the kernel of the mesh. Without a kernel, only vertices have
+// positions.
 template <typename Translation, typename VertexPointMap, typename NamedParameters>
 auto point(const Translation& translation,
            const Intrinsic_point& p,
@@ -442,7 +444,8 @@ auto point(const Translation& translation,
   else if(p.is_vertex())
     return Point(translation.point_of_vertex(p, point_map));
   else
-    reject("there are no points between vertices: the mesh's are not those of a kernel");
+    reject("points on edges and faces cannot be computed: the point type of the mesh belongs to no "
+           "kernel");
 }
 
 } // namespace internal

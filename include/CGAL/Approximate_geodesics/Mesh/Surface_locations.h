@@ -25,8 +25,8 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMesh
  *
- * Between points in space, points of the surface of a mesh, and locations in its faces: what
- * `Surface_mesh_shortest_path` has from CGAL's exact class beside shortest paths.
+ * Conversions between points in space, points of the surface of a mesh, and locations in its faces:
+ * the functions of CGAL's exact class that do not compute shortest paths.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` with an internal vertex
  *         point map
@@ -63,8 +63,7 @@ public:
   using Point_3 = typename boost::property_traits<
       typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type;
 
-  /// the weights of a face's vertices, in the order in which `source(halfedge(f, tmesh), tmesh)` is
-  /// the first one.
+  /// the weights of the vertices of a face `f`, starting with `source(halfedge(f, tmesh), tmesh)`.
   using Barycentric_coordinates = std::array<FT, 3>;
 
   /// a location on the surface: a face, and barycentric coordinates in it.
@@ -73,13 +72,13 @@ public:
   /// a point of the surface: a vertex, a point on an edge, or a point in a face.
   using Surface_point = Approximate_geodesics::Surface_point<TriangleMesh>;
 
-  /// the property map of the mesh's own points.
+  /// the internal vertex point map of the mesh.
   using Vertex_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
 
   /// @}
 
 #ifndef DOXYGEN_RUNNING
-  // the static versions of the functions that follow
+  // Static overloads of the following functions.
   using Base::build_aabb_tree;
   using Base::face_location;
   using Base::locate;
@@ -89,8 +88,7 @@ public:
   /*!
    * \name Points
    *
-   * There are static versions of these functions, which take the mesh as a further argument, and
-   * may be given a vertex point map after that.
+   * Static overloads take the mesh, and optionally a vertex point map, as additional arguments.
    */
   /// @{
 
@@ -100,7 +98,7 @@ public:
     return point(f, location, m_mesh, m_point_map);
   }
 
-  /// returns the point at the part `t` of the way along `h`, from its source.
+  /// returns the point at the parameter `t` along `h`: `0` is its source, `1` is its target.
   Point_3 point(const halfedge_descriptor h, const FT t) const
   {
     return point(h, t, m_mesh, m_point_map);
@@ -114,22 +112,22 @@ public:
   /*!
    * \name Face Locations
    *
-   * There are static versions of these functions, too.
+   * Static overloads take the mesh as an additional argument.
    */
   /// @{
 
-  /// returns a location of `v` in one of its faces. If it has none, the face is
+  /// returns a location of `v` in an incident face. If `v` is isolated, the face is
   /// `boost::graph_traits<Triangle_mesh>::%null_face()`.
   Face_location face_location(const vertex_descriptor v) const { return face_location(v, m_mesh); }
 
-  /// returns the location at the part `t` of the way along `h` in the face to its left, or, at the
-  /// border, to its right.
+  /// returns the location at the parameter `t` along `h` in the face to its left, or, if `h` is a
+  /// border halfedge, to its right.
   Face_location face_location(const halfedge_descriptor h, const FT t) const
   {
     return face_location(h, t, m_mesh);
   }
 
-  /// returns a location of a point of the surface in one of its faces.
+  /// returns a location of a point of the surface in an incident face.
   Face_location face_location(const Surface_point& point) const
   {
     if(const auto* v = std::get_if<vertex_descriptor>(&point))
@@ -144,23 +142,23 @@ public:
   /*!
    * \name Nearest Face Locations
    *
-   * A location next to a corner or a side of its face is moved onto that: barycentric coordinates
-   * of at most `tolerance` are set to zero. What is returned is where paths from there start, to
-   * the last bit. The face is `boost::graph_traits<Triangle_mesh>::%null_face()` if the mesh has
-   * no faces, or the ray does not meet any.
+   * Locations are snapped to close vertices and edges: barycentric coordinates of at most
+   * `tolerance` are set to zero. A path from a returned location starts there exactly. The face is
+   * `boost::graph_traits<Triangle_mesh>::%null_face()` if the mesh has no faces, or the ray does
+   * not intersect it.
    *
-   * Those functions that are given no tree build one, of the mesh's own points. There are static
-   * versions, which take the mesh and a vertex point map as arguments before the tolerance. Where
-   * faces have no area, \cgal's tree may refuse a ray; and where squared coordinates do not fit a
-   * `double`, it cannot find nearest points.
+   * Overloads without a tree build one from the internal points of the mesh. Static overloads take
+   * the mesh and a vertex point map as additional arguments before the tolerance. \cgal's tree may
+   * throw for rays if faces are degenerate, and cannot find nearest points if squared coordinates
+   * overflow a `double`.
    *
-   * Programs that call these functions include `CGAL/AABB_tree.h`, which this header does not.
+   * These functions require the header `CGAL/AABB_tree.h`, which this header does not include.
    *
    * \tparam AABBTraits a model of `AABBTraits` for the faces of the mesh
    */
   /// @{
 
-  /// returns the location on the mesh that is nearest to `p`.
+  /// returns the location on the mesh nearest to `p`.
   template <typename AABBTraits>
   Face_location locate(const Point_3& p, const FT tolerance = default_tolerance) const
   {
@@ -169,7 +167,7 @@ public:
     return locate(p, tree, tolerance);
   }
 
-  /// does the same with a tree that was built before.
+  /// uses a given tree.
   template <typename AABBTraits>
   Face_location locate(const Point_3& p,
                        const AABB_tree<AABBTraits>& tree,
@@ -178,7 +176,7 @@ public:
     return locate(p, tree, m_mesh, m_point_map, tolerance);
   }
 
-  /// returns the location on the mesh where `ray` meets it first.
+  /// returns the location of the first intersection of `ray` with the mesh.
   template <typename AABBTraits, typename Kernel>
   Face_location locate(const Ray_3<Kernel>& ray, const FT tolerance = default_tolerance) const
   {
@@ -187,7 +185,7 @@ public:
     return locate(ray, tree, tolerance);
   }
 
-  /// does the same with a tree that was built before.
+  /// uses a given tree.
   template <typename AABBTraits, typename Kernel>
   Face_location locate(const Ray_3<Kernel>& ray,
                        const AABB_tree<AABBTraits>& tree,
@@ -196,30 +194,31 @@ public:
     return locate(ray, tree, m_mesh, m_point_map, tolerance);
   }
 
-  /// builds a tree of the mesh's faces for `locate()`, with the mesh's own points.
+  /// builds a tree of the faces for `locate()`, with the internal points of the mesh.
   template <typename AABBTraits>
   void build_aabb_tree(AABB_tree<AABBTraits>& tree) const
   {
     build_aabb_tree(m_mesh, tree);
   }
 
-  /// builds a tree with other points.
+  /// builds a tree of the faces with the points of `point_map`.
   template <typename AABBTraits, typename VertexPointMap>
   void build_aabb_tree(AABB_tree<AABBTraits>& tree, const VertexPointMap& point_map) const
   {
     build_aabb_tree(m_mesh, tree, point_map);
   }
 
-  /// the weight in barycentric coordinates that a location may be moved by.
+  /// the default tolerance of barycentric coordinates.
   static constexpr FT default_tolerance = Base::default_tolerance;
 
   /// @}
 
 protected:
-  /// the property map of the points that were chosen, of a type that does not tell which it is.
+  /// a type-erased vertex point map.
   using Point_function = internal::Function_property_map<vertex_descriptor, Point_3>;
 
-  /// refers to a mesh, and to the points that `vertex_point_map` has for its vertices.
+  /// constructs the conversions for a mesh and a vertex point map. Both are referred to, not
+  /// copied.
   template <typename VertexPointMap>
   Surface_locations(const Triangle_mesh& tmesh, const VertexPointMap& vertex_point_map)
     : m_mesh(tmesh),
@@ -230,7 +229,7 @@ protected:
   /// returns the mesh.
   const Triangle_mesh& mesh() const { return m_mesh; }
 
-  /// returns the points.
+  /// returns the vertex point map.
   const Point_function& point_map() const { return m_point_map; }
 
 private:

@@ -20,9 +20,9 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsPoints
  *
- * a point of the surface of a mesh, given by a face and barycentric coordinates in it: the weights
- * of the source and the target of `halfedge(f, tmesh)`, and of the third vertex. This is what
- * \cgal's functions for locating points work with.
+ * a point of the surface of a mesh, given by a face and barycentric coordinates: the weights of the
+ * source and the target of `halfedge(f, tmesh)`, and of the third vertex. \cgal's functions for
+ * locating points use this representation.
  */
 template <typename TriangleMesh>
 using Face_location =
@@ -31,8 +31,8 @@ using Face_location =
 /*!
  * \ingroup PkgApproximateGeodesicsPoints
  *
- * a point of the surface of a mesh: a vertex; or a halfedge, and the part of the way from its
- * source to its target, from `0` to `1`; or a face, and barycentric coordinates in it.
+ * a point of the surface of a mesh: a vertex; or a halfedge, and a parameter along it from `0` at
+ * its source to `1` at its target; or a face, and barycentric coordinates in it.
  */
 template <typename TriangleMesh>
 using Surface_point =

@@ -29,9 +29,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Reads a mesh into an `Intrinsic_triangulation`. This is the only place of the package where a
- * mesh is traversed and its input is checked: by the reader of connectivity, and with the help of
- * the headers on lengths and weights.
+ * Builds an `Intrinsic_triangulation` from a mesh. All traversal and validation of whole meshes
+ * happens here, by `Connectivity_reader` and the functions that read lengths, weights and costs.
  */
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder
@@ -97,8 +96,8 @@ private:
   void copy_directional_costs()
   {
     static_assert(!is_given<NamedParameters, internal_np::edge_length_t>,
-                  "directional_cost, edge_length_map: costs are asked for in the directions of the "
-                  "mesh's points, so that these have to be where lengths come from");
+                  "directional_cost, edge_length_map: directional costs require the lengths of the "
+                  "embedding, which is given by the vertex point map");
     const auto& cost = parameters::get_parameter_reference(m_np, internal_np::face_weight);
     const auto point_map = vertex_point_map(m_mesh, m_np);
     m_result.m_gauges = Gauge_reader(m_mesh, m_reader.halfedge_list(), point_map, cost, m_result)

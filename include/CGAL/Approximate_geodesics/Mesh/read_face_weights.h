@@ -27,9 +27,9 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Expresses weights in a power of two, without rounding, so that products with lengths neither
-// overflow nor vanish: the largest finite one is from 1 to 2 then, or smaller if costs would have
-// too small a unit.
+// Scales weights by a power of two, without rounding, so that products with lengths neither
+// overflow nor underflow: the largest finite weight is then in [1, 2), or smaller if the unit of
+// costs would underflow.
 inline void normalize(Face_weights& weights, const double unit_of_lengths)
 {
   double largest = 0;
@@ -43,12 +43,12 @@ inline void normalize(Face_weights& weights, const double unit_of_lengths)
   weights.unit = std::ldexp(1., exponent);
   for(double& w : weights.of_halfedge)
     if(w > 0)
-      // not free yet, and not one of those numbers that processors take a hundred times as long for
+      // stays positive, and not denormalized, which would be slow
       w = (std::max)(std::ldexp(w, -exponent), Face_weights::SMALLEST_WEIGHT);
 }
 
-// Upper bound of the cost of any path that revisits nothing, in units of the lengths and the
-// weights. Each edge counts once per face, which covers the ends of a path inside faces, too.
+// Returns an upper bound on the cost of a simple path, in the units of lengths and weights. Each
+// edge counts once per face, which also covers path ends inside faces.
 inline double cost_of_all_edges(const Face_weights& weights,
                                 const Intrinsic_triangulation& triangulation)
 {
@@ -59,8 +59,7 @@ inline double cost_of_all_edges(const Face_weights& weights,
   return result;
 }
 
-// Reads the weights of the faces of a mesh, whose halfedges are given by their numbers in the
-// triangulation.
+// Reads the weights of the faces of a mesh. `halfedges` has the order of the triangulation.
 template <typename TriangleMesh, typename Halfedges, typename FaceWeightMap>
 Face_weights weights_of_faces(const TriangleMesh& tmesh,
                               const Halfedges& halfedges,
@@ -84,20 +83,19 @@ Face_weights weights_of_faces(const TriangleMesh& tmesh,
              name(triangulation.target(h)) + ", " + name(triangulation.target(g)) + " has weight " +
              text_of(weight) + "; it must be a number that is not negative, or infinity");
     }
-    result.of_halfedge[h] = weight + 0.0; // turns a negative zero into a positive one
+    result.of_halfedge[h] = weight + 0.0; // normalizes negative zero
   }
   normalize(result, triangulation.unit());
   const double unit_of_costs = triangulation.unit() * result.unit;
   if(std::isinf(unit_of_costs) ||
      std::isinf(cost_of_all_edges(result, triangulation) * unit_of_costs))
     reject(
-        "the weights and the lengths of the mesh do not fit each other: costs would be beyond "
-        "what a double can hold. If a weight stands for a face that paths must not enter, infinity "
-        "is the one to use.");
+        "the weights and the lengths of the mesh are too large: the cost of a path would be more "
+        "than a double can hold. Use infinity for faces that paths must not enter.");
   return result;
 }
 
-// The halfedges of a mesh by their numbers in its triangulation.
+// Returns the halfedges of a mesh in the order of its triangulation.
 template <typename TriangleMesh, typename VertexIndexMap>
 auto halfedges_in_groups(const TriangleMesh& tmesh,
                          const VertexIndexMap& vertex_index_map,
@@ -129,7 +127,7 @@ auto halfedges_in_groups(const TriangleMesh& tmesh,
   if(number_of_vertices != triangulation.number_of_vertices() ||
      number_of_halfedges != triangulation.number_of_halfedges() ||
      std::count(result.begin(), result.end(), Graph_traits::null_halfedge()) > 0)
-    reject("the mesh is not the one that the triangulation was made from");
+    reject("the triangulation was not built from this mesh");
   return result;
 }
 
@@ -138,17 +136,17 @@ auto halfedges_in_groups(const TriangleMesh& tmesh,
 /*!
  * \ingroup PkgApproximateGeodesicsMesh
  *
- * reads the weights of the faces of a mesh, for graphs whose weights are exchanged.
+ * reads the weights of the faces of a mesh, for replacing the weights of a graph.
  *
- * \param tmesh the mesh that `triangulation` was made from
+ * \param tmesh the mesh from which `triangulation` was built
  * \param triangulation the triangulation
  * \param face_weight_map a property map with the faces of `tmesh` as keys and a number type
- *        convertible by `CGAL::to_double()` as value type: what a path costs per unit of length
+ *        convertible by `CGAL::to_double()` as value type: the cost per unit of length
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
  *           `vertex_index_map`, if one was given to the triangulation
  *
- * \throws std::invalid_argument if a weight is negative or not a number, if costs do not fit a
- *         `double`, or if `tmesh` has another number of vertices or halfedges.
+ * \throws std::invalid_argument if a weight is negative or NaN, if costs overflow a `double`, or if
+ *         the number of vertices or halfedges of `tmesh` differs from that of `triangulation`.
  *
  * Run time is \cgalBigO{n} for `n` vertices.
  */

@@ -477,7 +477,7 @@ private:
     far_apart.point(Vertex(7)) = Point(1.5e308, 0, 0);
     refuse("a length beyond the largest number", far_apart, {"vertex 7", "does not fit a double"});
     refuse("lengths beyond it together", to_mesh(scaled(flat_grid(30, 30), 5e306)),
-           {"all edges", "half of what a double holds", "vertex"});
+           {"all edges", "half of the largest double", "vertex"});
   }
 
   void refuse_connectivity()
@@ -497,13 +497,13 @@ private:
            {"face 7", "not linked to its halfedges in both directions"});
     refuse("nothing before a halfedge", with_nothing_before_a_halfedge(), {"vertex 0", no_cycle});
     refuse("a border in a face", with_border_in_a_face(),
-           {"the halfedge from vertex 1 to vertex 0", "go round it"});
+           {"the halfedge from vertex 1 to vertex 0", "on the cycle of that face"});
     refuse("a halfedge of another face", with_halfedge_of_another_face(),
            {"face 1", "not linked to its halfedges in both directions"});
     refuse("vertices that know no face", with_vertices_that_know_no_face(),
-           {"face 0", "is not one of those around vertex 0"});
+           {"face 0", "is not found around vertex 0"});
     refuse("a border in a detached face", with_border_in_a_detached_face(),
-           {"face 4", "is not one of those around vertex"});
+           {"face 4", "is not found around vertex"});
   }
 };
 

@@ -22,12 +22,12 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
  *
- * The time that it takes to get ahead in a current or a wind, per unit of length: Zermelo's problem
- * of navigation \cgalCite{z-nbrwv-31}. A boat or an airplane moves at its own speed \f$v\f$
- * through something that drifts with the velocity \f$w\f$, which is constant in each face; in the
- * direction \f$d\f$, it gets ahead at \f$d\cdot w + \sqrt{v^2 - |w|^2 + (d\cdot w)^2}\f$.
+ * The travel time per unit of length in a current or a wind: Zermelo's navigation problem
+ * \cgalCite{z-nbrwv-31}. A boat or an airplane moves with the speed \f$v\f$ relative to a medium
+ * that drifts with the velocity \f$w\f$, which is constant in each face. Its ground speed in the
+ * direction \f$d\f$ is \f$d\cdot w + \sqrt{v^2 - |w|^2 + (d\cdot w)^2}\f$.
  *
- * Where the drift is faster than the boat, directions that it cannot get to have infinite cost.
+ * If the drift is faster than the boat, unattainable directions have infinite cost.
  *
  * \tparam FaceVectorMap a model of `ReadablePropertyMap` with faces as key type and a `%Vector_3`
  *         as value type
@@ -38,8 +38,9 @@ template <typename FaceVectorMap>
 class Drift_time
 {
 public:
-  /// takes the velocities of the drift and the speed of the boat, in the same unit.
-  /// \pre Each velocity is in the plane of its face; what is not makes ways longer.
+  /// constructs the cost function from the drift velocities and the speed of the boat, in the same
+  /// unit.
+  /// \pre Each velocity lies in the plane of its face; a normal component increases the cost.
   /// \throws std::invalid_argument if `speed` is not a finite number above `0`.
   Drift_time(FaceVectorMap drift, const double speed) : m_drift(std::move(drift)), m_speed(speed)
   {

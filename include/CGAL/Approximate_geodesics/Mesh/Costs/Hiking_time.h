@@ -19,22 +19,20 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
  *
- * The time that walking takes on slopes, in seconds per meter of the ground, by Tobler's hiking
- * function \cgalCite{t-tpgam-93}: the speed is \f$6\,e^{-3.5\,|s + 0.05|}\f$ kilometers per hour
- * where one gains \f$s\f$ meters of height per meter on the map. It is largest, 6 km/h, slightly
- * downhill.
+ * The walking time on slopes, in seconds per meter of surface length, by Tobler's hiking function
+ * \cgalCite{t-tpgam-93}: the speed is \f$6\,e^{-3.5\,|s + 0.05|}\f$ kilometers per hour for a slope
+ * of \f$s\f$ meters of height per horizontal meter. The maximum, 6 km/h, is slightly downhill.
  *
- * The mesh is in meters, with the z axis upward. Slopes above about 27 % are climbed in zigzags of
- * that slope, and those below about -27 % descended likewise, which takes less time than going
- * straight.
+ * The mesh is in meters, with the z axis upward. Slopes steeper than about 27 %, uphill and
+ * downhill, are traversed in zigzags of that slope, which takes less time than the straight path.
  *
  * \cgalModels{DirectionalCostFunction}
  */
 class Hiking_time
 {
 public:
-  /// multiplies speeds by `factor`: Tobler's figures are for footpaths, and he suggests `0.6` off
-  /// paths, and `1.25` on horseback.
+  /// constructs the cost function, with all speeds multiplied by `factor`. Tobler's function is for
+  /// footpaths; he suggests `0.6` off paths, and `1.25` on horseback.
   /// \throws std::invalid_argument if `factor` is not a finite number above `0`.
   explicit Hiking_time(const double factor = 1) : m_factor(factor)
   {
@@ -43,7 +41,7 @@ public:
                        "; it must be a finite number larger than 0");
   }
 
-  /// returns the seconds per meter in a direction.
+  /// returns the time per unit of length in a direction, in seconds per meter.
   template <typename Face, typename Vector_3>
   double operator()(const Face& /* face */, const Vector_3& direction) const
   {

@@ -22,8 +22,8 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
  *
- * Faces that can be crossed in some directions only: those that are not too far from the face's
- * own. Others have infinite cost. There is no bound `epsilon` on the cost of paths then.
+ * A cost function that restricts the directions in each face to those close to a given direction.
+ * All others have infinite cost, so paths have no error bound `epsilon`.
  *
  * \tparam FaceVectorMap a model of `ReadablePropertyMap` with faces as key type and a `%Vector_3`
  *         as value type
@@ -34,13 +34,14 @@ template <typename FaceVectorMap>
 class One_way
 {
 public:
-  /// takes the directions of the faces, of any length; where that is zero, all are allowed.
-  /// \param ways the directions
-  /// \param cost what a path costs per unit of length where it is allowed
-  /// \param smallest_cosine allowed are directions at an angle with at least this cosine: `0`
-  ///        stands for half of them. Zigzags fill gaps of less than half a circle.
-  /// \throws std::invalid_argument if `cost` is negative, infinite, or not a number, or
-  ///         `smallest_cosine` is not from `-1` to `1`.
+  /// constructs the cost function. In a face with a zero vector, all directions are admissible.
+  /// \param ways the directions of the faces, vectors of any length
+  /// \param cost the cost per unit of length in admissible directions
+  /// \param smallest_cosine the smallest cosine of the angle between an admissible direction and
+  ///        that of the face: `0` admits half of the directions. Zigzags can follow any direction
+  ///        in a gap of less than 180 degrees.
+  /// \throws std::invalid_argument if `cost` is negative, infinite, or NaN, or if `smallest_cosine`
+  ///         is not between `-1` and `1`.
   explicit One_way(FaceVectorMap ways, const double cost = 1, const double smallest_cosine = 0)
     : m_ways(std::move(ways)), m_cost(cost), m_smallest_cosine(smallest_cosine)
   {

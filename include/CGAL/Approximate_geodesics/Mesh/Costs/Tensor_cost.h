@@ -22,12 +22,12 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
  *
- * A metric tensor per face: a Riemannian metric that is constant in each of them. In the direction
- * \f$d\f$, a path costs \f$\sqrt{d^T A\,d}\f$ per unit of length, with a symmetric matrix
- * \f$A\f$.
+ * A Riemannian metric that is constant in each face, given by one metric tensor per face: in the
+ * direction \f$d\f$, a path costs \f$\sqrt{d^T A\,d}\f$ per unit of length, where \f$A\f$ is a
+ * symmetric matrix.
  *
- * A matrix that is not positive semidefinite in the plane of its face, beyond rounding, leads to
- * costs that are not numbers, and is refused when the mesh is read; so is one that is infinite.
+ * If a matrix is not finite, or not positive semidefinite in the plane of its face, beyond rounding,
+ * costs are NaN, and reading the mesh fails.
  *
  * \tparam FaceTensorMap a model of `ReadablePropertyMap` with faces as key type and as value type
  *         `std::array<double, 6>`: the entries xx, xy, xz, yy, yz and zz of the matrix
@@ -38,7 +38,7 @@ template <typename FaceTensorMap>
 class Tensor_cost
 {
 public:
-  /// takes the tensors.
+  /// constructs the cost function from the tensors.
   explicit Tensor_cost(FaceTensorMap tensors) : m_tensors(std::move(tensors)) {}
 
   /// returns the cost per unit of length in a direction.

@@ -19,23 +19,23 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
  *
- * The energy that walking takes on slopes, in joules per kilogram of the walker and meter of the
- * ground, as Minetti, Moia, Roi, Susta and Ferretti have measured it \cgalCite{mmrsf-ecwre-02}:
- * \f$280.5\,s^5 - 58.7\,s^4 - 76.8\,s^3 + 51.9\,s^2 + 19.6\,s + 2.5\f$, where one gains \f$s\f$
- * meters of height per meter on the map. It is smallest at about -15 %.
+ * The energy of walking on slopes, in joules per kilogram of body mass and meter of surface length,
+ * as measured by Minetti, Moia, Roi, Susta and Ferretti \cgalCite{mmrsf-ecwre-02}: \f$280.5\,s^5 -
+ * 58.7\,s^4 - 76.8\,s^3 + 51.9\,s^2 + 19.6\,s + 2.5\f$ for a slope of \f$s\f$ meters of height per
+ * horizontal meter. The minimum is at about -15 %.
  *
- * The mesh is in meters, with the z axis upward. Measurements end at slopes of 45 %: directions
- * that are steeper have infinite cost, and steep faces are climbed in zigzags.
+ * The mesh is in meters, with the z axis upward. The measurements cover slopes of up to 45 %;
+ * steeper directions have infinite cost, and steep faces are climbed in zigzags.
  *
  * \cgalModels{DirectionalCostFunction}
  */
 class Walking_energy
 {
 public:
-  /// slopes beyond were not measured.
+  /// the steepest measured slope.
   static constexpr double STEEPEST_SLOPE = 0.45;
 
-  /// returns the joules per kilogram and meter in a direction.
+  /// returns the energy per unit of length in a direction, in joules per kilogram and meter.
   template <typename Face, typename Vector_3>
   double operator()(const Face& /* face */, const Vector_3& direction) const
   {

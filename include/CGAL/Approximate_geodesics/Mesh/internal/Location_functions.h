@@ -22,8 +22,8 @@
 
 namespace CGAL {
 
-// Only declared: programs that call `locate()` include its header, which would be more than a
-// quarter of what all others have to compile.
+// Forward declaration: only programs that call `locate()` need the header, which takes a quarter of
+// the compile time.
 template <typename AABBTraits>
 class AABB_tree;
 
@@ -31,9 +31,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Translates between points in space, locations in faces, and descriptors, as the static functions
- * of the exact class do. Unlike CGAL's `construct_point()` and `locate_vertex()`, these functions
- * accept isolated vertices, and need no AABB tree's header.
+ * Converts between points in space, locations in faces, and descriptors, like the static functions
+ * of the exact class. Unlike CGAL's `construct_point()` and `locate_vertex()`, these functions
+ * accept isolated vertices, and do not require the header of the AABB tree.
  */
 template <typename TriangleMesh>
 class Location_functions

@@ -16,15 +16,15 @@
 #include <boost/variant.hpp>
 #endif
 
-// What differs between the versions of CGAL that are supported, 5.5 to 6.1. (That newer ones have
-// some of our named parameters is the concern of named_parameters.h.)
+// Differences between the supported versions of CGAL, 5.5 to 6.1, except for named parameters: see
+// named_parameters.h.
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// The alternative of type `T` of a variant as CGAL's intersections return it, or a null pointer:
-// Boost's variants have become the standard library's.
+// Returns the alternative of type `T` of the result of an intersection, or a null pointer. CGAL 6
+// replaced `boost::variant` by `std::variant`.
 #if CGAL_VERSION_NR < 1060001000
 template <typename T, typename... Types>
 const T* alternative(const boost::variant<Types...>& variant)

@@ -24,19 +24,19 @@
 #include <utility>
 #include <vector>
 
-// Reads and checks the lengths of edges, which neither overflow nor underflow on the way: see the
-// remark on units at `Intrinsic_triangulation`, whose header is the one to include.
+// Reads and checks edge lengths without overflow or underflow: see the remark on units at
+// `Intrinsic_triangulation`. Include the header of that class instead of this one.
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// A power of two, and its inverse, that brings `extent` near 2^200 without rounding: products of
-// four lengths still fit a double, and lengths may be smaller than the extent by more than 1e300.
+// A power of two that scales `extent` to about 2^200 without rounding. Products of four lengths
+// then do not overflow, and lengths may be smaller than the extent by a factor of more than 1e300.
 class Scale
 {
 public:
-  // in the unit, between points within the extent
+  // Bound on the scaled distance of two points within the extent.
   static constexpr double LARGEST_DISTANCE = 0x1p203;
 
   explicit Scale(const double extent)
@@ -48,40 +48,40 @@ public:
 
   double unit() const { return std::ldexp(1., m_exponent); }
 
-  // in two steps, as one factor could overflow
+  // In two steps, because a single factor could overflow.
   double reduce(const double x) const { return x * m_half_way * m_rest; }
 
 private:
-  static constexpr int SMALLEST_EXPONENT = -1074; // of a double
+  static constexpr int SMALLEST_EXPONENT = -1074; // of a denormalized double
 
   int m_exponent;
   double m_half_way;
   double m_rest;
 };
 
-// the length of a vector, however small it is
+// Returns the length of a vector without underflow.
 inline double accurate_length(const Space_vector& way)
 {
   const double squared = dot(way, way);
 
-  constexpr double smallest_accurate = 1e-280; // below, a square may have lost bits to underflow
+  constexpr double smallest_accurate = 1e-280; // below it, squares may underflow
   if(squared > smallest_accurate)
     return std::sqrt(squared);
 
   const double largest = (std::max)({std::abs(way[0]), std::abs(way[1]), std::abs(way[2])});
   if(largest == 0)
     return 0;
-  const Scale scale(largest); // `std::hypot()` rounds otherwise, and is slower
+  const Scale scale(largest); // `std::hypot()` is slower and rounds differently
   const Space_vector scaled = {scale.reduce(way[0]), scale.reduce(way[1]), scale.reduce(way[2])};
   return std::sqrt(dot(scaled, scaled)) * scale.unit();
 }
 
-// The length of the edge of each halfedge, in a unit that is a power of two.
+// The edge length of each halfedge, in a unit that is a power of two.
 struct Edge_lengths
 {
   std::vector<double> of_halfedge;
   double unit = 1;
-  std::vector<Space_vector> points; // of vertices, in that unit; none if lengths were given
+  std::vector<Space_vector> points; // of vertices, in that unit; empty if lengths were given
 };
 
 template <typename Connectivity>
@@ -91,7 +91,7 @@ std::string name_of_edge(const typename Connectivity::Index h, const Connectivit
          " and vertex " + std::to_string(connectivity.index(connectivity.target(h)));
 }
 
-// Reads lengths from a map.
+// Reads lengths from a property map.
 template <typename TriangleMesh, typename Halfedges, typename EdgeLengthMap, typename Connectivity>
 Edge_lengths given_lengths(const TriangleMesh& tmesh,
                            const Halfedges& halfedges,
@@ -107,7 +107,7 @@ Edge_lengths given_lengths(const TriangleMesh& tmesh,
     if(!(length >= 0) || std::isinf(length))
       reject("the " + name_of_edge(h, connectivity) + " has length " + text_of(length) +
              "; it must be a finite number that is not negative");
-    result.of_halfedge.push_back(length + 0.0); // turns a negative zero into a positive one
+    result.of_halfedge.push_back(length + 0.0); // normalizes negative zero
     extent = (std::max)(extent, length);
   }
 
@@ -126,7 +126,7 @@ Space_vector double_point(const Point_3& p, const Traits& traits)
           CGAL::to_double(traits.compute_z_3_object()(p))};
 }
 
-// The points of the vertices of a mesh, in the order of their numbers in the connectivity.
+// The points of the vertices of a mesh, in the order of the connectivity.
 template <typename Vertices, typename PointMap, typename Traits, typename Connectivity>
 std::vector<Space_vector> double_points(const Vertices& vertices,
                                         const PointMap& point_map,
@@ -146,7 +146,7 @@ std::vector<Space_vector> double_points(const Vertices& vertices,
   return result;
 }
 
-// Isolated vertices do not count: they can be anywhere, and need not fit the unit.
+// Ignores isolated vertices: they do not affect lengths.
 template <typename Connectivity>
 Scale scale_of(const std::vector<Space_vector>& points, const Connectivity& connectivity)
 {
@@ -158,7 +158,7 @@ Scale scale_of(const std::vector<Space_vector>& points, const Connectivity& conn
   return Scale(extent);
 }
 
-// For those who want to know nothing of edges but their lengths; see `Sharp_corners`.
+// Does nothing, in place of `Sharp_corners`, if only lengths are required.
 struct No_corners
 {
   template <typename Index>
@@ -169,8 +169,7 @@ struct No_corners
   void merge(const No_corners& /* other */) {}
 };
 
-// Computes lengths from points. Shows `corners` the ways along the halfedges of each vertex, one
-// after the other.
+// Computes lengths from points. Passes the vector of each halfedge to `corners`, vertex by vertex.
 template <typename Connectivity, typename Corners>
 Edge_lengths straight_lengths(std::vector<Space_vector> points,
                               const Connectivity& connectivity,
@@ -189,10 +188,10 @@ Edge_lengths straight_lengths(std::vector<Space_vector> points,
   Edge_lengths result;
   result.unit = scale.unit();
   result.of_halfedge.resize(connectivity.number_of_halfedges());
-  std::vector<Corners> shares(points.size() / Loop::SIZE_OF_BLOCK + 1, corners); // by block
+  std::vector<Corners> shares(points.size() / Loop::SIZE_OF_BLOCK + 1, corners); // one per block
   loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
     Corners& share = shares[first / Loop::SIZE_OF_BLOCK];
-    const Connectivity& c = connectivity; // these three are kept in registers
+    const Connectivity& c = connectivity; // these three stay in registers
     const Space_vector* const point = points.data();
     double* const lengths = result.of_halfedge.data();
     for(Index v = static_cast<Index>(first); v < beyond; ++v)
@@ -212,12 +211,12 @@ Edge_lengths straight_lengths(std::vector<Space_vector> points,
   return result;
 }
 
-// Twice the sum of all edges is an upper bound of the length of any path that revisits nothing;
-// where it fits a `double`, so do all distances.
+// Twice the sum of all edge lengths bounds the length of any simple path, so distances do not
+// overflow if this sum does not.
 template <typename Connectivity>
 void check_sum(const Edge_lengths& lengths, const Connectivity& connectivity)
 {
-  const auto& l = lengths.of_halfedge; // each of an edge is there twice
+  const auto& l = lengths.of_halfedge; // contains each edge twice
   if(!std::isinf(Scale::LARGEST_DISTANCE * lengths.unit * static_cast<double>(l.size())))
     return;
   const auto longest = std::max_element(l.begin(), l.end());
@@ -226,13 +225,11 @@ void check_sum(const Edge_lengths& lengths, const Connectivity& connectivity)
   if(std::isinf(*longest * lengths.unit))
     reject("the length of the " + name + " does not fit a double");
   if(std::isinf(std::accumulate(l.begin(), l.end(), 0.) * lengths.unit))
-    reject("the lengths of all edges add up to more than half of what a double holds; the longest "
-           "is that of the " +
+    reject("the sum of all edge lengths exceeds half of the largest double; the longest is the " +
            name);
 }
 
-// Reads the lengths of the edges of a mesh, whose vertices and halfedges are given by their numbers
-// in the connectivity.
+// Reads the edge lengths of a mesh. `vertices` and `halfedges` have the order of the connectivity.
 template <typename TriangleMesh,
           typename Vertices,
           typename Halfedges,
@@ -250,7 +247,7 @@ Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
   if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
     result = given_lengths(tmesh, halfedges,
                            parameters::get_parameter(np, internal_np::edge_length), connectivity);
-  else // not compiled for meshes without points
+  else // not instantiated for meshes without points
   {
     using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
     const Traits traits = parameters::choose_parameter<Traits>(

@@ -15,8 +15,8 @@
 #include <cstddef>
 #include <string>
 
-// Whether the faces of a mesh and their halfedges know each other. Unlike `CGAL::is_triangle()`,
-// these functions trust no link.
+// Checks that the faces of a mesh and their halfedges refer to each other. Unlike
+// `CGAL::is_triangle()`, these functions do not assume that links are valid.
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -40,8 +40,7 @@ bool is_linked_triangle(const typename boost::graph_traits<TriangleMesh>::face_d
   return true;
 }
 
-// Returns the number of sides of a face that a walk along its border finds, or 0 if links are
-// wrong.
+// Returns the number of sides of a face, or 0 if its links are invalid.
 template <typename TriangleMesh>
 std::size_t number_of_sides(const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
                             const TriangleMesh& tmesh)
@@ -54,7 +53,7 @@ std::size_t number_of_sides(const typename boost::graph_traits<TriangleMesh>::fa
     const auto previous = h;
     h = next(h, tmesh);
     if(h == boost::graph_traits<TriangleMesh>::null_halfedge() || face(h, tmesh) != f ||
-       prev(h, tmesh) != previous) // without which the walk could miss its first halfedge for ever
+       prev(h, tmesh) != previous) // otherwise the loop may never return to `first`
       return 0;
     ++result;
   } while(h != first);
@@ -66,8 +65,8 @@ inline std::string name_of_face(const std::size_t i)
   return "face " + std::to_string(i) + " (in the order of faces())";
 }
 
-// Returns the number of faces, and rejects a mesh with other faces than triangles. `place_of(v)` is
-// the text that names a vertex of such a face.
+// Returns the number of faces. Throws if a face is not a triangle; `place_of(v)` returns the text
+// that names a vertex of such a face.
 template <typename TriangleMesh, typename PlaceOf>
 std::size_t number_of_triangles(const TriangleMesh& tmesh, const PlaceOf place_of)
 {

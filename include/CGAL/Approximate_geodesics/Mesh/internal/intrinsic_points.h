@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-// Translates the points of a mesh that users give. Messages about wrong ones name their role, such
-// as "source", and their position in the range.
+// Converts input points. Messages about invalid points name their role, such as "source", and their
+// position in the range.
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -30,7 +30,7 @@ intrinsic_point(const Translation& translation, const Point& point, const char* 
                          [&] { return translation.intrinsic_point(point); });
 }
 
-// one point, or a range of them
+// Converts a single point or a range of points.
 template <typename Translation, typename Points>
 std::vector<Intrinsic_point>
 intrinsic_points(const Translation& translation, const Points& points, const char* const role)

@@ -24,13 +24,13 @@
 #include <limits>
 #include <vector>
 
-// Where points are on a mesh, found with CGAL's AABB tree.
+// Location of points on a mesh with CGAL's AABB tree.
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// the vector from one point of a kernel to another
+// Returns the vector from `p` to `q`.
 template <typename Point_3>
 Space_vector vector_between(const Point_3& p, const Point_3& q)
 {
@@ -38,7 +38,7 @@ Space_vector vector_between(const Point_3& p, const Point_3& q)
   return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
 }
 
-// Weights at most as large as the tolerance, and negative ones, become zero.
+// Sets weights that do not exceed the tolerance to zero, and normalizes the others.
 inline std::array<double, 3> snapped(std::array<double, 3> weights, const double tolerance)
 {
   const double largest = *std::max_element(weights.begin(), weights.end());
@@ -53,9 +53,9 @@ inline std::array<double, 3> snapped(std::array<double, 3> weights, const double
   return weights;
 }
 
-// The weights of the corners at the origin, at the end of `base`, and at `apex`, for the point at
-// `way`. `base` is the longest side. Where the triangle is flat, the height over it is inaccurate,
-// or noise; it is then limited such that the point stays inside.
+// Returns the barycentric coordinates of the point `way` in the triangle with vertices at the
+// origin, `base` and `apex`. The first side is the longest one. In a nearly degenerate triangle,
+// the height is inaccurate; it is clamped so that the point stays inside.
 inline std::array<double, 3>
 weights_over_base(const Space_vector& base, const Space_vector& apex, const Space_vector& way)
 {
@@ -73,7 +73,7 @@ weights_over_base(const Space_vector& base, const Space_vector& apex, const Spac
   return {1 - along - s * (1 - foot), along - s * foot, s};
 }
 
-// The barycentric coordinates of a point of a triangle.
+// Returns the barycentric coordinates of a point in a triangle.
 template <typename Point_3>
 std::array<double, 3> barycentric_coordinates(const std::array<Point_3, 3>& corners,
                                               const Point_3& p)
@@ -125,7 +125,7 @@ face_location(const typename boost::graph_traits<TriangleMesh>::face_descriptor 
   return {f, snapped(barycentric_coordinates(corners, p), tolerance)};
 }
 
-// The face of the point of the mesh nearest to `p`, and where that is in it.
+// Returns the location of the point of the mesh nearest to `p`.
 template <typename AABBTree, typename Point_3, typename TriangleMesh, typename VertexPointMap>
 Face_location<TriangleMesh> locate_nearest(const Point_3& p,
                                            const AABBTree& tree,
@@ -139,7 +139,8 @@ Face_location<TriangleMesh> locate_nearest(const Point_3& p,
   return face_location(nearest.second, nearest.first, tmesh, point_map, tolerance);
 }
 
-// The same for the first point where a ray meets the mesh; the face is null if it does not.
+// Returns the location of the first intersection of a ray with the mesh. The face is null if there
+// is none.
 template <typename AABBTree, typename Kernel, typename TriangleMesh, typename VertexPointMap>
 Face_location<TriangleMesh> locate_first(const Ray_3<Kernel>& ray,
                                          const AABBTree& tree,

@@ -17,7 +17,7 @@
 #include <type_traits>
 #include <utility>
 
-// What a type is to a mesh.
+// Type traits of arguments that refer to a mesh.
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -29,7 +29,7 @@ constexpr bool is_pair = false;
 template <typename T, typename U>
 constexpr bool is_pair<std::pair<T, U>> = true;
 
-// Whether `T` is a point on the surface of a mesh, and not a range of them.
+// Whether `T` is a single point on the surface of a mesh.
 template <typename TriangleMesh, typename T>
 constexpr bool is_surface_point =
     std::is_convertible_v<T, typename boost::graph_traits<TriangleMesh>::vertex_descriptor> ||
@@ -38,7 +38,7 @@ constexpr bool is_surface_point =
 template <typename T>
 using Begin_of_range = decltype(*std::begin(std::declval<const T&>()));
 
-// Whether `T` is a point on the surface of a mesh, or a range of them.
+// Whether `T` is a point on the surface of a mesh, or a range of points.
 template <typename TriangleMesh, typename T, typename = void>
 constexpr bool is_source = is_surface_point<TriangleMesh, T>;
 
@@ -47,7 +47,7 @@ constexpr bool is_source<TriangleMesh, T, std::void_t<Begin_of_range<T>>> =
     is_surface_point<TriangleMesh, T> ||
     is_surface_point<TriangleMesh, std::decay_t<Begin_of_range<T>>>;
 
-// Whether `T` is a vertex of a mesh, or a range of them.
+// Whether `T` is a vertex of a mesh, or a range of vertices.
 template <typename TriangleMesh, typename T, typename = void>
 constexpr bool are_vertices =
     std::is_convertible_v<T, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>;
@@ -58,7 +58,7 @@ constexpr bool are_vertices<TriangleMesh, T, std::void_t<Begin_of_range<T>>> =
     std::is_convertible_v<std::decay_t<Begin_of_range<T>>,
                           typename boost::graph_traits<TriangleMesh>::vertex_descriptor>;
 
-// Whether points are those of a kernel, which computes others from them.
+// Whether the point type belongs to a kernel.
 template <typename Point, typename = void>
 constexpr bool is_point_of_kernel = false;
 
@@ -68,7 +68,7 @@ constexpr bool
                        std::void_t<typename Kernel_traits<Point>::Kernel::Construct_barycenter_3>> =
         true;
 
-// Whether somebody has left the traits of CGAL's exact class where the mesh belongs.
+// Detects the traits of CGAL's exact class, passed by mistake in place of the mesh.
 template <typename T, typename = void>
 constexpr bool is_traits_of_exact_class = false;
 

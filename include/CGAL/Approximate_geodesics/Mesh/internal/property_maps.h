@@ -17,9 +17,9 @@
 #include <type_traits>
 #include <utility>
 
-// The property maps of a mesh: the one given, as it is, or else the mesh's own. CGAL's functions
-// assert that an index map that is given is right; here, it is checked when it is used, in all
-// build types, and a wrong one is rejected with an exception that names the index.
+// The property maps of a mesh: the given map, or else the internal one. CGAL's functions assert
+// that a given index map is valid. Here, indices are checked when they are used, in all build
+// types, and invalid ones are rejected with an exception that names the index.
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -52,7 +52,7 @@ auto vertex_point_map(const TriangleMesh& tmesh, const NamedParameters& np)
     return get_const_property_map(CGAL::vertex_point, tmesh);
 }
 
-// Whether distances can be written to a property map.
+// Whether `Map` is a writable property map for distances.
 template <typename Map, typename Key, typename = void>
 constexpr bool takes_distances = false;
 
@@ -62,8 +62,8 @@ constexpr bool takes_distances<
     Key,
     std::void_t<decltype(put(std::declval<Map&>(), std::declval<const Key&>(), double()))>> = true;
 
-// A readable property map whose type does not tell what is behind it: it keeps the types of the
-// maps that a constructor is given out of the class's template arguments.
+// A type-erased readable property map, so that the map type is not a template argument of classes
+// that store it.
 template <typename Key, typename Value>
 using Function_property_map =
     boost::function_property_map<std::function<Value(const Key&)>, Key, Value>;

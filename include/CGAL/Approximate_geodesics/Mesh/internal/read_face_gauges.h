@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Two orthogonal unit vectors in the plane of a face: the first along a side, the second toward the
-// third vertex. If there is no such plane, one of those through the side is taken.
+// An orthonormal basis of the plane of a face: the first vector is along a side, the second points
+// toward the third vertex. For a degenerate face, any plane through the side is used.
 struct Face_frame
 {
   Face_frame(const Space_vector& side, const Space_vector& to_third)
@@ -73,8 +73,8 @@ private:
 };
 
 /*
- * Reads what paths cost in the faces of a mesh from a function of faces and directions. Halfedges
- * of the mesh are given by their numbers in the triangulation.
+ * Reads the gauges of the faces of a mesh from a function of faces and directions. `halfedges` has
+ * the order of the triangulation.
  */
 template <typename TriangleMesh, typename Halfedges, typename VertexPointMap, typename Cost>
 class Gauge_reader
@@ -122,7 +122,7 @@ private:
     for(const Index side : m_triangulation.halfedges_of_face(h))
       if(m_triangulation.length(side) > m_triangulation.length(h))
         h = side;
-    const Face_layout layout(m_triangulation, h); // the longest side is its x axis
+    const Face_layout layout(m_triangulation, h); // the x axis is along the longest side
     std::array<Plane_vector, 3> sides;
     for(std::size_t i = 0; i < 3; ++i)
     {
@@ -138,7 +138,7 @@ private:
       const double cost = m_cost(f, Vector_3(FT(d[0]), FT(d[1]), FT(d[2])));
       if(!(cost >= 0))
         refuse(h, d, cost);
-      return cost + 0.0; // turns a negative zero into a positive one
+      return cost + 0.0; // normalizes negative zero
     });
     result.add(halfedges, sides, samples);
   }
@@ -159,7 +159,7 @@ private:
            "; it must be a number that is not negative, or infinity");
   }
 
-  // Paths must not cost more than a double can hold.
+  // Throws if the cost of a path could overflow.
   void check_sum(const Face_gauges& gauges) const
   {
     double sum = 0;
@@ -176,8 +176,8 @@ private:
     }
     if(!(sum * (m_triangulation.unit() * gauges.unit()) < Face_gauges::infinity))
       reject(
-          "the costs and the lengths of the mesh do not fit each other: paths would cost more "
-          "than a double can hold. Infinity is the cost of directions that paths must not take.");
+          "the costs and the lengths of the mesh are too large: the cost of a path would be more "
+          "than a double can hold. Use infinity for directions that paths must not take.");
   }
 
   const TriangleMesh& m_mesh;
@@ -187,7 +187,7 @@ private:
   const Intrinsic_triangulation& m_triangulation;
 };
 
-// How much too high gauges of convex functions may be, relatively.
+// Returns the relative sampling error allowed for gauges of convex functions.
 template <typename NamedParameters>
 double sampling_tolerance([[maybe_unused]] const NamedParameters& np)
 {

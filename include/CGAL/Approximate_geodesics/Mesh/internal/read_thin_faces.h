@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-// Computes the shapes of thin faces from coordinates, with twice as many digits as these have.
+// Computes the shapes of thin faces from coordinates in double-double arithmetic.
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -38,20 +38,20 @@ inline double accurate_dot(const Accurate_vector& a, const Accurate_vector& b)
   return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).high;
 }
 
-// the area of the parallelogram with these sides
+// Returns the area of the parallelogram spanned by `a` and `b`.
 inline double accurate_area(const Accurate_vector& a, const Accurate_vector& b)
 {
   return accurate_length({(a[1] * b[2] - a[2] * b[1]).high, (a[2] * b[0] - a[0] * b[2]).high,
                           (a[0] * b[1] - a[1] * b[0]).high});
 }
 
-// The shape of a face with these corners.
+// Returns the shape of the face with corners `p`, `q` and `r`.
 inline Thin_face thin_face(const Space_vector& p, const Space_vector& q, const Space_vector& r)
 {
   const std::array<Accurate_vector, 3> side{accurate_difference(q, p), accurate_difference(r, q),
                                             accurate_difference(p, r)};
   Thin_face result{};
-  std::size_t longest = 0; // left out of the area, whose error grows with the two sides
+  std::size_t longest = 0; // excluded: the error of the area grows with both sides
   std::array<double, 3> squared_length{};
   for(std::size_t i = 0; i < 3; ++i)
   {
@@ -65,21 +65,21 @@ inline Thin_face thin_face(const Space_vector& p, const Space_vector& q, const S
 }
 
 /*
- * Collects the faces that may be thin, going by their smallest angle, while lengths are computed:
- * it is below 2.2 degrees in a face that is thin. Others are not looked at again.
+ * Collects candidates for thin faces while lengths are computed. The smallest angle of a thin face
+ * is below 2.2 degrees.
  */
 class Sharp_corners
 {
 public:
   using Index = Intrinsic_triangulation::Index;
 
-  // The triangulation has its connectivity already.
+  // Precondition: the connectivity of the triangulation is complete.
   explicit Sharp_corners(const Intrinsic_triangulation& triangulation)
     : m_triangulation(triangulation)
   {
   }
 
-  // Adds the next halfedge around a vertex, counterclockwise, which leads that way.
+  // Adds the next halfedge, counterclockwise around a vertex, and its vector `way`.
   void add(const Index h, const Space_vector& way)
   {
     const Side side{way, dot(way, way), h};
@@ -91,7 +91,7 @@ public:
     m_is_first = false;
   }
 
-  // To be called after the last one.
+  // Must be called after the last halfedge of a vertex.
   void finish()
   {
     if(!m_is_first)
@@ -99,13 +99,13 @@ public:
     m_is_first = true;
   }
 
-  // Adds what another one has collected, around other vertices of the same triangulation.
+  // Adds the faces that `other` has collected at other vertices of the same triangulation.
   void merge(const Sharp_corners& other)
   {
     m_faces.insert(m_faces.end(), other.m_faces.begin(), other.m_faces.end());
   }
 
-  // The halfedges with the smallest numbers of their faces, in order.
+  // Returns the first halfedge of each collected face, in increasing order.
   std::vector<Index> faces() &&
   {
     std::sort(m_faces.begin(), m_faces.end());
@@ -123,8 +123,8 @@ private:
 
   void add_corner(const Side& right, const Side& left)
   {
-    constexpr double squared_cosine = 1 - 1. / 256; // of 3.6 degrees: rounding does no harm
-    constexpr double smallest = 0x1p-960; // below, products may have lost bits to underflow
+    constexpr double squared_cosine = 1 - 1. / 256; // of 3.6 degrees: a margin for rounding
+    constexpr double smallest = 0x1p-960;           // below it, products may underflow
     const double scalar_product = dot(right.way, left.way);
     const double product = right.squared_length * left.squared_length;
     const bool is_sharp =
@@ -142,9 +142,9 @@ private:
   bool m_is_first = true;
 };
 
-// The thin ones of some faces of a triangulation, those whose shapes its lengths say too little of.
-// Faces are given by their first halfedges, in order. The vertices have these points, in the unit
-// of the triangulation.
+// Selects the thin faces among `faces`: those whose shapes cannot be computed accurately from
+// lengths. Faces are given by their first halfedges, in increasing order. `points` are the vertices
+// in the unit of the triangulation.
 inline Thin_faces thin_faces(const std::vector<Intrinsic_triangulation::Index>& faces,
                              const std::vector<Space_vector>& points,
                              const Intrinsic_triangulation& triangulation)

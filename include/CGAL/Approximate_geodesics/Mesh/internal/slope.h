@@ -17,8 +17,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// How much height one gains in a direction per unit of length on the map; infinity if it is
-// vertical.
+// Returns the gain in height per unit of horizontal length; infinity for a vertical direction.
 template <typename Vector_3>
 double slope(const Vector_3& direction)
 {

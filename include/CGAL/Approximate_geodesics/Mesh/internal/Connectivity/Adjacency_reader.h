@@ -24,10 +24,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Reads the edges of a mesh for a search that is the only one: everything stays in the order of the
- * mesh's own indices, and what only faces need is left out. The checks are those of
- * `Connectivity_reader`, but only tell whether anything is wrong, or unusual: it is for that to
- * find out what.
+ * Reads the vertex adjacency of a mesh for a single search: it keeps the order of the mesh's own
+ * indices, and skips data that only faces require. It performs the checks of `Connectivity_reader`,
+ * but only reports success or failure; `Connectivity_reader` diagnoses the error.
  */
 template <typename Numbers, typename HalfedgeIndexMap>
 class Adjacency_reader
@@ -39,21 +38,21 @@ class Adjacency_reader
   using Index = typename Numbers::Index;
 
 public:
-  // There are fewer than `null_index` halfedges.
+  // Precondition: there are fewer than `null_index` halfedges.
   Adjacency_reader(const Numbers& numbers, HalfedgeIndexMap halfedge_index_map)
     : m_numbers(numbers), m_halfedge_index_map(std::move(halfedge_index_map))
   {
   }
 
-  // Returns whether the mesh is right in every respect, and nothing was removed from it. Vertices
-  // have to be listed before. To be called once, as index maps can take memory, and are let go.
+  // Returns whether the mesh is valid and has no removed elements. Precondition: vertices are
+  // listed. May be called only once, because it consumes the index map, which can be large.
   bool read()
   {
     Links links(m_numbers, std::move(m_halfedge_index_map));
     return links.read() && copy_halfedges<false>(links);
   }
 
-  // The same; but what faces need is not left out.
+  // Also reads the data that faces require.
   bool read_with_faces()
   {
     Links links(m_numbers, std::move(m_halfedge_index_map));
@@ -69,7 +68,8 @@ public:
   const Connectivity& adjacency() const { return m_result; }
   Connectivity& adjacency() { return m_result; }
 
-  // Throws as the constructor of a triangulation does if a coordinate or a length is none.
+  // Throws like the constructor of `Intrinsic_triangulation` if a coordinate or a length is
+  // invalid.
   template <typename NamedParameters>
   Edge_lengths lengths(const NamedParameters& np) const
   {
@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  // If ranks are kept, each one replaces a link: where a halfedge stands among those from its
+  // If `keeps_ranks`, replaces each counterclockwise link by the rank of the halfedge around its
   // source.
   template <bool keeps_ranks>
   bool copy_halfedges(Links& links)
@@ -98,11 +98,12 @@ private:
     return true;
   }
 
-  // Returns whether there is one cycle of all halfedges from `v`. Those of a cycle have one source.
+  // Returns whether all halfedges from `v` form a single cycle. The halfedges of a cycle share
+  // their source.
   template <bool keeps_ranks>
   bool copy_cycle(Link* const links, const Index first, const Index v)
   {
-    Index* const target = m_result.target_of_halfedge.data(); // kept in a register
+    Index* const target = m_result.target_of_halfedge.data(); // stays in a register
     const Index begin = m_result.first_halfedge(v), degree = m_result.degree(v);
     Index h = first;
     for(Index rank = 0; rank < degree; ++rank)

@@ -20,26 +20,26 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// So many vertices are numbered breadth first before others are; smaller patches make small meshes
-// slower.
+// The number of vertices that are numbered breadth first as one patch. Smaller patches slow down
+// searches on small meshes.
 constexpr std::size_t SIZE_OF_PATCH = 32768;
 
 /*
- * Numbers the vertices of a mesh as `Connectivity_reader` does, but from arrays in the order of
- * the mesh, which are copied to arrays in the new one. The group of a vertex is one piece of
- * memory, and known long before it is its turn.
+ * Numbers the vertices of a mesh as described at `Connectivity_reader`, by permuting arrays from
+ * the order of the mesh to the new order. The halfedge group of a vertex is contiguous in memory,
+ * and is prefetched.
  */
 class Breadth_first_order
 {
 public:
   using Index = Connectivity::Index;
 
-  // `before` is in the order of the mesh; it is referred to, not copied.
+  // `before` has the order of the mesh; it is referred to, not copied.
   explicit Breadth_first_order(const Connectivity& before) : m_before(before)
   {
     const std::size_t v = before.number_of_vertices(), h = before.number_of_halfedges();
     m_vertex_of_index.assign(v, null_index);
-    m_index_of_vertex.resize(v + 1); // one more may be written
+    m_index_of_vertex.resize(v + 1); // copy_targets() may write one more
     m_result.first_of_vertex.reserve(v + 1);
     m_result.first_of_vertex.assign(1, 0);
     m_result.target_of_halfedge.resize(h);
@@ -48,7 +48,7 @@ public:
     m_result.number_of_faces = before.number_of_faces;
   }
 
-  // Numbers the component of the vertex with index `root`, if it has not been before.
+  // Numbers the connected component of the vertex with index `root`, unless it is numbered.
   void add_component(const Index root)
   {
     std::size_t next = m_beyond.size();
@@ -57,7 +57,7 @@ public:
       add_patch(m_result.target_of_halfedge[m_beyond[next]]);
   }
 
-  // To be called when all components were added.
+  // Must be called after all components were added.
   void finish()
   {
     m_index_of_vertex.pop_back();
@@ -76,7 +76,7 @@ public:
 private:
   static constexpr Index null_index = (std::numeric_limits<Index>::max)();
 
-  // Numbers the vertices around `center`.
+  // Numbers a patch of vertices around `center`.
   void add_patch(const Index center)
   {
     if(m_vertex_of_index[center] != null_index)
@@ -105,7 +105,7 @@ private:
     m_index_of_vertex[m_number++] = i;
   }
 
-  // Copies the halfedges around the vertex with index `i`.
+  // Copies the halfedge group of the vertex with index `i`.
   void copy_group(const Index i, const std::size_t end_of_patch)
   {
     const Index degree = m_before.degree(i), old = m_before.first_halfedge(i);
@@ -121,10 +121,10 @@ private:
     m_result.first_of_vertex.push_back(h + degree);
   }
 
-  // Without a branch that depends on what is new, which could not be foreseen.
+  // Branch-free, because a branch on new vertices would be unpredictable.
   void copy_targets(const Index old, const Index degree, const Index h)
   {
-    const Index* const before = m_before.target_of_halfedge.data() + old; // all kept in registers
+    const Index* const before = m_before.target_of_halfedge.data() + old; // these stay in registers
     Index* const result = m_result.target_of_halfedge.data() + h;
     Index* const vertex_of_index = m_vertex_of_index.data();
     Index* const index_of_vertex = m_index_of_vertex.data();
@@ -140,7 +140,7 @@ private:
     m_number = next;
   }
 
-  // Targets beyond the end of the patch remain indices, until they have a number.
+  // Targets beyond the patch remain mesh indices until they are numbered.
   void copy_targets_near_end(const Index old,
                              const Index degree,
                              const Index h,
@@ -161,8 +161,8 @@ private:
   const Connectivity& m_before;
   Connectivity m_result;
   std::vector<Index> m_vertex_of_index, m_index_of_vertex;
-  Index m_number = 0;          // of vertices numbered so far
-  std::vector<Index> m_beyond; // halfedges that end beyond a patch: further ones may start there
+  Index m_number = 0;          // of numbered vertices
+  std::vector<Index> m_beyond; // halfedges that leave a patch, where further patches may start
 };
 
 } // namespace internal

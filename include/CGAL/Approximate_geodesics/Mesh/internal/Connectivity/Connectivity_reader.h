@@ -31,19 +31,17 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Reads how a mesh hangs together into an `Intrinsic_triangulation`, and checks it, with the help
- * of the header on links of faces. Named parameters are no business of this class, so that it is
- * compiled once for a mesh type and its index maps, whatever else is given.
+ * Copies the connectivity of a mesh to an `Intrinsic_triangulation`, and validates it. The class
+ * does not depend on named parameters, so it is instantiated once per mesh type and index maps.
  *
- * Where the mesh is right in every respect, and nothing was removed from it, its links are read in
- * the order of its memory. If not, the mesh is traversed step by step, to find out what is wrong,
- * or that it can be used as it is; this comes to the same, and takes more time.
+ * If the mesh is valid and has no removed elements, links are read in memory order. Otherwise the
+ * mesh is traversed step by step, which is slower, but yields the same result or diagnoses the
+ * error.
  *
- * One traversal numbers the vertices and writes the halfedge groups at the same time: the group of
- * a vertex is read when its turn comes, and numbers its new neighbors. Numbers follow
- * a breadth-first order; on large meshes, one patch of the surface after the other, so that
- * vertices that are close to each other have close numbers in all directions, and a search from any
- * source finds more of what it needs in the cache lines and pages that it used last.
+ * A single traversal numbers the vertices and writes the halfedge groups: the group of each vertex
+ * is read in turn, and numbers its new neighbors. The order is breadth first; on large meshes, it
+ * proceeds by patches of the surface, so that nearby vertices have close numbers, which makes
+ * searches cache-friendly.
  */
 template <typename TriangleMesh, typename VertexIndexMap, typename HalfedgeIndexMap>
 class Connectivity_reader
@@ -71,7 +69,7 @@ public:
   {
   }
 
-  // `needs_halfedges` says whether something is to be read from halfedges afterwards.
+  // `needs_halfedges` tells whether halfedge_list() will be used.
   void read(const bool needs_halfedges)
   {
     check_size();
@@ -85,13 +83,13 @@ public:
     copy_connectivity();
     link_opposites();
     check_sides();
-    m_frontier = std::vector<vertex_descriptor>(); // lengths would add to what it takes
+    m_frontier = std::vector<vertex_descriptor>(); // reduces peak memory while lengths are read
     m_number_of_halfedge = std::vector<Index>();
     if(!needs_halfedges)
       m_halfedges = std::vector<halfedge_descriptor>();
   }
 
-  // In the order of their numbers.
+  // In the order of the triangulation.
   const std::vector<vertex_descriptor>& vertex_list() const { return m_vertices; }
   const std::vector<halfedge_descriptor>& halfedge_list() const { return m_halfedges; }
 
@@ -104,10 +102,10 @@ private:
       throw std::length_error("Approximate_geodesics: the mesh has " +
                               std::to_string(m_number_of_vertices) + " vertices and " +
                               std::to_string(m_number_of_halfedges) +
-                              " halfedges, more than 32-bit numbers can tell apart");
+                              " halfedges, too many for 32-bit indices");
   }
 
-  // Returns whether the mesh is as usual; else there is no result.
+  // Returns whether the fast path succeeded; otherwise there is no result.
   bool read_links()
   {
     Numbers numbers(m_mesh, m_vertex_index_map, m_number_of_vertices);
@@ -161,9 +159,9 @@ private:
   template <typename I>
   static Index checked_index(const I i, const std::size_t size, const char* kind)
   {
-    if(static_cast<std::size_t>(i) >= size) // so is a negative one
+    if(static_cast<std::size_t>(i) >= size) // also negative ones
       reject(std::string(kind) + " index " + std::to_string(i) +
-             " is out of range: the mesh has room for " + std::to_string(size));
+             " is out of range: it must be less than " + std::to_string(size));
     return static_cast<Index>(i);
   }
 
@@ -183,7 +181,7 @@ private:
       copy_component(root);
       if(m_vertices[number(root)] != root)
         reject("vertex index " + std::to_string(checked_index(root)) +
-               " is given to more than one vertex");
+               " is assigned to more than one vertex");
     }
     for(Index& target : m_result.m_target)
       target = m_result.m_vertex_of_index[target];
@@ -196,7 +194,7 @@ private:
       copy_patch(m_frontier[i]);
   }
 
-  // Copies the vertices around `center`; those beyond the patch go to the frontier.
+  // Copies a patch of vertices around `center`, and adds vertices beyond it to the frontier.
   void copy_patch(const vertex_descriptor center)
   {
     if(is_numbered(center))
@@ -225,7 +223,7 @@ private:
     return result;
   }
 
-  // Targets are indices of the mesh at first, as some get their numbers later.
+  // Targets are mesh indices at first, because some vertices are numbered later.
   void copy_halfedges_around(const Index v, const std::size_t end_of_patch)
   {
     const halfedge_descriptor first = first_halfedge_from(m_vertices[v], m_mesh);
@@ -268,7 +266,7 @@ private:
     return i;
   }
 
-  // Every halfedge was copied once, from the group of its source.
+  // Precondition: every halfedge was copied once, in the group of its source.
   void link_opposites()
   {
     const bool are_complete = are_halfedges_complete();
@@ -285,11 +283,11 @@ private:
       }
   }
 
-  // Whether every halfedge of the mesh was found around a vertex; no index is given twice then. If
-  // not, there are removed ones, or something is wrong.
+  // Whether every halfedge of the mesh was found around a vertex, which implies that indices are
+  // unique. Otherwise there are removed halfedges, or the mesh is invalid.
   bool are_halfedges_complete() const { return m_halfedges.size() == m_number_of_halfedges; }
 
-  // The halfedges of a face have to be those that were found to have one, no fewer and no more.
+  // Checks that the halfedges on the cycles of faces are exactly those with a face.
   void check_sides() const
   {
     if(!are_halfedges_complete())
@@ -307,33 +305,33 @@ private:
     {
       for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
         if(m_number_of_halfedge[checked_index(h)] == null_index)
-          reject(name_of_face(number_of_face) + " is not one of those around " +
+          reject(name_of_face(number_of_face) + " is not found around " +
                  name(checked_index(source(h, m_mesh))));
       ++number_of_face;
     }
   }
 
-  // Names a halfedge that has a face, but is not one of those that go round it.
+  // Names a halfedge that has a face, but is not on the cycle of that face.
   [[noreturn]] void reject_false_side() const
   {
     for(Index h = 0; h < m_halfedges.size(); ++h)
       if(!m_result.m_is_border[h] && !is_on_cycle_of_face(m_halfedges[h], m_mesh))
         reject("the halfedge from " + name(checked_index(source(m_halfedges[h], m_mesh))) + " to " +
                name(checked_index(target(m_halfedges[h], m_mesh))) +
-               " has a face, but is not one of those that go round it");
-    reject("there are halfedges with a face that is not one of faces()");
+               " has a face, but is not on the cycle of that face");
+    reject("there are halfedges with a face that is not in faces()");
   }
 
   Intrinsic_triangulation& m_result;
   const TriangleMesh& m_mesh;
-  const std::size_t m_number_of_vertices; // kept, as some meshes count them at every call
+  const std::size_t m_number_of_vertices; // cached: num_vertices() may be linear
   const std::size_t m_number_of_halfedges;
   const VertexIndexMap m_vertex_index_map;
   const HalfedgeIndexMap m_halfedge_index_map;
-  std::vector<vertex_descriptor> m_vertices; // in the order of their numbers
-  std::vector<vertex_descriptor> m_frontier; // where further patches of the component may start
+  std::vector<vertex_descriptor> m_vertices; // in the order of the triangulation
+  std::vector<vertex_descriptor> m_frontier; // possible starts of further patches
   std::vector<halfedge_descriptor> m_halfedges;
-  std::vector<Index> m_number_of_halfedge; // by index
+  std::vector<Index> m_number_of_halfedge; // by mesh index
 };
 
 } // namespace internal

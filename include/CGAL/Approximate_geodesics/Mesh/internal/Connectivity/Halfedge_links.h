@@ -20,12 +20,11 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * How the halfedges of a mesh hang together, for those who go round its vertices: on the mesh
- * itself, the processor would wait for the memory at every step. So the links are copied to a small
- * array first, in the order of the mesh, which it can foresee. Faces are checked in their order,
- * for the same reason.
+ * The halfedge connectivity of a mesh, copied to a compact array in the order of the mesh. Rotating
+ * around vertices on the mesh itself would cause a cache miss per step; sequential copying is
+ * prefetched by the hardware. Faces are checked in memory order for the same reason.
  *
- * Nothing is rejected: what is wrong, or unusual, is for `Connectivity_reader` to find out.
+ * Invalid or unusual meshes make read() fail; `Connectivity_reader` diagnoses them.
  */
 template <typename Numbers, typename HalfedgeIndexMap>
 class Halfedge_links
@@ -41,14 +40,14 @@ public:
 
   static constexpr Index null_index = Numbers::null_index;
 
-  // The vertex that a halfedge ends at, and the index of the next one around that it starts from.
+  // The target of a halfedge, and the next halfedge counterclockwise around its source.
   struct Link
   {
     Index target;
     Index counterclockwise;
   };
 
-  // There are fewer than `null_index` halfedges, and vertices are listed.
+  // Precondition: there are fewer than `null_index` halfedges, and vertices are listed.
   Halfedge_links(const Numbers& numbers, HalfedgeIndexMap halfedge_index_map)
     : m_numbers(numbers),
       m_mesh(numbers.mesh()),
@@ -57,8 +56,8 @@ public:
   {
   }
 
-  // Returns whether all links are right and all faces triangles, each index stands for exactly one
-  // halfedge, and nothing was removed from the mesh.
+  // Returns whether all links are valid, all faces are triangles, indices are unique, and the mesh
+  // has no removed elements.
   bool read()
   {
     m_links.assign(m_number_of_halfedges, {null_index, null_index});
@@ -71,14 +70,14 @@ public:
 
   std::size_t number_of_faces() const { return m_number_of_faces; }
 
-  // By index. What is counterclockwise may be overwritten.
+  // By mesh index. The caller may overwrite `counterclockwise`.
   std::vector<Link>& links() { return m_links; }
 
-  // How many halfedges start from the vertices before each one, and from all of them.
+  // The prefix sums of the degrees of the vertices.
   std::vector<Index>& first_of_vertex() { return m_first_of_vertex; }
 
-  // The first halfedge from a vertex, by its index; `null_index` if there is none, or it is not one
-  // of the vertex.
+  // Returns the index of the first halfedge from a vertex, or `null_index` if there is none or it
+  // is invalid.
   Index first_halfedge_from(const Index v) const
   {
     const halfedge_descriptor toward = halfedge(m_numbers.vertex(v), m_mesh);
@@ -89,8 +88,7 @@ public:
     return is_right ? static_cast<Index>(result) : null_index;
   }
 
-  // Calls `f(index, index of the opposite one, whether it is at a border)`, in the order of the
-  // mesh.
+  // Calls `f(index, opposite_index, is_border)` for all halfedges, in the order of the mesh.
   template <typename F>
   void for_each_halfedge(F f) const
   {
@@ -99,7 +97,7 @@ public:
   }
 
 private:
-  std::size_t index(const halfedge_descriptor h) const // as large as it may be
+  std::size_t index(const halfedge_descriptor h) const // unchecked
   {
     return static_cast<std::size_t>(get(m_halfedge_index_map, h));
   }
@@ -118,7 +116,7 @@ private:
     return number == m_number_of_halfedges;
   }
 
-  // The index must not have been met before: its link has no target until then.
+  // Returns false if the index is a duplicate, that is, its link already has a target.
   bool link(const halfedge_descriptor h)
   {
     const halfedge_descriptor before = prev(h, m_mesh);
@@ -130,11 +128,11 @@ private:
        opposite(opposite(h, m_mesh), m_mesh) != h || m_links[i].target != null_index)
       return false;
     m_links[i] = {v, static_cast<Index>(counterclockwise)};
-    ++m_first_of_vertex[std::size_t(v) + 1]; // as many start from there as end there
+    ++m_first_of_vertex[std::size_t(v) + 1]; // in-degree equals out-degree
     return true;
   }
 
-  // Whether faces are triangles, and have all halfedges that say they have a face.
+  // Whether all faces are triangles, and include all halfedges that refer to a face.
   bool are_faces_right()
   {
     for(const face_descriptor f : faces(m_mesh))
@@ -159,12 +157,12 @@ private:
 
   const Numbers& m_numbers;
   const Triangle_mesh& m_mesh;
-  const std::size_t m_number_of_halfedges; // kept, as some meshes count them at every call
+  const std::size_t m_number_of_halfedges; // cached: num_halfedges() may be linear
   const HalfedgeIndexMap m_halfedge_index_map;
   std::vector<Link> m_links;
   std::vector<Index> m_first_of_vertex;
   std::size_t m_number_of_faces = 0;
-  std::size_t m_number_of_sides = 0; // halfedges that say they have a face
+  std::size_t m_number_of_sides = 0; // halfedges that refer to a face
 };
 
 } // namespace internal

@@ -21,8 +21,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The vertices of a mesh by their indices. Unlike `Mesh_translation`, this needs no triangulation,
- * and rejects nothing: what is not right has no number.
+ * The vertices of a mesh by their indices. Unlike `Mesh_translation`, this class requires no
+ * triangulation, and maps invalid vertices to `null_index` instead of throwing.
  */
 template <typename TriangleMesh, typename VertexIndexMap>
 class Vertex_numbers
@@ -36,7 +36,7 @@ public:
 
   static constexpr Index null_index = (std::numeric_limits<Index>::max)();
 
-  // `number_of_vertices` is `num_vertices(tmesh)`, and smaller than `null_index`.
+  // Precondition: `number_of_vertices` is `num_vertices(tmesh)`, and smaller than `null_index`.
   Vertex_numbers(const TriangleMesh& tmesh,
                  VertexIndexMap vertex_index_map,
                  const std::size_t number_of_vertices)
@@ -46,7 +46,7 @@ public:
   {
   }
 
-  // Lists the vertices. Returns whether each index stands for exactly one of them.
+  // Lists the vertices. Returns whether the index map is a bijection.
   bool list_vertices()
   {
     std::size_t number = 0;
@@ -63,7 +63,7 @@ public:
 
   const TriangleMesh& mesh() const { return m_mesh; }
 
-  // by index, once they are listed
+  // By index; filled by list_vertices().
   const std::vector<vertex_descriptor>& list() const { return m_vertices; }
   vertex_descriptor vertex(const Index node) const { return m_vertices[node]; }
   static bool is_vertex(const Index /* node */) { return true; }

@@ -12,13 +12,13 @@
 
 #include <vector>
 
-// The order in which the halfedges around a vertex of a mesh are numbered.
+// The numbering of the halfedges around a vertex of a mesh.
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// The first one that starts from `v`, or a null halfedge if there is none.
+// Returns the first halfedge from `v`, or a null halfedge if `v` is isolated.
 template <typename TriangleMesh>
 auto first_halfedge_from(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
                          const TriangleMesh& tmesh)
@@ -27,7 +27,8 @@ auto first_halfedge_from(const typename boost::graph_traits<TriangleMesh>::verte
   return h == boost::graph_traits<TriangleMesh>::null_halfedge() ? h : opposite(h, tmesh);
 }
 
-// The one after `h`, or a null halfedge if the mesh is broken there.
+// Returns the next halfedge around the source of `h`, or a null halfedge if the mesh is invalid
+// there.
 template <typename TriangleMesh>
 auto counterclockwise(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                       const TriangleMesh& tmesh)
@@ -37,7 +38,7 @@ auto counterclockwise(const typename boost::graph_traits<TriangleMesh>::halfedge
                                                                       : opposite(before, tmesh);
 }
 
-// All of them, in the order of their numbers in the connectivity, which is known to be right.
+// Returns all halfedges in the order of `connectivity`, which must be valid.
 template <typename TriangleMesh, typename Vertices, typename Connectivity>
 auto halfedges_in_groups(const Vertices& vertices,
                          const Connectivity& connectivity,
