@@ -19,13 +19,13 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Whether the elements of a mesh can be found by their hash values.
+// Whether mesh elements are hashable.
 template <typename Descriptor>
 constexpr bool is_hashable = std::is_default_constructible_v<std::hash<Descriptor>>;
 
 /*
- * Numbers of elements of a mesh: memory and time are in proportion to the number of those that have
- * one, and not to the size of the mesh. It is a hash table with linear probing.
+ * A map from mesh elements to numbers: a hash table with linear probing. Memory and time depend on
+ * the number of entries, not on the size of the mesh.
  */
 template <typename Descriptor>
 class Descriptor_table
@@ -37,10 +37,10 @@ public:
 
   Descriptor_table() : m_entries(std::size_t(1) << 10) {}
 
-  // Returns the number of `d`, or `null_index` if it has none.
+  // Returns the number of `d`, or `null_index` if there is no entry.
   Index find(const Descriptor& d) const { return m_entries[place_of(d)].number; }
 
-  // Returns the number of `d`, which is `number` if it had none.
+  // Returns the number of `d`; inserts `number` if there is no entry.
   Index find_or_insert(const Descriptor& d, const Index number)
   {
     Entry& entry = m_entries[place_of(d)];
@@ -59,10 +59,10 @@ private:
     Index number = null_index;
   };
 
-  // Where `d` is, or would be.
+  // Returns the slot of `d`.
   std::size_t place_of(const Descriptor& d) const
   {
-    constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15; // neighbors have close numbers
+    constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15; // scatters close hash values
     const std::uint64_t hash =
         golden_ratio * static_cast<std::uint64_t>(std::hash<Descriptor>()(d));
     const std::size_t mask = m_entries.size() - 1;
@@ -81,7 +81,7 @@ private:
         m_entries[place_of(entry.descriptor)] = entry;
   }
 
-  std::vector<Entry> m_entries; // as many as a power of two
+  std::vector<Entry> m_entries; // the size is a power of two
   std::size_t m_size = 0;
 };
 

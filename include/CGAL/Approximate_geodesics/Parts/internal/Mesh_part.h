@@ -23,15 +23,15 @@ namespace internal {
 namespace parts { // beside it are functions of graphs, which must not hide others
 
 /*
- * Some faces of a mesh, and what bounds them, in terms of the elements of the mesh: what it costs
- * depends on the faces, and not on the mesh. `part_as_mesh.h` makes it a mesh of its own.
+ * A submesh: some faces of a mesh and their border, represented by the elements of the mesh. The
+ * cost depends on the number of faces, not on the size of the mesh. `part_as_mesh.h` makes it a
+ * model of `FaceListGraph` and `HalfedgeListGraph`.
  *
- * A vertex may lie between several fans of faces. As in a mesh, there is one cycle of halfedges
- * around it, in the order of the mesh, with a border where faces are missing. So paths go through.
+ * A vertex may have several fans of faces. As in a mesh, its halfedges form a single cycle, in the
+ * order of the mesh, with border halfedges in the gaps. So paths can pass through the vertex.
  *
- * Faces are added one by one, and `close()` finds the border. Links are checked, but nothing is
- * rejected: of a mesh that is not as usual there, no part is made, and who reads it all finds out
- * what is wrong.
+ * Faces are added one by one, and `close()` finds the border. Invalid or unusual links make these
+ * functions fail; reading the whole mesh then diagnoses the error.
  */
 template <typename TriangleMesh>
 class Mesh_part
@@ -52,9 +52,9 @@ public:
 
   const TriangleMesh& mesh() const { return *m_mesh; }
 
-  // ----- growth
+  // ----- construction
 
-  // Adds a vertex, unless it is there already, and returns its number.
+  // Adds a vertex if it is new, and returns its number.
   Index add_vertex(const vertex_descriptor v)
   {
     const Index next = static_cast<Index>(m_vertices.size());
@@ -67,8 +67,8 @@ public:
     return result;
   }
 
-  // Adds the face to the left of `h`, which has one that is not there yet. Returns whether it is
-  // linked as it should be.
+  // Adds the face to the left of `h`. Returns whether its links are valid. Precondition: the face
+  // exists and is new.
   bool add_face(const halfedge_descriptor h)
   {
     const face_descriptor f = face(h, *m_mesh);
@@ -83,7 +83,7 @@ public:
     return true;
   }
 
-  // Finds the border. Returns whether it is linked as it should be.
+  // Finds the border. Returns whether its links are valid.
   bool close()
   {
     m_number_of_sides = m_halfedges.size();
@@ -104,13 +104,13 @@ public:
   const std::vector<halfedge_descriptor>& list_of_halfedges() const { return m_halfedges; }
   const std::vector<face_descriptor>& list_of_faces() const { return m_faces; }
 
-  // null_index if it does not belong to the part
+  // null_index if the element is not in the part
   Index number(const vertex_descriptor v) const { return m_number_of_vertex.find(v); }
   Index number(const halfedge_descriptor h) const { return m_number_of_halfedge.find(h); }
 
   bool contains(const halfedge_descriptor h) const { return number(h) != null_index; }
 
-  // ----- links, once the part is closed
+  // ----- connectivity, after close()
 
   halfedge_descriptor halfedge_to(const vertex_descriptor v) const
   {
@@ -146,7 +146,7 @@ private:
     return true;
   }
 
-  // Returns whether it was not there.
+  // Returns whether `h` is new.
   bool add_halfedge(const halfedge_descriptor h)
   {
     const Index number = static_cast<Index>(m_halfedges.size());
@@ -156,9 +156,9 @@ private:
     return is_new;
   }
 
-  // Links a halfedge of the border to the one that follows: the next one around its target that the
-  // part contains. Each step is checked to have an inverse, so that the walk cannot turn in a cycle
-  // that it has entered on the way.
+  // Links a border halfedge to its successor: the next halfedge around its target that the part
+  // contains. Each step is checked to be invertible, which guarantees termination on invalid
+  // meshes.
   bool link_border(const std::size_t i)
   {
     const halfedge_descriptor first = m_halfedges[m_number_of_sides + i];
@@ -184,12 +184,11 @@ private:
   Descriptor_table<vertex_descriptor> m_number_of_vertex;
   Descriptor_table<halfedge_descriptor> m_number_of_halfedge;
   std::vector<vertex_descriptor> m_vertices;
-  std::vector<halfedge_descriptor>
-      m_halfedge_to;                            // from a face to each vertex, null if there is none
-  std::vector<halfedge_descriptor> m_halfedges; // sides of faces, then those of the border
+  std::vector<halfedge_descriptor> m_halfedge_to; // by vertex, with a face; null if isolated
+  std::vector<halfedge_descriptor> m_halfedges;   // sides of faces, then border halfedges
   std::vector<face_descriptor> m_faces;
   std::size_t m_number_of_sides = 0;
-  std::vector<halfedge_descriptor> m_after, m_before; // of those of the border
+  std::vector<halfedge_descriptor> m_after, m_before; // by border halfedge
 };
 
 } // namespace parts

@@ -22,8 +22,8 @@
 #include <utility>
 #include <variant>
 
-// Points of the surface in a mesh that has not been read yet. What is not one for certain is no
-// place; who reads the whole mesh finds out why.
+// A point of the surface of a mesh that has not been read yet. Construction fails for points that
+// may be invalid; reading the whole mesh then diagnoses the error.
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -35,12 +35,12 @@ struct Mesh_place
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Vertex = typename Graph_traits::vertex_descriptor;
 
-  // of which it is made, with weights that add up to 1: one at a vertex, two on an edge, or three
+  // The vertices with nonzero weights, which add up to 1: one, two on an edge, or three in a face.
   std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};
   std::array<double, 3> weight{};
   std::size_t number_of_corners = 0;
 
-  // with a face of the place to its left; null if it is a vertex without faces
+  // A halfedge whose face contains the point; null for an isolated vertex.
   typename Graph_traits::halfedge_descriptor halfedge = Graph_traits::null_halfedge();
 };
 
@@ -54,7 +54,7 @@ constexpr bool
                           std::void_t<decltype(std::declval<const TriangleMesh&>().is_removed(
                               std::declval<Descriptor>()))>> = true;
 
-// Whether a descriptor can be one of so many, and was not removed, as far as the mesh tells.
+// Whether a descriptor is in range and not marked as removed, as far as the mesh type can tell.
 template <typename TriangleMesh, typename Descriptor, typename Size>
 bool may_be_element(const Descriptor d, const Size size, const TriangleMesh& tmesh)
 {
@@ -67,7 +67,7 @@ bool may_be_element(const Descriptor d, const Size size, const TriangleMesh& tme
     return true;
 }
 
-// A halfedge of the edge of `h` with a face to its left, or a null one.
+// Returns a halfedge of the edge of `h` with a face to its left, or a null halfedge.
 template <typename TriangleMesh>
 auto side_of_edge(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                   const TriangleMesh& tmesh)

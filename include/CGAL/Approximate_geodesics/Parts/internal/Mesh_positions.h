@@ -23,8 +23,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Positions of vertices and places of a mesh, relative to those of one vertex. The origin may be
- * far away from all of them, and would leave few digits to points between vertices.
+ * Positions of vertices and other points of a mesh, relative to one of the vertices, which avoids
+ * cancellation if the origin is far away.
  */
 template <typename TriangleMesh, typename NamedParameters>
 class Mesh_positions

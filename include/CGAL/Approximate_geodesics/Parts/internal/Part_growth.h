@@ -27,8 +27,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A lower bound of the length of any path over a point in space: from the nearest of some places,
- * with what their distances start with, and to a target, if there is one.
+ * A lower bound on the length of a path through a point in space: the straight-line distance from
+ * the nearest source, including its initial distance, and to the target, if there is one.
  */
 struct Detour
 {
@@ -46,9 +46,9 @@ struct Detour
     return target ? result + accurate_length(difference(p, *target)) : result;
   }
 
-  // Whether a path may be short enough that crosses an edge of this length, of which the ends have
-  // these values. Along the edge, values change at most as fast as the place, or twice as fast if
-  // there is a target; where they are not finite, nothing is known.
+  // Whether a path across an edge may be within the limit, given the detours `value_1` and
+  // `value_2` of the ends of the edge, and its length. Along the edge, the detour is Lipschitz
+  // continuous with constant 1, or 2 if there is a target. Returns true if values are not finite.
   bool may_cross(const double value_1, const double value_2, const double length) const
   {
     const double sum = value_1 + value_2, change = target ? 2 * length : length;
@@ -57,21 +57,21 @@ struct Detour
 
   bool may_meet(const double value) const { return !(value > limit + rounding * value); }
 
-  static constexpr double rounding = 1e-12; // of values and lengths
+  static constexpr double rounding = 1e-12; // relative, of values and lengths
 
   std::vector<Start> starts;
   std::optional<Space_vector> target;
-  double limit = 0; // of paths that are asked for
+  double limit = 0; // on the length of paths
 };
 
 /*
- * Adds all faces to a part that any path from the starts may meet which is as short as the limit.
+ * Adds all faces to a part that a path from the sources within the limit may meet.
  *
- * Where such a path leaves a face, it crosses an edge at a point whose detour is within the limit;
- * or it goes through a vertex, and then all edges around that contain such a point; or, if it comes
- * to another fan of faces there, between which there is a border, the vertex itself is within the
- * limit. So faces are entered across edges that may contain such a point, and, where there is a
- * border, through vertices.
+ * Such a path leaves a face in one of three ways: it crosses an edge at a point whose detour is
+ * within the limit; it passes through a vertex, and then all edges around it contain such a point;
+ * or it passes through a vertex to another fan of faces across a border, and then the detour of the
+ * vertex is within the limit. So faces are entered across edges that may contain such a point, and,
+ * at borders, through vertices.
  */
 template <typename TriangleMesh, typename Positions>
 class Part_growth
@@ -81,7 +81,7 @@ class Part_growth
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
 public:
-  // All are referred to, not copied. There is an end to the growth beyond so many faces.
+  // All arguments are referred to, not copied. Growth fails beyond `largest_number_of_faces`.
   Part_growth(Mesh_part<TriangleMesh>& part,
               const Positions& positions,
               const Detour& detour,
@@ -102,7 +102,7 @@ public:
       m_entries.push_back(place.halfedge);
   }
 
-  // Returns whether the part has become as it should be.
+  // Returns whether the part is complete and valid.
   bool run()
   {
     while(!m_entries.empty())
@@ -145,7 +145,7 @@ private:
     return true;
   }
 
-  // Enters the face beyond the border at the target of `h`. Returns whether there is one.
+  // Enters the face across the border at the target of `h`. Returns false if links are invalid.
   bool follow_border(const halfedge_descriptor h, const Vertex& end)
   {
     const halfedge_descriptor following = next(h, m_mesh);
@@ -181,8 +181,8 @@ private:
   const Positions& m_positions;
   const Detour& m_detour;
   const std::size_t m_largest_number_of_faces;
-  std::vector<halfedge_descriptor> m_entries; // with a face to the left that is to be added
-  std::vector<Vertex> m_vertices;             // by their numbers in the part
+  std::vector<halfedge_descriptor> m_entries; // whose faces are to be added
+  std::vector<Vertex> m_vertices;             // by number in the part
 };
 
 } // namespace internal

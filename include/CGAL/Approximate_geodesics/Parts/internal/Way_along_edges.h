@@ -29,8 +29,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Finds the length of a short path to a target on a mesh that has not been read: along edges, led
- * by the straight line through space. What it reaches lies where paths of that length may run.
+ * Finds an upper bound on the distance to a target on a mesh that has not been read: the length of
+ * a shortest path along edges, by A* search with straight-line distances. The search only visits
+ * vertices that paths of that length can reach.
  */
 template <typename TriangleMesh, typename Positions>
 class Way_along_edges
@@ -64,8 +65,8 @@ public:
       reach(place.corner[i], 0, p);
   }
 
-  // Returns the length of the shortest path of this kind, or `limit` if it is longer, or infinity
-  // if there is none; and nothing if that cannot be said.
+  // Returns the length of the shortest path along edges, but at most `limit`, or infinity if there
+  // is none. Returns nothing if the mesh is invalid or the budget is exceeded.
   std::optional<double> run(const double limit)
   {
     while(!m_queue.empty())
@@ -95,7 +96,7 @@ private:
 
   struct Entry
   {
-    double estimate; // of the length of a path to the target
+    double estimate; // lower bound on the path length to the target
     double distance;
     Index number;
 
@@ -113,7 +114,7 @@ private:
     return std::find(m_target.corner.begin(), end, v) != end;
   }
 
-  // Reaches `v` by a straight line from `p`.
+  // Relaxes the straight segment from `p` to `v`.
   void reach(const vertex_descriptor v, const double distance_of_p, const Space_vector& p)
   {
     const Index next = static_cast<Index>(m_vertices.size());
@@ -130,7 +131,7 @@ private:
     m_overflows |= !std::isfinite(distance);
   }
 
-  // Returns whether it has found them all, without exceeding its budget.
+  // Returns false if links are invalid or the budget is exceeded.
   bool reach_neighbors(const Vertex& v)
   {
     const halfedge_descriptor first = first_halfedge_from(v.descriptor, m_mesh);
@@ -155,8 +156,8 @@ private:
   const Space_vector m_position_of_target;
   const std::size_t m_largest_number_of_vertices;
   std::size_t m_steps_left;
-  bool m_overflows = false; // so that there may be paths that were not found
-  double m_straight = std::numeric_limits<double>::infinity(); // within a face
+  bool m_overflows = false;                                    // so paths may have been missed
+  double m_straight = std::numeric_limits<double>::infinity(); // distance within a face
   Descriptor_table<vertex_descriptor> m_numbers;
   std::vector<Vertex> m_vertices;
   std::priority_queue<Entry> m_queue;

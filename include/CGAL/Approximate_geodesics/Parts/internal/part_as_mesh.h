@@ -16,8 +16,8 @@
 
 #include <vector>
 
-// What makes a part of a mesh a model of `FaceListGraph` and `HalfedgeListGraph`. Its indices are
-// the numbers of its elements, whatever index maps the named parameters give for the mesh.
+// Makes `Mesh_part` a model of `FaceListGraph` and `HalfedgeListGraph`. Its index maps are its own
+// numbers; index maps in the named parameters refer to the whole mesh and are ignored.
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -155,7 +155,7 @@ auto halfedge_index_map(const Mesh_part<TriangleMesh>& part, const NamedParamete
   return Part_index_map<TriangleMesh>{&part};
 }
 
-// The mesh that elements are numbered in.
+// The mesh whose descriptors the part uses.
 template <typename TriangleMesh>
 const TriangleMesh& whole(const Mesh_part<TriangleMesh>& part)
 {
