@@ -27,10 +27,10 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * A distance matrix in memory. It takes `sizeof(T)` bytes per distance.
+ * A dense distance matrix in memory. It takes `sizeof(T)` bytes per distance.
  *
- * \tparam T the type of distances, `double` or `float`; infinity stands for columns that were not
- *         reached
+ * \tparam T the type of distances, `double` or `float`; distances are infinite for columns that
+ *         were not reached
  *
  * \cgalModels{DistanceRowSink}
  */
@@ -43,7 +43,7 @@ public:
   /// a row.
   using Row = Iterator_range<const T*>;
 
-  /// returns the number of rows; `0` if they were not completed.
+  /// returns the number of rows; `0` if the computation was not completed.
   std::size_t number_of_rows() const { return m_number_of_rows; }
 
   /// returns the number of columns.
@@ -64,31 +64,31 @@ public:
     return {first, first + number_of_columns()};
   }
 
-  /// returns the first of all distances, which are stored row by row.
+  /// returns a pointer to the distances, in row-major order.
   const T* data() const { return m_distances.get(); }
 
-  /// \name What a Sink Does
+  /// \name Row Sink
   /// @{
 
-  /// nothing but what is in the matrix.
+  /// empty: rows are written to the matrix directly.
   struct Block
   {
   };
 
-  /// distances of both directions can be compared.
+  /// symmetric matrices are supported.
   static constexpr bool can_be_symmetric = true;
 
-  /// makes room.
+  /// allocates the matrix.
   void start(const Distance_matrix_plan& plan)
   {
     m_number_of_rows = 0;
     m_number_of_columns = plan.number_of_columns();
-    m_distances.reset(); // before there is another one
+    m_distances.reset(); // frees the old matrix first
     if(m_number_of_columns > 0 &&
        plan.number_of_rows() >
            (std::numeric_limits<std::size_t>::max)() / sizeof(T) / m_number_of_columns)
       throw std::bad_array_new_length();
-    // not initialized: each thread is the first that touches the pages of its rows
+    // not initialized: each thread touches the pages of its rows first
     m_distances.reset(new T[plan.number_of_rows() * plan.number_of_columns()]);
     m_rows_to_come = plan.number_of_rows();
     m_is_symmetric = plan.is_symmetric();
@@ -101,7 +101,7 @@ public:
                    [](const double d) { return static_cast<T>(d); });
   }
 
-  /// does nothing more.
+  /// does nothing.
   void add(std::size_t /* number */, Block& /* block */) {}
 
   /// completes the matrix.

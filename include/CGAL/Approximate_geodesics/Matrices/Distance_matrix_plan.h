@@ -24,11 +24,11 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * What a row sink is told of a distance matrix before the first of its rows: its size, and the
- * blocks of rows that it is computed in.
+ * The layout of a distance matrix, which is passed to a row sink before the first row: its size,
+ * and the blocks of rows in which it is computed.
  *
- * Rows with sources that are near each other are in one block, as they use the same memory. Blocks
- * depend on the mesh and on the sources only, and not on the number of threads.
+ * Rows with nearby sources are in the same block, for locality of memory accesses. Blocks depend
+ * only on the mesh and on the sources, not on the number of threads.
  */
 class Distance_matrix_plan
 {
@@ -45,8 +45,8 @@ public:
   /// returns the distance beyond which columns are not reached, in the unit of the mesh.
   double maximum_distance() const { return m_maximum_distance; }
 
-  /// returns whether each distance is to be replaced by the smaller one of both directions, once
-  /// all rows are there.
+  /// returns whether each distance and its transpose are to be replaced by the smaller of the two,
+  /// after all rows are computed.
   bool is_symmetric() const { return m_is_symmetric; }
 
   /// returns the number of blocks.
@@ -71,8 +71,8 @@ public:
 
   using Identity = internal::Matrix_identity;
 
-  // `order` lists the rows in the order in which they are computed; `identity` is called if a sink
-  // wants to know whether two runs would give the same distances, which costs as much as a row.
+  // `order` lists the rows in the order of computation. `identity` is called by sinks that compare
+  // the computation with an earlier run; it costs as much as a row.
   Distance_matrix_plan(std::vector<std::size_t> order,
                        const std::size_t number_of_columns,
                        const double maximum_distance = std::numeric_limits<double>::infinity(),
@@ -94,7 +94,8 @@ public:
   /// \endcond
 
 private:
-  // So many that blocks can be dealt out to many threads, and that a block fits some memory.
+  // Limits rows so that there are enough blocks for many threads, and a block does not exceed a
+  // memory limit.
   std::size_t suitable_rows_per_block() const
   {
     constexpr std::size_t blocks = 512, most = 64, bytes = 16 << 20;

@@ -16,28 +16,28 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * How far the computation of a distance matrix is.
+ * The progress of the computation of a distance matrix.
  */
 struct Distance_matrix_progress
 {
   /// the number of rows of the matrix.
   std::size_t number_of_rows;
 
-  /// the number of those that are done, by an earlier run or another process included.
+  /// the number of completed rows, including those of earlier runs and other processes.
   std::size_t number_done;
 
-  /// the rows done per second since this run has started.
+  /// the number of completed rows per second since the start of this run.
   double rows_per_second;
 
-  /// the seconds until all rows are done, if the rest takes as long as those of this run.
+  /// the estimated number of seconds until completion, at the rate of this run.
   double seconds_left;
 };
 
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * A visitor that does nothing. A class derived from it has to define only the functions that it
- * needs; these hide those below, which are not virtual.
+ * A visitor that does nothing. Derived classes only define the functions that they need. The
+ * functions are not virtual: those of the derived class hide them.
  *
  * \cgalModels{DistanceMatrixVisitor}
  */

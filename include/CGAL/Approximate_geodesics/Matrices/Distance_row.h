@@ -23,8 +23,8 @@ namespace Approximate_geodesics {
  * \ingroup PkgApproximateGeodesicsMatrices
  *
  * A row of a distance matrix: the distances from one source to all columns. It is a range of
- * numbers of type `double`, in the unit of the mesh, where infinity stands for columns that were
- * not reached.
+ * numbers of type `double`, in the unit of the mesh, which are infinite for columns that were not
+ * reached.
  *
  * \cgalModels{ConstRange}
  */
@@ -43,7 +43,7 @@ public:
   /// a random access iterator.
   using const_iterator = std::vector<double>::const_iterator;
 
-  /// the same: the distances are not to be changed.
+  /// the same type: distances are read-only.
   using iterator = const_iterator;
 
   /// @}
@@ -54,7 +54,7 @@ public:
   /// returns the number of columns.
   std::size_t size() const { return m_distances.size(); }
 
-  /// returns the first distance.
+  /// returns an iterator to the first distance.
   const_iterator begin() const { return m_distances.begin(); }
 
   /// returns the past-the-end iterator.
@@ -67,12 +67,12 @@ public:
     return m_distances[column];
   }
 
-  /// returns the columns that were reached, in ascending order. If the search was limited, this
-  /// takes \cgalBigO{k \log k} for `k` columns, and not the time that it takes to look at all.
+  /// returns the columns that were reached, in ascending order. After a limited search, this takes
+  /// \cgalBigO{k \log k} for `k` reached columns, independent of the number of all columns.
   const std::vector<Column>& reached() const
   {
     if(m_order == Order::UNKNOWN || (m_order == Order::NONE && m_reached.size() > size() / 32))
-      list_reached(); // which is faster than to sort so many
+      list_reached(); // faster than sorting many columns
     else if(m_order == Order::NONE)
       std::sort(m_reached.begin(), m_reached.end());
     m_order = Order::ASCENDING;
@@ -81,10 +81,10 @@ public:
 
   /// @}
 
-  /// \name For Those Who Fill a Row
+  /// \name Modifiers
   /// @{
 
-  /// makes a row in which no column is reached.
+  /// constructs a row in which no column is reached.
   explicit Distance_row(const std::size_t size = 0) : m_distances(size, infinity) {}
 
   /// sets the distance of a column. \pre `column < size()`, and `distance` is not infinite.
@@ -109,7 +109,7 @@ public:
     m_order = Order::UNKNOWN;
   }
 
-  /// forgets all distances; takes as long as setting them took.
+  /// resets all distances, in time proportional to setting them.
   void clear()
   {
     if(m_order == Order::UNKNOWN)
@@ -126,7 +126,7 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // What is known of the list of reached columns: there is none, or how it is sorted.
+  // The state of the list of reached columns: not available, unsorted, or sorted.
   enum class Order
   {
     UNKNOWN,
@@ -143,7 +143,7 @@ private:
   }
 
   std::vector<double> m_distances;
-  mutable std::vector<Column> m_reached; // listed and sorted when asked for
+  mutable std::vector<Column> m_reached; // listed and sorted on demand
   mutable Order m_order = Order::ASCENDING;
 };
 

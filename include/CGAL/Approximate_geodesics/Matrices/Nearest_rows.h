@@ -20,11 +20,11 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * The smallest distances of each row, in memory: those to the nearest targets, the source itself
- * included if it is one. They ascend in each row; of columns that are equally far, the first ones
- * are kept, in their order. A row has fewer entries if the search reaches fewer columns.
+ * The smallest distances of each row, in memory: the distances to the nearest targets, including
+ * the source itself if it is a target. They ascend in each row; ties are broken by column. A row
+ * has fewer entries if the search reaches fewer columns.
  *
- * The search for a row ends as soon as its entries are known, if all targets are vertices.
+ * If all targets are vertices, the search for a row ends as soon as its entries are known.
  *
  * \tparam T the type of distances, `double` or `float`
  *
@@ -34,18 +34,18 @@ template <typename T = double>
 class Nearest_rows : public Sparse_rows<T>
 {
 public:
-  /// makes room for `number` entries per row. \pre `number > 0`
+  /// constructs a sink for up to `number` entries per row. \pre `number > 0`
   explicit Nearest_rows(const std::size_t number)
     : m_number(internal::checked_number_of_nearest(number))
   {
   }
 
-  /// \name What a Sink Does
+  /// \name Row Sink
   /// @{
 
   using typename Sparse_rows<T>::Block;
 
-  /// returns the number of entries that a row has at most.
+  /// returns the maximum number of entries per row.
   std::size_t number_of_nearest() const { return m_number; }
 
   /// appends a row to a block.

@@ -20,8 +20,7 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * The distances up to `maximum_distance`, in memory: all that a search reaches. Columns ascend in
- * each row.
+ * The distances up to `maximum_distance`, in memory. Columns ascend in each row.
  *
  * \tparam T the type of distances, `double` or `float`
  *
@@ -33,15 +32,15 @@ class Radius_rows : public Sparse_rows<T>
   using Base = Sparse_rows<T>;
 
 public:
-  /// \name What a Sink Does
+  /// \name Row Sink
   /// @{
 
   using typename Base::Block;
 
-  /// distances of both directions can be compared.
+  /// symmetric matrices are supported.
   static constexpr bool can_be_symmetric = true;
 
-  /// forgets all rows.
+  /// removes all rows.
   void start(const Distance_matrix_plan& plan)
   {
     Base::start(plan);
@@ -54,7 +53,7 @@ public:
     block.append(row, distances.reached(), distances);
   }
 
-  /// puts all blocks together.
+  /// concatenates all blocks.
   bool finish(const bool is_done) { return Base::finish(is_done, m_is_symmetric); }
 
   /// @}

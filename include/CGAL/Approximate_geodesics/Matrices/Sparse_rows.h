@@ -27,8 +27,8 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * A distance matrix in memory, of which only some entries are kept, as compressed sparse rows. An
- * entry takes `4 + sizeof(T)` bytes: what `Radius_rows` and `Nearest_rows` have in common.
+ * A sparse distance matrix in memory, in compressed sparse row format: the common base of
+ * `Radius_rows` and `Nearest_rows`. An entry takes `4 + sizeof(T)` bytes.
  *
  * \tparam T the type of distances, `double` or `float`
  */
@@ -41,7 +41,7 @@ public:
   /// the number of a column.
   using Column = Distance_row::Column;
 
-  /// returns the number of rows; `0` if they were not completed.
+  /// returns the number of rows; `0` if the computation was not completed.
   std::size_t number_of_rows() const { return m_rows.starts.size() - 1; }
 
   /// returns the number of columns.
@@ -50,25 +50,25 @@ public:
   /// returns the number of entries.
   std::size_t number_of_entries() const { return m_rows.starts.back(); }
 
-  /// returns the columns of a row's entries. \pre The row exists.
+  /// returns the columns of the entries of a row. \pre The row exists.
   Iterator_range<const Column*> columns(const std::size_t row) const
   {
     return part(m_rows.columns.get(), row);
   }
 
-  /// returns the distances of a row's entries, in the same order. \pre The row exists.
+  /// returns the distances of the entries of a row, in the same order. \pre The row exists.
   Iterator_range<const T*> distances(const std::size_t row) const
   {
     return part(m_rows.distances.get(), row);
   }
 
-  /// \name What a Sink Does
+  /// \name Row Sink
   /// @{
 
-  /// the entries of some rows.
+  /// the entries of a block of rows.
   using Block = internal::Sparse_block<T>;
 
-  /// forgets all rows.
+  /// removes all rows.
   void start(const Distance_matrix_plan& plan)
   {
     m_rows = internal::Compressed_rows<T>();
@@ -77,24 +77,24 @@ public:
     m_blocks.assign(plan.number_of_blocks(), Block());
   }
 
-  /// keeps a block.
+  /// stores a block.
   void add(const std::size_t number, Block& block)
   {
-    m_blocks[number] = block; // without the room that it has to grow
+    m_blocks[number] = block; // copies without spare capacity
     block.clear();
   }
 
-  /// puts all blocks together.
+  /// concatenates all blocks.
   bool finish(const bool is_done) { return finish(is_done, false); }
 
   /// @}
 
 protected:
-  /// no rows.
+  /// constructs a matrix without rows.
   Sparse_rows() = default;
 
-  /// puts all blocks together, and replaces each distance by the smaller one of both directions if
-  /// that is wanted. There are no rows if that fails.
+  /// concatenates all blocks and, if `is_symmetric`, replaces each distance and its transpose by
+  /// the smaller of the two. If an exception is thrown, there are no rows.
   bool finish(const bool is_done, const bool is_symmetric)
   {
     if(is_done)
@@ -119,7 +119,7 @@ private:
   internal::Compressed_rows<T> m_rows;
   std::size_t m_number_of_columns = 0;
   std::size_t m_rows_to_come = 0;
-  std::vector<Block> m_blocks; // until they are put together
+  std::vector<Block> m_blocks; // until they are concatenated
 };
 
 } // namespace Approximate_geodesics

@@ -170,7 +170,7 @@ void compute_matrices_wrongly(const Mesh& mesh, const AG::Edge_graph& graph)
   CGAL::approximate_geodesic_distance_matrix(graph, rows, std::vector<int>(),
                                              parameters::epsilon(0.1));
 
-  // symmetric: only sinks that keep all rows and columns can make them so
+  // symmetric: only supported by sinks that keep all rows and columns
   CGAL::approximate_geodesic_distance_matrix(graph, function, std::vector<int>(),
                                              parameters::symmetric(true));
 

@@ -23,21 +23,21 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A sparse matrix, row by row.
+ * A sparse matrix in compressed sparse row format.
  */
 template <typename T>
 struct Compressed_rows
 {
   using Column = Distance_row::Column;
 
-  std::vector<std::size_t> starts{0}; // of the entries of a row, and where those of the last end
+  std::vector<std::size_t> starts{0}; // of the entries by row, and the end
   std::unique_ptr<Column[]> columns;
   std::unique_ptr<T[]> distances;
 
   Compressed_rows() = default;
 
-  // Puts blocks together, whose rows are in any order. They are emptied meanwhile, so that all
-  // entries are in memory once.
+  // Concatenates blocks, whose rows may be in any order. Each block is freed after it was copied,
+  // which limits peak memory.
   Compressed_rows(const std::size_t number_of_rows, std::vector<Sparse_block<T>>& blocks)
     : starts(number_of_rows + 1, 0)
   {
@@ -49,8 +49,9 @@ struct Compressed_rows
       take(std::exchange(block, Sparse_block<T>()));
   }
 
-  // Replaces each distance by the smaller one of both directions, if there are both.
-  // \pre Columns ascend, and there are as many as rows.
+  // Replaces each distance and its transpose by the smaller of the two. The result has an entry if
+  // either exists.
+  // \pre Columns ascend, and the matrix is square.
   void make_symmetric()
   {
     const Compressed_rows other = transposed();
@@ -67,7 +68,7 @@ struct Compressed_rows
   }
 
 private:
-  // \pre Each start but the first one is the number of entries of the row before.
+  // \pre Each start except the first one is the number of entries of the previous row.
   void allocate()
   {
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
@@ -106,8 +107,8 @@ private:
     return result;
   }
 
-  // Calls `f(row, column, distance)` for the entries that this matrix or the other one has, with
-  // the smaller distance.
+  // Calls `f(row, column, distance)` for the union of the entries of both matrices, with the
+  // smaller distance.
   template <typename F>
   void for_each_of_both(const Compressed_rows& other, F f) const
   {

@@ -28,7 +28,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The points that the columns of a distance matrix stand for, and their distances after a search.
+ * The target points of the columns of a distance matrix, and the extraction of their distances
+ * after a search.
  */
 template <typename Graph>
 class Matrix_columns
@@ -54,7 +55,7 @@ public:
   std::size_t size() const { return m_vertices.size(); }
   bool are_vertices() const { return m_points.columns.empty(); }
 
-  // Returns the number of columns that stand for a node.
+  // Returns the number of columns whose target is a node.
   std::size_t number_at(const Index node) const
   {
     return is_vertex(node) ? m_first_at[node + 1] - m_first_at[node] : 0;
@@ -77,8 +78,8 @@ public:
     }
   }
 
-  // Writes those of the columns that were reached, in as much time as it took to reach them, but
-  // for points that are not vertices.
+  // Writes the distances of reached columns only. Columns of vertices take time proportional to the
+  // number of reached nodes.
   template <typename SurfaceSearch>
   void write_reached(const SurfaceSearch& search, Distance_row& row) const
   {
@@ -91,20 +92,20 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // A straight line from a node to a point, in units of the graph.
+  // A straight segment from a node to a point, in units of the graph.
   struct Last_arc
   {
     typename Graph::Node node;
     double length;
   };
 
-  // Columns that are not vertices. Points are attached to the graph once, and not for every row,
-  // unless the lines depend on the search.
+  // Columns whose targets are not vertices. Points are attached to the graph once for all rows,
+  // unless attachment depends on the search.
   struct Point_columns
   {
     std::vector<Column> columns;
     Points_by_face points;
-    std::vector<std::size_t> first_arc; // by point, and beyond the last one
+    std::vector<std::size_t> first_arc; // by point, and the end
     std::vector<Last_arc> arcs;
   };
 
@@ -152,7 +153,8 @@ private:
     }
   }
 
-  // Of all points, straight from the source, unless that is a node.
+  // Returns the lengths of straight segments from the source to all points; infinity if the source
+  // is a node.
   template <typename SurfaceSearch>
   std::vector<double> distances_by_line(const SurfaceSearch& search) const
   {
@@ -180,7 +182,7 @@ private:
     return result;
   }
 
-  // Lists columns by vertex: a vertex may have any number of them.
+  // Groups columns by vertex: several columns may have the same target.
   void sort_by_vertex(const std::size_t number_of_vertices)
   {
     m_first_at.assign(number_of_vertices + 1, 0);
@@ -195,9 +197,9 @@ private:
         m_columns[next[m_vertices[c]]++] = static_cast<Column>(c);
   }
 
-  std::vector<Index> m_vertices;  // by column; the null index if it is another point
-  std::vector<Column> m_first_at; // by vertex, into the next list
-  std::vector<Column> m_columns;  // by vertex
+  std::vector<Index> m_vertices;  // by column; null_index if not a vertex
+  std::vector<Column> m_first_at; // by vertex, into m_columns
+  std::vector<Column> m_columns;  // grouped by vertex
   Point_columns m_points;
 };
 

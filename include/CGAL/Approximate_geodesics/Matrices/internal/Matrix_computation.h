@@ -32,8 +32,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Computes the rows of a distance matrix, by one thread or several, and hands them over: blocks of
- * them to a sink as they are done, and single ones to a function object in their order.
+ * Computes the rows of a distance matrix with one or several threads. Sinks receive blocks of rows
+ * as they are completed; function objects receive single rows in order.
  */
 template <typename Graph, typename Rows, typename Visitor>
 class Matrix_computation
@@ -57,7 +57,7 @@ public:
   {
   }
 
-  // Returns whether the visitor let it come to the end.
+  // Returns false if the visitor stopped the computation.
   bool run(const Loop& loop)
   {
     if(loop.is_parallel() && m_plan.number_of_rows() > 1)
@@ -69,9 +69,10 @@ public:
   }
 
 private:
-  // The first turn of a thread takes rows until there are none left, and the others find none. A
-  // function object may have a parallel loop of its own, in which its thread comes by another turn
-  // of this one: that must not wait for what the thread is about to do.
+  // The first iteration of a thread computes rows until none are left; further iterations find
+  // none. If a function object runs its own parallel loop, its thread may enter another iteration
+  // of this loop. That iteration must return at once: waiting for a row that the same thread
+  // computes would be a deadlock.
   void work_or_stop()
   {
     if(m_is_finished || m_is_stopped || !enter())
@@ -111,8 +112,6 @@ private:
     m_is_finished = true;
   }
 
-  // For sinks
-
   void compute_blocks(Row_search<Graph>& search)
   {
     typename Rows::Block block;
@@ -150,8 +149,6 @@ private:
       return m_done;
   }
 
-  // For function objects
-
   void compute_rows(Row_search<Graph>& search)
   {
     for(std::size_t row = m_next++; row < m_plan.number_of_rows(); row = m_next++)
@@ -160,7 +157,7 @@ private:
         return;
   }
 
-  // Rows are dealt out in their order, so whoever has the next one does not wait.
+  // Rows are assigned in order, so the thread with the next row never waits: there is no deadlock.
   bool hand_over(const std::size_t row, const Distance_row& distances)
   {
     {
@@ -179,8 +176,6 @@ private:
     return true;
   }
 
-  // The end
-
   bool goes_further()
   {
     if(!m_is_stopped && !m_progress.go_further())
@@ -191,7 +186,7 @@ private:
   void stop()
   {
     {
-      const std::lock_guard lock(m_mutex); // or who is about to wait would not learn of it
+      const std::lock_guard lock(m_mutex); // otherwise a thread about to wait could miss it
       m_is_stopped = true;
     }
     m_turn.notify_all();
@@ -204,13 +199,13 @@ private:
   const Distance_matrix_plan& m_plan;
   Rows& m_rows;
 
-  std::atomic<std::size_t> m_next{0}; // row or block
-  std::atomic<std::size_t> m_done{0}; // rows
+  std::atomic<std::size_t> m_next{0}; // a row or a block
+  std::atomic<std::size_t> m_done{0}; // completed rows
   Matrix_progress<Visitor> m_progress;
   std::atomic<bool> m_is_finished{false};
   std::atomic<bool> m_is_stopped{false};
   std::mutex m_mutex;
-  std::set<std::thread::id> m_threads; // that are at work
+  std::set<std::thread::id> m_threads; // that are computing rows
   std::condition_variable m_turn;
 };
 

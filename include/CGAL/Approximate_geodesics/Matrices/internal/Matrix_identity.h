@@ -28,7 +28,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * What tells two distance matrices apart, and in which respect.
+ * A fingerprint of a distance matrix, by parts, so that messages can name the difference between
+ * two matrices.
  */
 struct Matrix_identity
 {
@@ -37,7 +38,7 @@ struct Matrix_identity
     KIND,
     MESH,
     GRAPH,
-    NUMBER_OF_SOURCES, // as it is
+    NUMBER_OF_SOURCES, // the number itself, not a checksum
     NUMBER_OF_TARGETS,
     SOURCES,
     TARGETS,
@@ -46,7 +47,7 @@ struct Matrix_identity
     NUMBER_OF_PARTS
   };
 
-  // What another matrix has, if a part differs.
+  // Returns the text of messages for a part that differs.
   static const char* name(const std::size_t part)
   {
     constexpr std::array<const char*, NUMBER_OF_PARTS> names{
@@ -62,7 +63,7 @@ struct Matrix_identity
     return names[part];
   }
 
-  // The same, of this matrix beside another one.
+  // Returns that text, with the values of both matrices if possible.
   std::string difference(const std::size_t part, const Matrix_identity& other) const
   {
     if(part != NUMBER_OF_SOURCES && part != NUMBER_OF_TARGETS)
@@ -116,7 +117,7 @@ inline std::uint64_t checksum(const std::vector<Intrinsic_point>& points)
 template <typename Graph>
 using Epsilon_of = decltype(std::declval<const Graph&>().epsilon());
 
-// What a graph tells of itself; distances tell the rest.
+// Covers the accessible properties of a graph; the part DISTANCES covers the others.
 template <typename Graph>
 std::uint64_t checksum_of_graph(const Graph& graph)
 {

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// A visitor that can be called by several threads at the same time may watch the searches for rows,
-// too: this makes the visitor of such a search, which may throw an exception to end it.
+// A thread-safe visitor may also observe the searches for rows: `visitor_of_search()` returns the
+// visitor of a search, which may throw an exception to stop it.
 template <typename Visitor>
 using Visitor_of_search = decltype(std::declval<Visitor&>().visitor_of_search());
 
@@ -32,9 +32,8 @@ template <typename Visitor>
 constexpr bool watches_searches = boost::is_detected_v<Visitor_of_search, Visitor>;
 
 /*
- * Tells a visitor how far the rows are, and asks it whether to go on. Any thread may call, and the
- * visitor is called by one at a time, unless it watches searches: nobody waits while it is asked
- * then.
+ * Reports the progress to a visitor, and asks it whether to continue. The class is thread-safe. It
+ * serializes calls to the visitor, except for go_further() of a visitor that observes searches.
  */
 template <typename Visitor>
 class Matrix_progress
@@ -69,7 +68,7 @@ public:
   {
     const std::lock_guard lock(m_mutex);
     if(number_done < m_done)
-      return; // another thread was faster
+      return; // overtaken by another thread
     m_done = number_done;
     const double seconds = std::chrono::duration<double>(Clock::now() - m_start).count();
     const double rate = double(number_done - m_done_before) / seconds;

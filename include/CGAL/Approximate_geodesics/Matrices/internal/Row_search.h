@@ -25,22 +25,22 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// How far the searches for the rows of a distance matrix go.
+// Limits of the searches for the rows of a distance matrix.
 struct Row_limits
 {
   double maximum_distance = std::numeric_limits<double>::infinity();
-  std::size_t number_of_nearest = 0;    // columns; 0 stands for all of them
-  std::vector<Intrinsic_point> targets; // that a search may end with, if there are any
+  std::size_t number_of_nearest = 0;    // columns; 0: all
+  std::vector<Intrinsic_point> targets; // if any, a search may stop after them
 
-  // Whether most columns may not be reached.
+  // Whether a search may reach a small part of the columns only.
   bool are_given() const
   {
     return number_of_nearest > 0 || maximum_distance < std::numeric_limits<double>::infinity();
   }
 };
 
-// Ends a search when so many columns are settled, and all that are as far away as the last of them,
-// or if another visitor does.
+// Stops a search when the wanted number of columns is settled, including all ties of the last one,
+// or if another visitor stops it.
 template <typename Columns, typename Visitor>
 class Nearest_columns_visitor : public Geodesic_visitor_base
 {
@@ -67,7 +67,7 @@ public:
 
   bool go_further() { return !m_is_done && m_visitor.go_further(); }
 
-  // Whether as many as wanted were settled, and how far the last of them is.
+  // Whether the wanted number of columns was settled.
   bool is_enough() const { return m_number >= m_wanted; }
   double farthest() const { return m_farthest; }
 
@@ -81,7 +81,7 @@ private:
 };
 
 /*
- * Finds rows of a distance matrix, one after the other: the workspace of a thread.
+ * Computes rows of a distance matrix, one by one: the workspace of a thread.
  */
 template <typename Graph>
 class Row_search
@@ -93,7 +93,7 @@ public:
   {
   }
 
-  // Returns the distances from `source`, which stay until the next call.
+  // Returns the distances from `source`. The reference is valid until the next call.
   template <typename Visitor = Geodesic_visitor_base>
   const Distance_row& find(const Intrinsic_point& source, Visitor visitor = Visitor())
   {
@@ -117,11 +117,12 @@ private:
     return {maximum_distance, m_limits.targets};
   }
 
-  // Whether arcs depend on labels, and so distances, in their last bits, on how far a search goes.
+  // Whether arcs depend on labels, so that the range of a search affects the last bits of
+  // distances.
   static constexpr bool depends_on_limit = needs_bounds<Graph> || needs_expansion_history<Graph>;
 
-  // Most nodes that a search for few columns labels lie beyond them. It is spared these if it knows
-  // how far it has to go: about as far as for the row before, whose source is near.
+  // A search for few columns labels many nodes beyond them. An estimate of the required distance
+  // avoids this: that of the previous row, whose source is near.
   template <typename Visitor>
   void search_nearest(const Intrinsic_point& source, Visitor& visitor)
   {
@@ -129,7 +130,7 @@ private:
       search_nearest(source, m_limits.maximum_distance, visitor);
   }
 
-  // Returns whether there are enough columns within the distance.
+  // Returns whether there are enough columns within `distance`.
   template <typename Visitor>
   bool search_nearest(const Intrinsic_point& source, const double distance, Visitor& visitor)
   {

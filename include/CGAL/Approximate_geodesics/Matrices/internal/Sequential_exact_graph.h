@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// The graph of exact distances for searches by one thread each, whatever the tag says.
+// The exact graph with sequential searches, independent of the concurrency tag.
 struct Sequential_exact_graph : Saddle_vertex_graph
 {
   template <typename NamedParameters>

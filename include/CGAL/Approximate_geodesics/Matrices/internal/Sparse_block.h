@@ -19,7 +19,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The entries of some rows of a sparse matrix, one row after the other.
+ * The entries of a block of rows of a sparse matrix, row by row.
  */
 template <typename T>
 struct Sparse_block

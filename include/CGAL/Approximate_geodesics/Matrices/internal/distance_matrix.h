@@ -55,7 +55,7 @@ inline bool are_the_same(const std::vector<Intrinsic_point>& a,
                     });
 }
 
-// Rows with sources that are near each other in the numbering come one after the other.
+// Orders rows by the indices of their sources, so that nearby sources are consecutive.
 inline std::vector<std::size_t> order_of_rows(const Intrinsic_triangulation& triangulation,
                                               const std::vector<Intrinsic_point>& sources)
 {
@@ -84,7 +84,7 @@ double checked_maximum_distance(const NamedParameters& np)
 template <typename Graph>
 using Is_parallel = decltype(std::declval<const Graph&>().is_parallel());
 
-// Threads take a row each, unless the graph has them share one.
+// Parallelizes over rows, unless the search of a single row is parallel.
 template <typename NamedParameters, typename Graph>
 Loop loop_over_rows([[maybe_unused]] const Graph& graph, const NamedParameters& /* np */)
 {
@@ -115,7 +115,7 @@ Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
   return visitor.get();
 }
 
-// What tells the matrix apart: what it is made of, and the first of its rows.
+// Fingerprints the input of the matrix, and its first row.
 template <typename Graph>
 Matrix_identity identity_of_matrix(const Graph& graph,
                                    const Matrix_points& points,
@@ -147,7 +147,7 @@ template <typename Rows, typename NamedParameters>
 bool wants_symmetry(const Matrix_points& points, const NamedParameters& np)
 {
   static_assert(!is_given<NamedParameters, internal_np::symmetric_t> || can_be_symmetric<Rows>,
-                "symmetric: only sinks that keep all rows and columns can make them so: "
+                "symmetric: only supported by sinks that keep all rows and columns: "
                 "Dense_rows, Radius_rows, Npy_file");
   const bool result =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::symmetric), false);
@@ -165,12 +165,12 @@ bool compute_distance_matrix(const Graph& graph,
 {
   const bool is_symmetric = wants_symmetry<Rows>(points, np);
   if(is_symmetric && is_directed<Graph>)
-    reject("symmetric: costs depend on the direction, so that distances there and back differ");
+    reject("symmetric: costs depend on the direction, so distances cannot be symmetric");
   Row_limits limits{checked_maximum_distance(np), number_of_nearest(rows), {}};
   const Matrix_columns<Graph> columns(graph, points.targets);
   if(points.are_targets_given && columns.are_vertices() &&
      columns.size() < graph.triangulation().number_of_vertices())
-    limits.targets = points.targets; // all vertices would end no search early
+    limits.targets = points.targets; // all vertices as targets would stop no search
   const Distance_matrix_plan plan(
       order_of_rows(graph.triangulation(), points.sources), columns.size(), limits.maximum_distance,
       limits.number_of_nearest, [&] { return identity_of_matrix(graph, points, columns, limits); },

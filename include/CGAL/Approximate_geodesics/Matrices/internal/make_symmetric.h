@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Replaces each distance of a square matrix by the smaller one of both directions, by squares that
-// fit a cache.
+// Replaces each entry of a square matrix and its transpose by the smaller of the two, by tiles that
+// fit into the cache.
 template <typename T>
 void make_symmetric(T* const distances, const std::size_t size)
 {

@@ -28,16 +28,16 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The points that a distance matrix is about.
+ * The sources and targets of a distance matrix.
  */
 struct Matrix_points
 {
   std::vector<Intrinsic_point> sources; // by row
   std::vector<Intrinsic_point> targets; // by column
-  bool are_targets_given = true;        // or else all vertices
+  bool are_targets_given = true;        // otherwise all vertices
 };
 
-// Of a mesh
+// Reads the points of a mesh.
 
 template <typename TriangleMesh, typename Graph, typename Sources, typename NamedParameters>
 Matrix_points matrix_points_on_mesh(const TriangleMesh& tmesh,
@@ -59,7 +59,7 @@ Matrix_points matrix_points_on_mesh(const TriangleMesh& tmesh,
   return result;
 }
 
-// Of a graph
+// Reads a point of a graph: a vertex index or an intrinsic point.
 
 template <typename Point>
 Intrinsic_point

@@ -27,7 +27,7 @@ inline std::size_t checked_number_of_nearest(const std::size_t number)
   return number;
 }
 
-// The columns that are nearest, and so many of them, by distance and by number.
+// Returns the `number` nearest columns, sorted by distance, then by column.
 inline std::vector<Distance_row::Column> nearest_columns(const Distance_row& row,
                                                          const std::size_t number)
 {

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// What models of `DistanceRowSink` may leave out.
+// Detection of the optional members of models of `DistanceRowSink`.
 
 template <typename Rows>
 using Block_of = typename Rows::Block;
@@ -35,7 +35,7 @@ using Number_done = decltype(std::declval<const Rows&>().number_of_rows_done());
 template <typename Rows>
 using Can_be_symmetric = std::bool_constant<Rows::can_be_symmetric>;
 
-// Whether rows go to a sink, which takes them by blocks, or else to a function object.
+// Rows are received by a sink, in blocks, or by a function object, one by one.
 template <typename Rows>
 constexpr bool is_row_sink = boost::is_detected_v<Block_of, Rows>;
 
@@ -65,7 +65,7 @@ constexpr bool check_rows()
   return takes_rows && can_change;
 }
 
-// How many columns of each row are wanted; 0 stands for all of them.
+// Returns the number of nearest columns that a sink keeps per row; 0 means all.
 template <typename Rows>
 std::size_t number_of_nearest([[maybe_unused]] const Rows& rows)
 {
