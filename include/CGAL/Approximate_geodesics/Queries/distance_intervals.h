@@ -27,7 +27,8 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// What a graph says that a bound between vertices has to be extended by for another point.
+// Returns the extension of the error bound for a point that is not a vertex, if the graph defines
+// one.
 template <typename Graph>
 auto cost_to_corner(const Graph& graph, const Intrinsic_point& point, int /* preferred */)
     -> decltype(graph.cost_to_corner(point))
@@ -40,7 +41,7 @@ double cost_to_corner(const Graph& /* graph */, const Intrinsic_point& /* point 
   return 0;
 }
 
-// Of the sources, the one that is farthest from all vertices, if that matters to the bound.
+// Returns the largest finite cost from a source to a corner of its face.
 template <typename Graph>
 double largest_cost_to_corner(const Graph& graph, const std::vector<Source_point>& sources)
 {
@@ -62,39 +63,40 @@ double largest_cost_to_corner(const Graph& graph, const std::vector<Source_point
  * computes, for each vertex, an interval that contains its geodesic distance to the nearest source.
  *
  * A search with the bound \f$\varepsilon\f$ finds the length \f$d\f$ of a path that is at most
- * \f$1 + \varepsilon\f$ times as long as the shortest one; so that one has a length between
- * \f$d/(1 + \varepsilon)\f$ and \f$d\f$. With the bound `0`, the interval is the exact distance,
- * give or take \f$10^{-12}\f$ of it, by which all intervals are extended for rounding. With weights
- * or barriers, and sources that are not vertices, the lower end is smaller by
- * \f$(2 + \varepsilon)/(1 + \varepsilon)\f$ times the largest cost from a source to the nearest
- * corner of its face: see `Steiner_graph::cost_to_corner()`, and that of `Directional_graph`. With
- * `accept_weaker_bound`, \f$\varepsilon\f$ is the bound that does hold.
+ * \f$1 + \varepsilon\f$ times as long as a shortest path. So the distance is in the interval
+ * \f$[d/(1 +
+ * \varepsilon), d]\f$. Intervals are extended by a relative \f$10^{-12}\f$ for rounding; with the
+ * bound `0`, they consist of the exact distance and this margin. With weights or barriers, and
+ * sources that are not vertices, the lower end is reduced by \f$(2 + \varepsilon)/(1 +
+ * \varepsilon)\f$ times the largest cost from a source to the nearest corner of its face: see
+ * `Steiner_graph::cost_to_corner()` and `Directional_graph::cost_to_corner()`. With
+ * `accept_weaker_bound`, \f$\varepsilon\f$ is the guaranteed bound.
  *
- * A vertex that no path connects with a source has the distance infinity; so both ends are
- * infinity. One that was not reached within `maximum_distance` has an interval without upper end.
+ * If a vertex is not connected to a source, both ends are infinity. If a vertex was not reached
+ * within `maximum_distance`, the upper end is infinity.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexIntervalMap a model of `WritablePropertyMap` with
  *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type that
- *         is made of two numbers of type `double`, the lower and the upper end: for example
- *         `std::pair<double, double>`, or `CGAL::Interval_nt<>`
+ *         is constructible from two numbers of type `double`, the lower and the upper end: for
+ *         example `std::pair<double, double>`, or `CGAL::Interval_nt<>`
  * \tparam Sources as for `approximate_geodesic_distances()`
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
  * \param intervals receives the intervals, in the unit of the mesh
- * \param sources a vertex, another point of the surface, or a range of them
- * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which has to be
- *           given, and those among `vertex_point_map`, `edge_length_map`, `face_weight_map`,
+ * \param sources a point of the surface, or a range of such points
+ * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which is
+ *           required, and those among `vertex_point_map`, `edge_length_map`, `face_weight_map`,
  *           `direction_to_source`, `edge_is_constrained_map`, `accept_weaker_bound`,
- * `maximum_number_of_points`, `maximum_number_of_points_per_edge`, `initial_distances`,
- * `maximum_distance`, `visitor`, `concurrency_tag`, `vertex_index_map`, `halfedge_index_map`, and
- * `geom_traits` that `approximate_geodesic_distances()` reads
+ *           `maximum_number_of_points`, `maximum_number_of_points_per_edge`, `initial_distances`,
+ *           `maximum_distance`, `visitor`, `concurrency_tag`, `vertex_index_map`,
+ *           `halfedge_index_map`, and `geom_traits` that `approximate_geodesic_distances()` reads
  *
- * \pre A visitor does not end the run.
+ * \pre A visitor does not stop the run.
  *
- * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does;
- *         nothing has been written then.
+ * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does. In
+ *         this case, nothing is written.
  *
  * Run time and memory are those of `approximate_geodesic_distances()`.
  *
@@ -119,8 +121,8 @@ void distance_intervals(const TriangleMesh& tmesh,
                              internal_np::face_weight_t, internal_np::direction_to_source_t,
                              internal_np::edge_is_constrained_t, internal_np::initial_distances_t,
                              internal_np::maximum_distance_t, internal_np::visitor_t>,
-      "distance_intervals() does not read one of these named parameters: its documentation lists "
-      "those that it does");
+      "distance_intervals() does not support one of these named parameters: its documentation "
+      "lists the supported ones");
   using Interval = typename boost::property_traits<VertexIntervalMap>::value_type;
 
   const double limit = CGAL::to_double(

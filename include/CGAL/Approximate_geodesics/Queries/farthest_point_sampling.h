@@ -36,9 +36,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Finds which of the numbers `0`, `1`, ... is farthest away, while distances fall. An entry is
- * lowered only when it comes to the top: until then, its distance is an upper bound. Of several
- * that are equally far, the first one is found.
+ * A max-priority queue of the numbers `0`, `1`, ... by distances that decrease over time. Keys are
+ * updated lazily when an entry gets to the top: a stored distance is an upper bound. Among equal
+ * distances, the smallest number is found.
  */
 class Farthest_first
 {
@@ -62,7 +62,7 @@ public:
     m_queue = std::priority_queue<Entry>(std::less<Entry>(), std::move(entries));
   }
 
-  // The distance is `0` if there are no numbers.
+  // Returns the distance `0` if the queue is empty.
   template <typename Distance>
   Entry find(const Distance& distance)
   {
@@ -92,7 +92,7 @@ void check_number_of_points(const Integer number)
       reject("the number of points is " + std::to_string(number) + "; it must not be negative");
 }
 
-// one vertex, or a range of them, to start from
+// Converts a vertex or a range of vertices to seeds.
 template <typename Search, typename Sources, typename MeshTranslation>
 std::vector<typename Search::Seed> seeds(const Sources& sources, const MeshTranslation& translation)
 {
@@ -114,8 +114,8 @@ constexpr void refuse_other_parameters_than_of_sampling()
                    internal_np::maximum_number_of_points_per_edge_t,
                    internal_np::accept_weaker_bound_t, internal_np::face_weight_t,
                    internal_np::number_of_points_per_edge_t, internal_np::edge_is_constrained_t>,
-      "farthest_point_sampling() reads epsilon, number_of_points_per_edge, and what "
-      "describes the mesh only; it always searches all of it");
+      "farthest_point_sampling() reads epsilon, number_of_points_per_edge, and parameters that "
+      "describe the mesh only; it always searches the whole mesh");
 }
 
 } // namespace internal
@@ -123,15 +123,15 @@ constexpr void refuse_other_parameters_than_of_sampling()
 /*!
  * \ingroup PkgApproximateGeodesicsQueries
  *
- * chooses vertices that are spread evenly over the surface: one after the other, each as far as
- * possible from the sources and from those chosen before.
+ * chooses vertices that are evenly distributed on the surface: each chosen vertex has the largest
+ * distance from the sources and from all vertices chosen before.
  *
- * Parts of the mesh that no path connects with these, isolated vertices among them, are infinitely
- * far away: each part gets a point before any gets another one. Of vertices that are equally far,
- * the first one in the order of `vertices(tmesh)` is chosen.
+ * The distance of an unconnected component of the mesh, including an isolated vertex, is infinite:
+ * each component gets a point before any gets a second one. Ties are broken by the order of
+ * `vertices(tmesh)`.
  *
- * If paths run along edges, and there are no sources, no choice of as many vertices covers the mesh
- * with less than half of the radius that this one does.
+ * If paths follow edges, and there are no sources, the covering radius is at most twice the optimum
+ * for the same number of vertices.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam OutputIterator a model of `OutputIterator` that takes
@@ -143,29 +143,29 @@ constexpr void refuse_other_parameters_than_of_sampling()
  *
  * \param tmesh the triangle mesh; it is not changed
  * \param points receives the points, in the order in which they are chosen
- * \param number_of_points how many points are chosen; fewer if all distances have become zero, so
- *        never more than there are vertices
- * \param sources a vertex, or a range of vertices, that the points are to keep away from; they do
- *        not count as points. If there are none, the first point is the first vertex.
+ * \param number_of_points the number of points. Fewer are chosen if all distances are zero, hence
+ *        at most as many as there are vertices.
+ * \param sources a vertex, or a range of vertices, treated as if chosen before; they are not
+ *        written to `points`. If there are none, the first point is the first vertex.
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among
  *           `vertex_point_map`, `edge_length_map`, `epsilon`, `maximum_number_of_points`,
- * `maximum_number_of_points_per_edge`, `accept_weaker_bound`, `number_of_points_per_edge`,
- *           `face_weight_map`, `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map`
- *           and `geom_traits`, which are as for `approximate_geodesic_distances()`, and
- *           `concurrency_tag`, which is as for `Discrete_geodesic_graph`, the graph that is built
- * if `epsilon` is given
+ *           `maximum_number_of_points_per_edge`, `accept_weaker_bound`,
+ *           `number_of_points_per_edge`, `face_weight_map`, `edge_is_constrained_map`,
+ *           `vertex_index_map`, `halfedge_index_map` and `geom_traits`, as for
+ *           `approximate_geodesic_distances()`, and `concurrency_tag`, as for
+ *           `Discrete_geodesic_graph`, which is used if `epsilon` is given
  *
- * \return the covering radius: the greatest distance of a vertex from the nearest of the sources
- *         and points. It is infinite if a part of the mesh has none, and `0` if there are no
+ * \return the covering radius: the largest distance of a vertex from the nearest source or point.
+ *         It is infinite if a connected component of the mesh has neither, and `0` if there are no
  *         vertices.
  *
  * \throws std::invalid_argument if `number_of_points` is negative.
- * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does.
- *         In all cases, nothing has been written then.
+ * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does. In
+ *         all cases, nothing is written.
  *
- * The first points cost a search of the whole mesh each, and every further one costs the search of
- * the part that is nearer to it than to those before, which gets smaller and smaller. Together,
- * \f$k\f$ points cost about as much as \f$\log k\f$ searches.
+ * The first points require a search of the whole mesh each; every further point requires a search
+ * of its own Voronoi cell only. In total, \f$k\f$ points cost about as much as \f$\log k\f$
+ * searches.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `voronoi_partition()`
@@ -190,7 +190,7 @@ farthest_point_sampling(const TriangleMesh& tmesh,
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   internal::check_number_of_points(number_of_points);
-  // all arcs are computed in advance, which pays off from about ten points on
+  // precomputing all arcs pays off for ten or more points
   return internal::with_graph<Discrete_geodesic_graph>(tmesh, np, [&](const auto& graph) {
     const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
                                        graph.triangulation());
@@ -216,7 +216,7 @@ farthest_point_sampling(const TriangleMesh& tmesh,
 /*!
  * \ingroup PkgApproximateGeodesicsQueries
  *
- * chooses vertices likewise, without sources: the first point is the first vertex.
+ * chooses vertices without sources: the first point is the first vertex.
  */
 template <typename TriangleMesh,
           typename OutputIterator,

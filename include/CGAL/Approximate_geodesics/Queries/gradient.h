@@ -24,11 +24,11 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The gradient of the linear function that has the given values, all of them finite, at the corners
- * of a triangle; the zero vector if there is none that fits a `double`.
+ * Returns the gradient of the linear function with the given finite values at the corners of a
+ * triangle; the zero vector if the triangle is degenerate or the gradient overflows a `double`.
  *
- * It is computed for a triangle of about unit size: products of four lengths would vanish or
- * overflow if the mesh were tiny or huge.
+ * The triangle is scaled to about unit size, because products of four lengths could underflow or
+ * overflow.
  */
 template <typename Traits>
 typename Traits::Vector_3 gradient_of_face(const std::array<typename Traits::Point_3, 3>& points,
@@ -56,7 +56,7 @@ typename Traits::Vector_3 gradient_of_face(const std::array<typename Traits::Poi
   const FT square = traits.compute_squared_length_3_object()(normal);
   if(CGAL::is_zero(square))
     return vector(NULL_VECTOR);
-  const auto slope = [&](const double value) { // the difference of values can overflow
+  const auto slope = [&](const double value) { // the difference may overflow
     return FT(value / 2 - values[0] / 2) / size * FT(2);
   };
   const Vector_3 result = scaled(sum(scaled(cross_product(v, normal), slope(values[1])), //
@@ -73,12 +73,12 @@ typename Traits::Vector_3 gradient_of_face(const std::array<typename Traits::Poi
 /*!
  * \ingroup PkgApproximateGeodesicsQueries
  *
- * computes the gradient of a function that is given at the vertices, and linear on each face.
+ * computes the gradient of a piecewise linear function given by its values at the vertices.
  *
- * If the function is a distance, its gradient points away from the sources, and paths to them run
- * against it. Its length is about `1`, or about the weight of the face if there are weights; it
- * differs from that on faces next to a source and where fronts meet, and everywhere a bit if
- * distances are those along edges.
+ * If the function is a distance field, its gradient points away from the sources, opposite to the
+ * direction of shortest paths to them. Its length is about `1`, or about the weight of the face; it
+ * deviates on faces at sources and on the cut locus, and slightly everywhere if distances are
+ * measured along edges.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam VertexDistanceMap a model of `ReadablePropertyMap` with
@@ -93,8 +93,8 @@ typename Traits::Vector_3 gradient_of_face(const std::array<typename Traits::Poi
  * \param vertex_distance_map one value per vertex, for example from
  *        `approximate_geodesic_distances()`
  * \param face_vector_map receives one vector per face: the zero vector if a value at one of its
- *        corners is infinite or not a number, as where no source was reached, if the face has no
- *        area, or if the gradient does not fit a `double`
+ *        corners is infinite (for example, not reached) or NaN, if the face is degenerate, or if
+ *        the gradient overflows a `double`
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below
  *
@@ -113,8 +113,8 @@ typename Traits::Vector_3 gradient_of_face(const std::array<typename Traits::Poi
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws std::invalid_argument if a face is not a triangle. The message tells which one; nothing
- *         has been written then.
+ * \throws std::invalid_argument if a face is not a triangle. The message names the face. In this
+ *         case, nothing is written.
  *
  * Run time is \cgalBigO{n} for `n` faces.
  *

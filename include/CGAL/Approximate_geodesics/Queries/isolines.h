@@ -34,10 +34,10 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The line between the vertices below a value and those that are not. A vertex that has exactly
- * this value counts as above; so there are no special cases: the line crosses a face twice or not
- * at all, once over a halfedge that goes up and once over one that goes down, whose opposite goes
- * up in the next face.
+ * The isoline that separates the vertices below a value from the others. Vertices with exactly this
+ * value count as above, which avoids special cases: the line crosses the edges of a face either
+ * twice or not at all, once along an ascending halfedge and once along a descending one, whose
+ * opposite ascends in the adjacent face.
  */
 template <typename TriangleMesh, typename DistanceMap, typename PointMap, typename Traits>
 class Isoline
@@ -72,12 +72,12 @@ public:
         entries.push_back(way_in(f));
     m_not_passed.insert(entries.begin(), entries.end());
 
-    for(const bool from_end : {true, false}) // what is left after the first round is closed
+    for(const bool from_end : {true, false}) // then closed polylines remain
       for(const halfedge_descriptor h : entries)
         if(m_not_passed.count(h) > 0 && !(from_end && continues_behind(h)))
         {
           Polyline polyline = follow(h);
-          if(polyline.size() > 1) // it is a single point around a vertex that alone is above
+          if(polyline.size() > 1) // a single point if only one vertex is above
             *polylines++ = std::move(polyline);
         }
     return polylines;
@@ -105,7 +105,7 @@ private:
     return has_above && has_below;
   }
 
-  // The halfedge of a crossed face that goes up.
+  // Returns the ascending halfedge of a crossed face.
   halfedge_descriptor way_in(const face_descriptor f) const
   {
     halfedge_descriptor h = halfedge(f, m_mesh);
@@ -114,7 +114,7 @@ private:
     return h;
   }
 
-  // The opposite of the halfedge that goes down in the face that `h` goes up in.
+  // Returns the opposite of the descending halfedge in the face of the ascending halfedge `h`.
   halfedge_descriptor way_on(const halfedge_descriptor h) const
   {
     const halfedge_descriptor g = next(h, m_mesh);
@@ -127,7 +127,7 @@ private:
     return !is_border(g, m_mesh) && is_crossed(face(g, m_mesh));
   }
 
-  // The polyline from the edge of `h` to an end or back again.
+  // Returns the polyline from the edge of `h` to its end, or back to its start if it is closed.
   Polyline follow(halfedge_descriptor h)
   {
     Polyline result(1, point(h));
@@ -135,13 +135,13 @@ private:
     {
       h = way_on(h);
       auto p = point(h);
-      if(p != result.back()) // at a vertex, which all edges from below are crossed at
+      if(p != result.back()) // edges may be crossed at the same vertex
         result.push_back(std::move(p));
     }
     return result;
   }
 
-  // Where the line crosses the edge of a halfedge that goes up.
+  // Returns the intersection of the line with the edge of an ascending halfedge.
   typename Polyline::value_type point(const halfedge_descriptor h) const
   {
     const vertex_descriptor below = source(h, m_mesh), above = target(h, m_mesh);
@@ -153,7 +153,8 @@ private:
         get(m_point_map, below));
   }
 
-  // How far a value is on the way from a low to a high one, whose difference may overflow.
+  // Returns the interpolation parameter of a value between `low` and `high`, whose difference may
+  // overflow.
   static double part(const double low, const double value, const double high)
   {
     if(std::isinf(high - low))
@@ -166,10 +167,10 @@ private:
   const PointMap& m_point_map;
   const Traits& m_traits;
   double m_isovalue;
-  std::set<halfedge_descriptor> m_not_passed; // the ways into faces that no polyline has taken yet
+  std::set<halfedge_descriptor> m_not_passed; // ascending halfedges not yet visited
 };
 
-// As a range; one value is a range, too.
+// Converts a single value to a range.
 template <typename Isovalues>
 decltype(auto) isovalue_range(const Isovalues& isovalues)
 {
@@ -196,18 +197,18 @@ void check_isovalues(const Isovalues& isovalues)
 /*!
  * \ingroup PkgApproximateGeodesicsQueries
  *
- * computes the lines on the surface where a function that is given at the vertices, and linear on
- * each face, has one of the given values.
+ * computes the isolines of a piecewise linear function, given by its values at the vertices, at one
+ * or several isovalues.
  *
- * An isoline separates the part of the surface where values are smaller, which is to its left, from
- * the part where they are not: those of a distance go counterclockwise around its sources, seen
- * from outside. They consist of polylines that cross one face after the other, and that are closed
- * unless they end at a border of the mesh, or of the part that was reached. Where a vertex has
- * exactly one of the values, polylines go through it, without repeating the point, and where all
- * points of an edge or face have it, polylines go around that.
+ * The part of the surface with smaller values is to the left of an isoline: isolines of a distance
+ * field run counterclockwise around its sources, seen from outside. An isoline consists of
+ * polylines, with a segment in each crossed face, which are closed or end at a border of the mesh
+ * or of the part that was reached. If a vertex has exactly the isovalue, polylines pass through it,
+ * without a repeated point; if all points of an edge or a face have the isovalue, polylines go
+ * around them.
  *
- * To cut the mesh along isolines, there is
- * `CGAL::Polygon_mesh_processing::refine_mesh_at_isolevel()` in \cgal 5.6 and later.
+ * To cut the mesh along isolines, use `CGAL::Polygon_mesh_processing::refine_mesh_at_isolevel()` of
+ * \cgal 5.6 or later.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeGraph`
  * \tparam VertexDistanceMap a model of `ReadablePropertyMap` with
@@ -221,11 +222,10 @@ void check_isovalues(const Isovalues& isovalues)
  *
  * \param tmesh the triangle mesh; it is not changed
  * \param vertex_distance_map one value per vertex, for example from
- *        `approximate_geodesic_distances()`; faces with a value that is infinite or not a number
- *        have no isolines
- * \param isovalues one value, or several; an infinite one has no isolines
- * \param polylines receives the polylines, those of the first value first; the last point of a
- *        closed one is the same as its first
+ *        `approximate_geodesic_distances()`; faces with an infinite value or NaN have no isolines
+ * \param isovalues one isovalue, or a range; infinite isovalues have no isolines
+ * \param polylines receives the polylines, ordered by isovalue; the last point of a closed polyline
+ *        equals its first point
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below
  *
@@ -246,11 +246,11 @@ void check_isovalues(const Isovalues& isovalues)
  *
  * \return the output iterator, after the last polyline.
  *
- * \throws std::invalid_argument if a face is not a triangle, or an isovalue is not a number. The
- *         message tells which one; nothing has been written then.
+ * \throws std::invalid_argument if a face is not a triangle, or an isovalue is NaN. The message
+ *         names the face or the isovalue. In this case, nothing is written.
  *
- * Run time is \cgalBigO{n + k \log k} for every value, for `n` faces, `k` of which have a part of
- * the isoline.
+ * Run time is \cgalBigO{n + k \log k} per isovalue, for `n` faces, `k` of which are crossed by the
+ * isoline.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `gradient()`

@@ -40,7 +40,7 @@ double relative_tolerance(const NamedParameters& np)
   return result;
 }
 
-// Returns a lower bound of the distance, and the length of the path.
+// Returns a lower bound on the distance, and the length of the path.
 template <typename TriangleMesh,
           typename OutputIterator,
           typename Vertex,
@@ -54,7 +54,7 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
                                       const NamedParameters& np)
 {
   static_assert(!has_directional_cost<NamedParameters>,
-                "directional_cost: selective refinement knows no directions; use "
+                "directional_cost: selective refinement does not support directional costs; use "
                 "approximate_geodesic_path()");
   const double tolerance = relative_tolerance(np);
   const Intrinsic_triangulation triangulation(tmesh, np);
@@ -78,13 +78,12 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
  * computes a short path on the mesh from `source` to `target` by selective refinement, and returns
  * its length.
  *
- * A first path is found in a graph with a few points on every edge. Then the search is repeated in
- * graphs with twice as many points, but only on edges near the path found last, until it gets
- * shorter by less than a given part of its length. This is much faster than a graph that is fine
- * everywhere, and finds about the same path, unless the first one took another way round an
- * obstacle: the result is a path that is short among its neighbors, without a bound;
- * `refined_path_interval()` tells one. Where weights differ by orders of magnitude, it can cost
- * many times as much as the cheapest one.
+ * The first path is found in a graph with a few points on every edge. The search is then repeated
+ * in graphs with twice as many points, but only on edges near the previous path, until the relative
+ * decrease in length is below a tolerance. This is much faster than a uniformly fine graph, and
+ * finds about the same path, unless the first path is in a different homotopy class: the result is
+ * short among nearby paths, without an error bound; `refined_path_interval()` gives a bound. If
+ * weights differ by orders of magnitude, the path can cost many times as much as the cheapest one.
  *
  * The method is that of Kanai and Suzuki \cgalCite{ks-asppa-01}.
  *
@@ -93,9 +92,9 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
- * \param points receives the points of the path, as of `approximate_geodesic_path()`
- * \param source the vertex that the path starts from
- * \param target the vertex that the path ends at
+ * \param points receives the points of the path, as in `approximate_geodesic_path()`
+ * \param source the start vertex of the path
+ * \param target the end vertex of the path
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those listed
  *           below and `vertex_point_map`, `edge_length_map`, `face_weight_map`,
  *           `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map` and `geom_traits`,
@@ -106,26 +105,26 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
  *     \cgalParamDescription{the number of points on every edge for the first path}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{`3`}
- *     \cgalParamExtra{Names of this package do not follow a chain that begins with it, see
- *                     \ref AG_chains.}
+ *     \cgalParamExtra{A chain that starts with this parameter cannot be continued with those of
+ *                     this package, see \ref AG_chains.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{relative_tolerance}
- *     \cgalParamDescription{The last refinement is the one that makes the path shorter by at most
- *                           this part of its length. As a rule, further ones would gain less than a
- *                           third of it.}
+ *     \cgalParamDescription{Refinement stops when the relative decrease in length is at most this
+ *                           value. Typically, further refinements would gain less than a third of
+ *                           it.}
  *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
  *     \cgalParamDefault{`1e-5`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the length of the path, or its cost if faces have weights, or infinity if `target` cannot
- *         be reached.
+ * \return the length of the path, or its cost if faces have weights, or infinity if `target` is not
+ *         reachable.
  *
- * \throws std::invalid_argument as `approximate_geodesic_path()` does, if a face breaks the
- *         triangle inequality, or if the tolerance is negative or not a number.
+ * \throws std::invalid_argument as `approximate_geodesic_path()` does, if a face violates the
+ *         triangle inequality, or if the tolerance is negative or NaN.
  * \throws std::length_error as `approximate_geodesic_path()` does.
  *
- * Run time and memory are those of a search with the first number of points, in practice, and
+ * In practice, run time and memory are those of a search with the initial number of points, and
  * \cgalBigO{n} more for every refinement of a mesh of `n` vertices.
  *
  * \sa `approximate_geodesic_path()`
@@ -147,8 +146,8 @@ double refined_path(const TriangleMesh& tmesh,
                              internal_np::relative_tolerance_t,
                              internal_np::number_of_points_per_edge_t, internal_np::edge_length_t,
                              internal_np::face_weight_t, internal_np::edge_is_constrained_t>,
-      "refined_path() reads relative_tolerance, number_of_points_per_edge, and what "
-      "describes the mesh only; use approximate_geodesic_path()");
+      "refined_path() reads relative_tolerance, number_of_points_per_edge, and parameters that "
+      "describe the mesh only; use approximate_geodesic_path()");
 
   return internal::refine_path(tmesh, points, source, target, Fixed_number_of_points(np), np)
       .second;
@@ -157,15 +156,14 @@ double refined_path(const TriangleMesh& tmesh,
 /*!
  * \ingroup PkgApproximateGeodesicsQueries
  *
- * does what `refined_path()` does, and returns an interval that contains the distance from `source`
- * to `target`: its upper end is the length of the path, give or take rounding.
+ * computes a path like `refined_path()`, and returns an interval that contains the distance from
+ * `source` to `target`. Its upper end is the length of the path, up to rounding.
  *
- * The first path is found in a graph with `Geometric_points`, and costs at most
- * \f$1 + \varepsilon\f$ times as much as the cheapest one. So the lower end of the interval is the
- * cost of the first path, divided by \f$1 + \varepsilon\f$; and refinement makes the upper end
- * smaller. A mesh with faces too thin for the bound is refused, unless `accept_weaker_bound` is
- * given, and then the lower end is that of the bound which does hold: see
- * `Steiner_graph::epsilon()`.
+ * The first path is found in a graph with `Geometric_points`, and costs at most \f$1 +
+ * \varepsilon\f$ times as much as the cheapest path. So the lower end of the interval is the cost
+ * of the first path, divided by \f$1 + \varepsilon\f$; refinement decreases the upper end. A mesh
+ * with faces too thin for the bound is rejected, unless `accept_weaker_bound` is given; then the
+ * lower end is that of the guaranteed bound `Steiner_graph::epsilon()`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
@@ -173,20 +171,20 @@ double refined_path(const TriangleMesh& tmesh,
  *
  * \param tmesh the triangle mesh; it is not changed
  * \param points receives the points of the path
- * \param source the vertex that the path starts from
- * \param target the vertex that the path ends at
- * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which has to be
- *           given, `accept_weaker_bound`, `maximum_number_of_points`,
- * `maximum_number_of_points_per_edge`, `relative_tolerance`, and what describes the mesh, as for
- * `refined_path()`
+ * \param source the start vertex of the path
+ * \param target the end vertex of the path
+ * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which is
+ *           required, `accept_weaker_bound`, `maximum_number_of_points`,
+ *           `maximum_number_of_points_per_edge`, `relative_tolerance`, and parameters that describe
+ *           the mesh, as for `refined_path()`
  *
- * \return a lower bound of the distance, or cost, and the length of the path, which is at most
- *         \f$1 + \varepsilon\f$ times as large; both are infinity if `target` cannot be reached.
- *         The lower bound allows for a relative \f$10^{-12}\f$ of rounding.
+ * \return a lower bound on the distance, or cost, and the length of the path, which is at most
+ *         \f$1 + \varepsilon\f$ times as large; both are infinity if `target` is not reachable. The
+ *         lower bound allows for a relative \f$10^{-12}\f$ of rounding.
  *
  * \throws std::invalid_argument, std::length_error as `refined_path()` and `Geometric_points` do.
  *
- * Run time and memory are those of a search in a graph with that bound, in practice, and
+ * In practice, run time and memory are those of a search in a graph with that bound, and
  * \cgalBigO{n} more for every refinement of a mesh of `n` vertices.
  *
  * \sa `distance_intervals()`
@@ -207,8 +205,8 @@ refined_path_interval(const TriangleMesh& tmesh,
           internal_np::maximum_number_of_points_per_edge_t, internal_np::accept_weaker_bound_t,
           internal_np::relative_tolerance_t, internal_np::edge_length_t, internal_np::face_weight_t,
           internal_np::edge_is_constrained_t>,
-      "refined_path_interval() reads epsilon, the limit of points and what to do beyond it, "
-      "relative_tolerance, and what describes the mesh only");
+      "refined_path_interval() reads epsilon, accept_weaker_bound, the limits of points, "
+      "relative_tolerance, and parameters that describe the mesh only");
   return internal::refine_path(tmesh, points, source, target, Geometric_points(np), np);
 }
 

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// How far a corner of a face is from its nearest source, and which one that is.
+// The nearest source of a corner of a face, and its distance.
 struct Corner_source
 {
   double distance;
@@ -58,11 +58,11 @@ void copy_values(const Keys& keys, const FromMap from, const ToMap to)
 /*!
  * \ingroup PkgApproximateGeodesicsQueries
  *
- * divides the surface among several sources: finds the nearest one for every face.
+ * computes a Voronoi partition of the faces: finds the nearest source of every face.
  *
- * The nearest source of a face is that of most of its corners, or, if all three have different
- * ones, that of the corner with the smallest distance. So the cells are unions of faces. The named
- * parameter `nearest_source_map` gives the nearest sources of the vertices in addition.
+ * The nearest source of a face is that of the majority of its corners, or, if all three differ,
+ * that of the corner with the smallest distance. So the cells are unions of faces. The named
+ * parameter `nearest_source_map` additionally receives the nearest sources of the vertices.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam FaceSourceMap a model of `WritablePropertyMap` with
@@ -74,17 +74,17 @@ void copy_values(const Keys& keys, const FromMap from, const ToMap to)
  *
  * \param tmesh the triangle mesh; it is not changed
  * \param face_source_map receives, for each face, the position of its nearest source in `sources`;
- *        `-1`, converted to the value type, for faces that have two or three corners that no source
- *        reaches
- * \param sources the sources, vertices of `tmesh`; of duplicates, only the first gets faces
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": all those of
+ *        `-1`, converted to the value type, for faces with two or three corners that are not
+ *        reached
+ * \param sources the sources, vertices of `tmesh`; among duplicates, only the first one gets faces
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": all parameters of
  *           `approximate_geodesic_distances()`
  *
- * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does;
- *         nothing has been written then.
+ * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does. In
+ *         this case, nothing is written.
  *
- * Run time and memory are those of `approximate_geodesic_distances()`: it is a single run,
- * however many sources there are.
+ * Run time and memory are those of `approximate_geodesic_distances()`: there is a single run for
+ * any number of sources.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `farthest_point_sampling()`

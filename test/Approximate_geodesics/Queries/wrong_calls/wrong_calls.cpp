@@ -102,7 +102,7 @@ void call_wrongly(const Mesh& mesh,
   AG::refined_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
                    parameters::relative_tolerance(0.1).straighten(true));
 
-  // directional_cost: selective refinement knows no directions
+  // directional_cost: selective refinement does not support directional costs
   AG::refined_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
                    parameters::face_weight_map(AG::directional_cost(AG::Hiking_time())));
 

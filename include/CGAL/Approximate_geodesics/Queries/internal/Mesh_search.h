@@ -38,8 +38,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A search of a graph in words of a mesh: what the class and the free functions have in common.
- * Everything that is read from named parameters is read here. The mesh is known by its translation.
+ * A search of a graph in terms of a mesh: the common implementation of the class and of the free
+ * functions, which reads the named parameters of runs. The translation identifies the mesh.
  */
 template <typename Graph, typename PriorityQueue, typename Translation, typename VertexPointMap>
 class Mesh_search
@@ -63,7 +63,7 @@ public:
   const Surface_search& search() const { return m_search; }
   Surface_search& search() { return m_search; }
 
-  // One point of the surface, or a range of them.
+  // Converts a point of the surface, or a range of points.
   template <typename Sources>
   std::vector<Source_point> source_points(const Sources& sources) const
   {
@@ -73,9 +73,7 @@ public:
     return result;
   }
 
-  // Runs
-
-  // From one point of the surface, or from a range of them.
+  // Searches from a point of the surface, or from a range of points.
   template <typename Sources, typename NamedParameters>
   void run_from(const Sources& sources, const NamedParameters& np)
   {
@@ -90,8 +88,8 @@ public:
     run(std::move(sources), stop_rule(np), np);
   }
 
-  // Until the distance of `target` is final. Straight lines lead the search there, unless a visitor
-  // is given, who would not learn of nodes in the order of their distances.
+  // Searches until the distance of `target` is final. Uses A* search with straight-line distances,
+  // unless a visitor is given: visitors expect nodes in the order of their distances.
   template <typename Sources, typename Target, typename NamedParameters>
   void run_to(const Sources& sources,
               const Target& target,
@@ -110,7 +108,7 @@ public:
       m_search.run_to(end, std::move(points), positions, stop.maximum_distance);
   }
 
-  // The positions of the vertices, if they are those of a kernel.
+  // Returns the positions of the vertices, if the point type belongs to a kernel.
   Vertex_positions positions() const
   {
     if constexpr(is_point_of_kernel<Point>)
@@ -120,9 +118,7 @@ public:
       return Vertex_positions();
   }
 
-  // Results
-
-  // From `point` to its nearest source.
+  // Returns the path from `point` to its nearest source.
   template <typename NamedParameters>
   Path find_path(const Intrinsic_point& point, const NamedParameters& np) const
   {
@@ -137,7 +133,7 @@ public:
     return internal::point(m_translation, p, m_point_map, np);
   }
 
-  // Writes the distances, and what else the named parameters ask for.
+  // Writes the distances and the other results requested by named parameters.
   template <typename VertexDistanceMap, typename NamedParameters>
   void write_results(VertexDistanceMap distances, const NamedParameters& np) const
   {
@@ -153,7 +149,7 @@ private:
     return internal::stop_rule<Stop_rule>(m_translation, np);
   }
 
-  // Under the visitor that the named parameters give, if any.
+  // Runs with the visitor of the named parameters, if any.
   template <typename NamedParameters>
   void run(std::vector<Source_point> sources, const Stop_rule& stop, const NamedParameters& np)
   {
@@ -166,7 +162,7 @@ private:
   Surface_search m_search;
 };
 
-// Where arcs are edges, finding positions takes as long as the whole search.
+// Returns no positions for the edge graph, where computing them takes as long as a search.
 template <typename MeshSearch, typename NamedParameters>
 Vertex_positions positions_for_one_run(const MeshSearch& search, const NamedParameters& /* np */)
 {
@@ -177,8 +173,8 @@ Vertex_positions positions_for_one_run(const MeshSearch& search, const NamedPara
     return Vertex_positions();
 }
 
-// Reads a mesh, builds the graph that the named parameters ask for, and calls `f` with a search of
-// it: for a run on a mesh that is not seen again.
+// Reads a mesh, builds the graph that the named parameters select, and calls `f` with a search of
+// it, for a single run.
 template <typename TriangleMesh, typename NamedParameters, typename F>
 auto search_once(const TriangleMesh& tmesh, const NamedParameters& np, const bool finds_path, F f)
 {

@@ -22,14 +22,13 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Searches from one point to another, in memory of their own, which is allocated when it is first
- * needed.
+ * Point-to-point searches with a separate workspace, which is allocated on first use.
  */
 template <typename MeshSearch>
 class Pair_search
 {
 public:
-  // The graph and the mesh are those that `other` searches. Returns -1 if there is no path.
+  // Uses the graph and the mesh of `other`. Returns -1 if there is no path.
   template <typename Source, typename Target, typename NamedParameters>
   double distance(const MeshSearch& other,
                   const Source& source,
@@ -49,7 +48,7 @@ public:
     }
   }
 
-  // Calls `f(point)` for the points of the path, and returns its length, or -1.
+  // Calls `f(point)` for the points of the path. Returns its length, or -1 if there is no path.
   template <typename Source, typename Target, typename NamedParameters, typename F>
   double for_each_point(const MeshSearch& other,
                         const Source& source,
@@ -67,7 +66,7 @@ public:
     return path.points.empty() ? -1 : path.length;
   }
 
-  // To be called when the weights of the graph have changed.
+  // Must be called after the weights of the graph have changed.
   void reset() { m_parts.reset(); }
 
 private:
@@ -77,7 +76,7 @@ private:
     return m_parts->search.find_path(other.translation().intrinsic_point(end), np);
   }
 
-  // Where travelers go to where a search starts, that is the target.
+  // In a reversed graph, the search starts at the target.
   template <typename Source, typename Target, typename NamedParameters>
   void run(const MeshSearch& other,
            const Source& source,

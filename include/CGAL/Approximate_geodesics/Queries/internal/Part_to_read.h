@@ -31,8 +31,9 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Whether a part of a mesh can be told from points in space: paths are then not shorter than
-// straight lines, and run wherever they like. A visitor would learn how large the part is.
+// Whether a part of a mesh can be bounded by positions in space: this requires paths that are at
+// least as long as straight lines and not restricted by barriers. A visitor would observe the size
+// of the part.
 template <typename TriangleMesh, typename NamedParameters>
 constexpr bool may_read_part()
 {
@@ -45,8 +46,8 @@ constexpr bool may_read_part()
 }
 
 /*
- * Finds the part of a mesh that a run can reach before it ends, without reading the others. It is
- * not found if it is not much smaller than the mesh, or if anything is unusual.
+ * Finds the part of a mesh that a run can reach, without reading the rest. It fails if the part is
+ * not much smaller than the mesh, or if the mesh is unusual.
  */
 template <typename TriangleMesh, typename NamedParameters>
 class Part_to_read
@@ -55,11 +56,11 @@ class Part_to_read
   using Part = Mesh_part<TriangleMesh>;
   using Positions = Mesh_positions<TriangleMesh, NamedParameters>;
 
-  static constexpr std::size_t SMALLEST_MESH = 1000; // of vertices; others are read at once
+  static constexpr std::size_t SMALLEST_MESH = 1000; // vertices; smaller meshes are read completely
 
-  // Of how many vertices one may be reached on the mesh, and one face read: a mesh has about twice
-  // as many faces. An attempt that fails costs a few percent of the call. Once a way is known, few
-  // do, and more can be risked.
+  // Budgets, as inverse fractions of the number of vertices of the mesh: of vertices reached by the
+  // search along edges, and of faces read. A failed attempt costs a few percent of the call. After
+  // an upper bound is known, attempts rarely fail, so the budget is larger.
   static constexpr std::size_t REACHED_BY_WAY = 32, BETWEEN_POINTS = 8, AROUND_SOURCES = 32;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -73,7 +74,7 @@ public:
   {
   }
 
-  // for a path from the nearest source to `target`
+  // Finds the part for a path from the nearest source to `target`.
   template <typename Sources, typename Target>
   std::optional<Part> between(const Sources& sources, const Target& target)
   {
@@ -85,11 +86,11 @@ public:
     const auto distance = distance_along_edges(*end);
     if(!distance)
       return std::nullopt;
-    const double limit = *distance < infinity ? *distance : 0; // only the ends if there is no path
+    const double limit = *distance < infinity ? *distance : 0; // no path: only the ends
     return part(limit, &*end);
   }
 
-  // for distances up to the maximum
+  // Finds the part for distances up to the maximum distance.
   template <typename Sources>
   std::optional<Part> around(const Sources& sources)
   {
@@ -148,7 +149,8 @@ private:
       return true;
   }
 
-  // An upper bound, or the maximum distance if it is beyond; infinity if there is no path.
+  // Returns an upper bound on the distance, but at most the maximum distance; infinity if there is
+  // no path; nothing if the search fails.
   std::optional<double> distance_along_edges(const Place& target) const
   {
     const Positions positions = this->positions();
@@ -162,7 +164,7 @@ private:
   {
     const Positions positions = this->positions();
     Detour detour;
-    constexpr double rounding = 1e-9; // of lengths of paths
+    constexpr double rounding = 1e-9; // relative, of path lengths
     detour.limit = limit * (1 + rounding);
     for(const Source& source : m_sources)
       detour.starts.push_back({positions(source.place), source.distance});
@@ -179,9 +181,8 @@ private:
     return growth.run() ? std::make_optional(std::move(result)) : std::nullopt;
   }
 
-  // One of so many parts of what the mesh has. What has been spent on a part is lost if it becomes
-  // too large; searches along edges are faster, and the more sources there are, the longer it
-  // takes.
+  // Returns a budget. Work on a part is lost if the part becomes too large, so the budget is
+  // smaller for searches along edges, which are faster, and for many sources, which take longer.
   std::size_t share(const std::size_t number_of_parts) const
   {
     constexpr bool is_along_edges =

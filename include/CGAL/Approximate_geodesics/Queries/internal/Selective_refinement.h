@@ -29,8 +29,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A placement of equally spaced points on the edges near a path, and of none on others. Near are
- * the faces that the path touches, and `number_of_rings` rings of faces around these.
+ * A placement of equally spaced points on the edges near a path: those of the faces that the path
+ * touches, and of `number_of_rings` rings of faces around them.
  */
 class Points_near_path
 {
@@ -72,7 +72,7 @@ public:
   std::size_t memory() const { return m_is_near.capacity() / 8; }
 
 private:
-  // the vertices of the faces that a point of the path lies in
+  // Marks the vertices of the faces that contain a point of the path.
   void mark_vertices_of_faces(const Intrinsic_triangulation& triangulation,
                               const Intrinsic_point& p)
   {
@@ -106,8 +106,8 @@ private:
 };
 
 /*
- * Searches for a path from one vertex to another repeatedly, each time in a graph with twice as
- * many points on the edges in a narrowing corridor around the last path.
+ * Refines a path between two vertices by repeated searches: each graph has twice as many points per
+ * edge as the previous one, in a narrowing corridor around the last path.
  */
 template <typename PriorityQueue = Adaptive_bucket_queue>
 class Selective_refinement
@@ -122,9 +122,9 @@ public:
   {
   }
 
-  // Refines the path that is found with points as this placement says, so many of them at most or
-  // as many as by default, if that is 0. Ends when it gets shorter by less than the given part of
-  // its length.
+  // Refines the path found with the first placement, with at most `maximum_number_of_points`
+  // points; 0 selects the default. Stops when the relative gain in length does not exceed the
+  // tolerance.
   template <typename Placement>
   Path run(Placement first_placement,
            const std::size_t maximum_number_of_points,
@@ -139,11 +139,11 @@ public:
     std::size_t number_of_rings = LARGEST_NUMBER_OF_RINGS;
     while(!result.points.empty() && number_of_points < LARGEST_NUMBER_OF_POINTS)
     {
-      number_of_points = 2 * number_of_points + 1; // if equally spaced, those so far among them
+      number_of_points = 2 * number_of_points + 1; // equally spaced points stay points
       Path refined = search(Steiner_graph<Points_near_path>(
           m_triangulation,
           Points_near_path(m_triangulation, result, number_of_rings, number_of_points),
-          (std::numeric_limits<std::size_t>::max)())); // few edges have any
+          (std::numeric_limits<std::size_t>::max)())); // no limit: few edges have points
       number_of_rings -= (std::min)(number_of_rings, std::size_t(1));
       const double gain = result.length - refined.length;
       if(gain > 0)
@@ -154,14 +154,15 @@ public:
     return result;
   }
 
-  // A lower bound of the length of all paths, as the first graph has a bound; or 0 if it has none.
+  // Returns a lower bound on the length of all paths from the error bound of the first graph; 0 if
+  // it has none.
   double lower_bound() const { return m_lower_bound; }
 
 private:
   static constexpr std::size_t LARGEST_NUMBER_OF_POINTS = 4096;
-  static constexpr std::size_t LARGEST_NUMBER_OF_RINGS = 3; // a coarse path can be this far off
+  static constexpr std::size_t LARGEST_NUMBER_OF_RINGS = 3; // around a coarse path
 
-  // The path is empty if the target cannot be reached; its length is in the unit of the mesh.
+  // Returns an empty path if the target is not reached. The length is in the unit of the mesh.
   template <typename Placement>
   Path search(const Steiner_graph<Placement>& graph) const
   {
@@ -170,7 +171,7 @@ private:
     return tree_path(search, m_target);
   }
 
-  // per edge that has some
+  // Returns the number of points per edge.
   template <typename Placement>
   static std::size_t mean_number_of_points(const Steiner_graph<Placement>& graph)
   {

@@ -22,7 +22,7 @@ namespace internal {
 
 /*
  * The sources of a search, in the order in which they were added. Iterators stay valid until their
- * source is removed, and show it as a face location, which is how the exact class does it.
+ * source is removed; like those of the exact class, they refer to face locations.
  */
 template <typename TriangleMesh>
 class Source_list

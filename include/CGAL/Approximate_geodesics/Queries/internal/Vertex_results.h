@@ -22,9 +22,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Writes what a search has found out about the vertices of a mesh to property maps. All memory for
- * that is allocated before anything is written. `Vertices` translates from vertices to nodes, and,
- * for predecessors, back; a vertex that has no node is not reached.
+ * Writes the results of a search to property maps of the vertices of a mesh. All memory is
+ * allocated before the first write. `Vertices` maps vertices to nodes and, for predecessors, nodes
+ * to vertices; vertices without a node count as not reached.
  */
 template <typename Search, typename Vertices>
 class Vertex_results
@@ -39,7 +39,7 @@ public:
   {
   }
 
-  // the distances, and what else the named parameters ask for
+  // Writes the distances and the other results requested by named parameters.
   template <typename VertexDistanceMap, typename NamedParameters>
   void write(VertexDistanceMap distances, const NamedParameters& np) const
   {
@@ -83,7 +83,7 @@ private:
     }
   }
 
-  // What the first question for a source allocates is enough for all.
+  // The first query for a source allocates all memory for sources.
   void allocate_sources() const
   {
     for(const Node node : m_search.reached_nodes())

@@ -31,8 +31,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Whether a search runs along edges, from and to vertices only: that is the type of all `Points`,
-// and of the targets, if there are any.
+// Whether a search runs along edges, and all `Points` and targets are given as vertices.
 template <typename TriangleMesh, typename NamedParameters, typename... Points>
 constexpr bool concerns_vertices_only()
 {
@@ -53,8 +52,8 @@ constexpr bool concerns_vertices_only()
 }
 
 /*
- * A search along edges, from vertices, in words of a mesh: what `Mesh_search` does on any graph, as
- * far as no triangulation is needed for it.
+ * A search along edges between vertices, in terms of a mesh: the counterpart of `Mesh_search` that
+ * requires no triangulation.
  */
 template <typename Numbers>
 class Vertex_search
@@ -65,14 +64,14 @@ class Vertex_search
   using Node = typename Search::Node;
 
 public:
-  // Both are referred to, not copied.
+  // Both arguments are referred to, not copied.
   Vertex_search(const Adjacency_graph& graph, const Numbers& numbers)
     : m_numbers(numbers), m_search(graph)
   {
   }
 
-  // Runs, from one vertex or from a range of them. Returns whether these, and the targets, are
-  // vertices of the mesh; else there is no run.
+  // Searches from a vertex or from a range of vertices. Returns false, without searching, if a
+  // source or a target is not a vertex of the mesh.
   template <typename Sources, typename NamedParameters>
   bool run_from(const Sources& sources, const NamedParameters& np)
   {
@@ -81,7 +80,8 @@ public:
     return run(seeds, stop_rule(np), np);
   }
 
-  // Runs until the distance of `target` is final. Returns as `run_from()` does.
+  // Searches until the distance of `target` is final. Returns false in the same cases as
+  // run_from().
   template <typename Sources, typename NamedParameters>
   bool run_to(const Sources& sources, const vertex_descriptor target, const NamedParameters& np)
   {
@@ -91,8 +91,8 @@ public:
     return run(seeds(sources), stop, np);
   }
 
-  // Calls `f(vertex)` for the vertices of the path to `target`, from its nearest source on, and
-  // returns its length, or infinity if there is none.
+  // Calls `f(vertex)` for the vertices of the path from the nearest source to `target`. Returns its
+  // length, or infinity if there is no path.
   template <typename F>
   double for_each_vertex_of_path(const vertex_descriptor target, F f) const
   {
@@ -162,9 +162,9 @@ private:
   Search m_search;
 };
 
-// Reads the edges of a mesh, and calls `f` with a search of them. Returns what `f` returns: whether
-// it has an answer. If not, or if the mesh is not as usual, `search_once()` is to be asked, which
-// finds out what is wrong, if anything.
+// Reads the edges of a mesh, and calls `f` with a search of them. Returns false if `f` does, or if
+// the mesh is invalid or unusual. The caller then falls back to `search_once()`, which diagnoses
+// errors.
 template <typename TriangleMesh, typename NamedParameters, typename F>
 bool search_vertices_once(const TriangleMesh& tmesh, const NamedParameters& np, F f)
 {
@@ -184,8 +184,8 @@ bool search_vertices_once(const TriangleMesh& tmesh, const NamedParameters& np, 
   return f(search);
 }
 
-// Writes the points of a path along edges, and returns its length, unless `search_once()` is to be
-// asked.
+// Writes the points of a path along edges. Returns its length, or nothing if the caller has to fall
+// back to `search_once()`.
 template <typename TriangleMesh, typename OutputIterator, typename Source, typename NamedParameters>
 std::optional<double>
 write_path_once(const TriangleMesh& tmesh,

@@ -19,7 +19,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Passes what happens to nodes on to a visitor of the mesh's vertices.
+ * Adapts a visitor of vertices to a visitor of nodes.
  */
 template <typename Visitor, typename Vertices>
 class Vertex_visitor
@@ -55,7 +55,7 @@ Vertex_visitor<Visitor, Vertices> make_vertex_visitor(Visitor& visitor, const Ve
   return {visitor, vertices};
 }
 
-// a visitor that was given by reference
+// Overload for a visitor given by reference.
 template <typename Visitor, typename Vertices>
 Vertex_visitor<Visitor, Vertices> make_vertex_visitor(std::reference_wrapper<Visitor>& visitor,
                                                       const Vertices& vertices)
@@ -63,7 +63,7 @@ Vertex_visitor<Visitor, Vertices> make_vertex_visitor(std::reference_wrapper<Vis
   return {visitor.get(), vertices};
 }
 
-// Calls `run` with the visitor of nodes that the named parameters give, or with an idle one.
+// Calls `run` with the visitor of the named parameters, adapted to nodes, or with an idle visitor.
 template <typename NamedParameters, typename Vertices, typename Run>
 void run_with_visitor([[maybe_unused]] const NamedParameters& np,
                       [[maybe_unused]] const Vertices& vertices,

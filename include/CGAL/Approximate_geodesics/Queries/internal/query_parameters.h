@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// For constructors, which do not run.
+// For constructors, which do not run a search.
 template <typename NamedParameters>
 constexpr void refuse_run_parameters()
 {
@@ -49,7 +49,7 @@ double maximum_distance(const NamedParameters& np)
                                    std::numeric_limits<double>::infinity()));
 }
 
-// Reads the named parameters that say how far a run goes.
+// Reads the named parameters that limit a run.
 template <typename StopRule, typename Translation, typename NamedParameters>
 StopRule stop_rule(const Translation& translation, const NamedParameters& np)
 {
@@ -61,7 +61,7 @@ StopRule stop_rule(const Translation& translation, const NamedParameters& np)
   return result;
 }
 
-// Reads what distances start with: members of `sources`, which may be seeds.
+// Reads the initial distances of sources or seeds.
 template <typename NamedParameters, typename Source>
 void set_initial_distances([[maybe_unused]] const NamedParameters& np,
                            [[maybe_unused]] std::vector<Source>& sources)
@@ -81,7 +81,7 @@ void set_initial_distances([[maybe_unused]] const NamedParameters& np,
   }
 }
 
-// Shortens a path, if the named parameters ask for it.
+// Straightens a path if the named parameters request it.
 template <typename NamedParameters>
 void straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triangulation,
                           [[maybe_unused]] const NamedParameters& np,
@@ -91,7 +91,7 @@ void straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triang
     if(parameters::get_parameter(np, internal_np::straighten))
     {
       if(triangulation.has_weights() || triangulation.has_directional_costs())
-        reject("paths on weighted faces cannot be straightened: cheapest ones are not straight");
+        reject("paths on weighted faces cannot be straightened: cheapest paths are not straight");
       Path straight = Path_straightener(triangulation).shortened(path);
       if(straight.length < path.length)
         path = std::move(straight);

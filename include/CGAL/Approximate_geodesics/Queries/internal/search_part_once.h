@@ -21,9 +21,8 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Calls `f` with a search of a part, as `search_once()` does. Returns whether the part could be
-// read; if not, something is wrong with it, or with what the named parameters say, and who reads
-// the whole mesh finds the words for it.
+// Calls `f` with a search of a part, as `search_once()` does. Returns false if the part or the
+// parameters are invalid; reading the whole mesh then diagnoses the error.
 template <typename TriangleMesh, typename NamedParameters, typename F>
 bool search_part_once(const Mesh_part<TriangleMesh>& part,
                       const NamedParameters& np,
@@ -47,8 +46,7 @@ bool search_part_once(const Mesh_part<TriangleMesh>& part,
 }
 
 /*
- * The vertices of a mesh by their numbers in a part, of which there is a translation. Others have
- * no number.
+ * Maps the vertices of the whole mesh to nodes of a part. Vertices outside the part have no node.
  */
 template <typename Translation>
 class Whole_translation
@@ -76,8 +74,9 @@ private:
   const Translation& m_translation;
 };
 
-// Calls `f` with a search of the part that a path from the nearest source to `target` needs, if
-// that is known before the mesh is read. Returns whether it is.
+// Finds the part of the mesh that contains a path from the nearest source to `target`, and calls
+// `f` with a search of it. Returns false if the part cannot be determined without reading the whole
+// mesh.
 template <typename TriangleMesh,
           typename Sources,
           typename Target,
@@ -95,8 +94,8 @@ bool search_part_between([[maybe_unused]] const TriangleMesh& tmesh,
   return false;
 }
 
-// Writes the distances, and what else the named parameters ask for, to property maps of the mesh,
-// if the part that they need is known before it is read. Returns whether it is.
+// Writes the results of a search of the part within the maximum distance. Returns false if the part
+// cannot be determined without reading the whole mesh.
 template <typename TriangleMesh,
           typename VertexDistanceMap,
           typename Sources,

@@ -15,11 +15,11 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// What sums of lengths may be wrong by, as a part of them.
+// A bound on the relative rounding error of sums of lengths.
 constexpr double rounding_of_distances = 1e-12;
 
-// The smallest distance that a search may have found as `distance`, with this bound between
-// vertices, and from sources that are so far from the nearest of them.
+// Returns a lower bound on the exact distance if a search with the error bound `epsilon` has found
+// `distance`. `cost_to_corner` is the largest cost from a source to the nearest vertex.
 inline double
 smallest_distance(const double distance, const double epsilon, const double cost_to_corner = 0)
 {

@@ -28,14 +28,14 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Whether named parameters ask for exact distances, which are those of another graph.
+// Whether the named parameters request exact distances.
 template <typename NamedParameters>
 bool is_exact(const NamedParameters& np)
 {
   return CGAL::to_double(parameters::get_parameter(np, internal_np::epsilon)) == 0;
 }
 
-// The graph that named parameters ask for if costs depend on the direction.
+// Returns the graph that the named parameters select for directional costs.
 template <typename NamedParameters>
 auto directional_graph(Intrinsic_triangulation triangulation, const NamedParameters& np)
 {
@@ -50,9 +50,9 @@ auto directional_graph(Intrinsic_triangulation triangulation, const NamedParamet
             parameters::get_parameter(np, internal_np::direction_to_source), false));
 }
 
-// Calls `f` with the graph that named parameters ask for: one with weights and barriers if there
-// are any, one with a bound, and of the given types, if a bound is wanted, and else that of the
-// edges. Returns what `f` returns.
+// Calls `f` with the graph that the named parameters select: a graph with weights and barriers if
+// there are any; otherwise, if `epsilon` is given, a graph of one of the given types; otherwise the
+// edge graph. Returns the result of `f`.
 template <typename GraphWithBound,
           typename ExactGraph = Saddle_vertex_graph,
           typename TriangleMesh,
@@ -72,7 +72,7 @@ auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
   static_assert((has_weights && has_epsilon) || has_number ||
                     !is_given<NamedParameters, internal_np::maximum_number_of_points_t>,
                 "maximum_number_of_points: it is for number_of_points_per_edge, and for epsilon "
-                "with weights or barriers; there are no points else");
+                "with weights or barriers; other graphs have no points on edges");
 
   Intrinsic_triangulation triangulation(tmesh, np);
   if constexpr(has_directional_cost<NamedParameters>)
