@@ -64,13 +64,13 @@ double largest_cost_to_corner(const Graph& graph, const std::vector<Source_point
  *
  * A search with the bound \f$\varepsilon\f$ finds the length \f$d\f$ of a path that is at most
  * \f$1 + \varepsilon\f$ times as long as a shortest path. So the distance is in the interval
- * \f$[d/(1 +
- * \varepsilon), d]\f$. Intervals are extended by a relative \f$10^{-12}\f$ for rounding; with the
- * bound `0`, they consist of the exact distance and this margin. With weights or barriers, and
- * sources that are not vertices, the lower end is reduced by \f$(2 + \varepsilon)/(1 +
- * \varepsilon)\f$ times the largest cost from a source to the nearest corner of its face: see
- * `Steiner_graph::cost_to_corner()` and `Directional_graph::cost_to_corner()`. With
- * `accept_weaker_bound`, \f$\varepsilon\f$ is the guaranteed bound.
+ * \f$[d/(1 + \varepsilon), d]\f$. Intervals are extended by a relative \f$10^{-12}\f$ for rounding;
+ * with the bound `0`, they consist of the exact distance and this margin. With weights or barriers,
+ * and sources that are not vertices, the lower end is reduced by
+ * \f$(2 + \varepsilon)/(1 + \varepsilon)\f$ times the largest cost from a source to the nearest
+ * corner of its face: see `Steiner_graph::cost_to_corner()` and
+ * `Directional_graph::cost_to_corner()`. With `accept_weaker_bound`, \f$\varepsilon\f$ is the
+ * guaranteed bound.
  *
  * If a vertex is not connected to a source, both ends are infinity. If a vertex was not reached
  * within `maximum_distance`, the upper end is infinity.

@@ -159,11 +159,11 @@ double refined_path(const TriangleMesh& tmesh,
  * computes a path like `refined_path()`, and returns an interval that contains the distance from
  * `source` to `target`. Its upper end is the length of the path, up to rounding.
  *
- * The first path is found in a graph with `Geometric_points`, and costs at most \f$1 +
- * \varepsilon\f$ times as much as the cheapest path. So the lower end of the interval is the cost
- * of the first path, divided by \f$1 + \varepsilon\f$; refinement decreases the upper end. A mesh
- * with faces too thin for the bound is rejected, unless `accept_weaker_bound` is given; then the
- * lower end is that of the guaranteed bound `Steiner_graph::epsilon()`.
+ * The first path is found in a graph with `Geometric_points`, and costs at most
+ * \f$1 + \varepsilon\f$ times as much as the cheapest path. So the lower end of the interval is the
+ * cost of the first path, divided by \f$1 + \varepsilon\f$; refinement decreases the upper end. A
+ * mesh with faces too thin for the bound is rejected, unless `accept_weaker_bound` is given; then
+ * the lower end is that of the guaranteed bound `Steiner_graph::epsilon()`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map

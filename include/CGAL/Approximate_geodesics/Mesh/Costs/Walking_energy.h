@@ -20,9 +20,9 @@ namespace Approximate_geodesics {
  * \ingroup PkgApproximateGeodesicsCosts
  *
  * The energy of walking on slopes, in joules per kilogram of body mass and meter of surface length,
- * as measured by Minetti, Moia, Roi, Susta and Ferretti \cgalCite{mmrsf-ecwre-02}: \f$280.5\,s^5 -
- * 58.7\,s^4 - 76.8\,s^3 + 51.9\,s^2 + 19.6\,s + 2.5\f$ for a slope of \f$s\f$ meters of height per
- * horizontal meter. The minimum is at about -15 %.
+ * as measured by Minetti, Moia, Roi, Susta and Ferretti \cgalCite{mmrsf-ecwre-02}:
+ * \f$280.5\,s^5 - 58.7\,s^4 - 76.8\,s^3 + 51.9\,s^2 + 19.6\,s + 2.5\f$ for a slope of \f$s\f$
+ * meters of height per horizontal meter. The minimum is at about -15 %.
  *
  * The mesh is in meters, with the z axis upward. The measurements cover slopes of up to 45 %;
  * steeper directions have infinite cost, and steep faces are climbed in zigzags.
