@@ -25,22 +25,22 @@ namespace CGAL {
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * computes approximate geodesic distances from many sources to many targets, and hands them to
- * `rows`: a row per source, with a column per target.
+ * computes approximate geodesic distances from many sources to many targets, and passes them to
+ * `rows`: one row per source, with one column per target.
  *
- * Where the distances go, and which of them, is a matter of `rows`:
+ * The type of `rows` determines which distances are stored, and where:
  *
- * - `Approximate_geodesics::Dense_rows` keeps all of them in memory,
- * - `Approximate_geodesics::Radius_rows` keeps those up to `maximum_distance`,
- * - `Approximate_geodesics::Nearest_rows` keeps the smallest ones of each row,
- * - `Approximate_geodesics::Npy_file` writes all of them to a file for NumPy,
- * - `Approximate_geodesics::Npz_file` writes those up to `maximum_distance`, or the smallest ones
- *   of each row, to a file for SciPy,
- * - a function object gets the rows as they are computed.
+ * - `Approximate_geodesics::Dense_rows` stores all distances in memory,
+ * - `Approximate_geodesics::Radius_rows` stores distances up to `maximum_distance` in memory,
+ * - `Approximate_geodesics::Nearest_rows` stores the smallest distances of each row in memory,
+ * - `Approximate_geodesics::Npy_file` writes all distances to a file for NumPy,
+ * - `Approximate_geodesics::Npz_file` writes distances up to `maximum_distance`, or the smallest
+ *   ones of each row, to a file for SciPy,
+ * - a function object receives the rows in order.
  *
- * Distances are those of `Approximate_geodesics::Surface_mesh_shortest_path` with the same graph,
- * to the last bit, unless neither source nor target is a vertex: then a straight line between the
- * two is looked for from the source, and the same bound holds. Distances do not depend on the
+ * Distances are bitwise identical to those of `Approximate_geodesics::Surface_mesh_shortest_path`
+ * with the same graph if the source or the target is a vertex. Otherwise the straight line between
+ * both is determined from the source, and the same bound holds. Distances do not depend on the
  * number of threads.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -52,49 +52,49 @@ namespace CGAL {
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
- * \param rows receives the rows. A function object is called for one row after the other, in their
- *        order, by any thread, but never by two at the same time.
- * \param sources the points of the surface that the rows belong to; duplicates are allowed
+ * \param rows receives the rows. A function object is called once per row, in order, by any thread,
+ *        but never concurrently.
+ * \param sources the points of the surface for the rows; duplicates are allowed
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below, and `vertex_point_map`, `edge_length_map`, `epsilon`,
  *           `maximum_number_of_points`, `maximum_number_of_points_per_edge`, `accept_weaker_bound`,
  *           `number_of_points_per_edge`, `face_weight_map`, `direction_to_source`,
  *           `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map` and `geom_traits`,
- *           which are as for `approximate_geodesic_distances()`
+ *           as for `approximate_geodesic_distances()`
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{targets}
- *     \cgalParamDescription{the points of the surface that the columns belong to}
+ *     \cgalParamDescription{the points of the surface for the columns}
  *     \cgalParamType{a model of `ConstRange` with one of the value types of `sources`}
  *     \cgalParamDefault{all vertices, in the order of `vertices(tmesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
- *     \cgalParamDescription{the distance beyond which targets are not reached: theirs is infinity,
- *                           and they do not occur in sparse rows}
+ *     \cgalParamDescription{the distance beyond which targets are not reached: their distance is
+ *                           infinity, and sparse rows do not contain them}
  *     \cgalParamType{a number type convertible to `double`}
  *     \cgalParamDefault{infinity}
- *     \cgalParamExtra{Run time is proportional to what is reached.}
+ *     \cgalParamExtra{Run time is proportional to the number of reached nodes.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{symmetric}
- *     \cgalParamDescription{whether each distance is to be replaced by the smaller one of both
- *                           directions, which is that of a path, too}
+ *     \cgalParamDescription{whether to replace each distance and its transpose by the smaller of
+ *                           the two, which is also the length of a path}
  *     \cgalParamType{`bool`}
- *     \cgalParamDefault{`false`: both directions differ, by rounding or by the error of a bound}
+ *     \cgalParamDefault{`false`: the two may differ by rounding and within the error bound}
  *     \cgalParamExtra{Targets must be the same points as sources, in the same order, and costs must
- *                     not depend on the direction. It is for `Dense_rows`, `Radius_rows`, and
+ *                     not depend on the direction. Supported by `Dense_rows`, `Radius_rows`, and
  *                     `Npy_file`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{concurrency_tag}
- *     \cgalParamDescription{whether several threads compute rows, each of them others}
+ *     \cgalParamDescription{enables the computation of rows in parallel}
  *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
  *                    `CGAL::Parallel_if_available_tag`}
  *     \cgalParamDefault{`CGAL::Sequential_tag`}
- *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB. There are as many threads as the
- *                     `tbb::task_arena` has that the function is called in.}
+ *     \cgalParamExtra{`CGAL::Parallel_tag` requires TBB. The number of threads is that of the
+ *                     enclosing `tbb::task_arena`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{an object that is told of progress, and that may end the computation,
- *                           if another thread wishes so, for example}
+ *     \cgalParamDescription{an object that is notified of progress, and that may stop the
+ *                           computation}
  *     \cgalParamType{a class model of `DistanceMatrixVisitor`, or a `std::reference_wrapper` of
  *                    one}
  *     \cgalParamDefault{`CGAL::Approximate_geodesics::Distance_matrix_visitor_base`}
@@ -102,14 +102,15 @@ namespace CGAL {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return whether all rows are there: `false` if the visitor has ended the computation.
+ * \return whether all rows are complete: `false` if the visitor has stopped the computation.
  *
  * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does, and
- *         if `symmetric` is `true` and targets differ from sources. `rows` has not been used then.
- * \throws whatever `rows` or the visitor throws. The computation ends with it.
+ *         if `symmetric` is `true` and targets differ from sources. In this case, `rows` is not
+ *         used.
+ * \throws any exception of `rows` or the visitor, which stops the computation.
  *
- * A row costs what a search costs, and each thread has a workspace of 40 bytes per node of the
- * graph beside a row. If `epsilon` is given, the graph is a
+ * The run time of a row is that of a search. Each thread needs a workspace of 40 bytes per node of
+ * the graph, and a row. If `epsilon` is given, the graph is a
  * `Approximate_geodesics::Discrete_geodesic_graph`, which takes as long to build as about ten rows.
  *
  * \sa `approximate_geodesic_distances()`
@@ -142,7 +143,7 @@ approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
           internal_np::edge_is_constrained_t, internal_np::maximum_distance_t,
           internal_np::targets_t, internal_np::symmetric_t, internal_np::visitor_t>,
       "approximate_geodesic_distance_matrix() does not read one of these named parameters: its "
-      "documentation lists those that it does");
+      "documentation lists the supported ones");
 
   if constexpr(AG::internal::check_rows<Rows>())
     return AG::internal::with_graph<AG::Discrete_geodesic_graph,
@@ -158,7 +159,7 @@ approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
- * does the same on a graph that was built before.
+ * computes a distance matrix on a graph that was built before.
  *
  * \tparam SurfaceGraph a model of `SurfaceGraph`
  * \tparam Rows as above
@@ -166,9 +167,9 @@ approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
  *         or an integer type: the index of a vertex in the mesh
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param graph the graph; several threads may use it at the same time
+ * \param graph the graph; it may be shared by several threads
  * \param rows as above
- * \param sources the points that the rows belong to
+ * \param sources the points for the rows
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `targets`,
  *        a range with one of the value types of `sources`, by default all vertices in ascending
  *        order of their indices, and `maximum_distance`, `symmetric`, `concurrency_tag` and
@@ -199,7 +200,7 @@ approximate_geodesic_distance_matrix(const SurfaceGraph& graph,
                                  internal_np::targets_t, internal_np::symmetric_t,
                                  internal_np::visitor_t>,
       "approximate_geodesic_distance_matrix() with a graph reads targets, maximum_distance, "
-      "symmetric, concurrency_tag and visitor; the others are for the graph");
+      "symmetric, concurrency_tag and visitor; pass the others to the graph");
 
   if constexpr(AG::internal::check_rows<Rows>())
     return AG::internal::compute_distance_matrix(

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// By the cheapest means that gives the answer.
+// Dispatches to the fastest applicable algorithm.
 template <typename TriangleMesh,
           typename VertexDistanceMap,
           typename Sources,
@@ -52,25 +52,25 @@ void write_distances(const TriangleMesh& tmesh,
  * computes, for each vertex, the approximate geodesic distance to the nearest source.
  *
  * If an error bound `epsilon` is given, paths run across faces, and are at most
- * \f$1 + \varepsilon\f$ times as long as the shortest ones on the surface; on scanned models, the
- * mean error is about \f$\varepsilon/100\f$ for \f$\varepsilon = 0.1\f$. With the bound `0`,
- * distances are exact, up to rounding. If no bound is given, paths are the shortest ones along the
- * edges of the mesh, which are about 5 % too long on average on scanned models, and for which there
- * is no bound in general. A distance is never below that along the surface. Distances are in the
- * unit of the coordinates. Vertices that no source reaches, or that are not final when the run ends
- * early, get infinity, and so does every vertex if there is no source.
+ * \f$1 + \varepsilon\f$ times as long as shortest paths on the surface; on scanned models, the mean
+ * error is about \f$\varepsilon/100\f$ for \f$\varepsilon = 0.1\f$. With the bound `0`, distances
+ * are exact, up to rounding. If no bound is given, paths are shortest paths along the edges of the
+ * mesh, which are about 5 % too long on average on scanned models, and have no error bound in
+ * general. A distance is never smaller than the geodesic distance on the surface. Distances are in
+ * the unit of the coordinates. Vertices get the distance infinity if they are not reachable, if
+ * their distances are not final when the run ends early, or if there is no source.
  *
  * Faces can have weights, and edges can be barriers. Distances are then costs; with `epsilon`,
- * those between vertices are at most \f$1 + \varepsilon\f$ times those of the cheapest paths on the
- * surface. Other sources add to this, by at most \f$2 + \varepsilon\f$ times what it costs from
- * there to the nearest corner of the face. A mesh with faces too thin for that is refused, unless
- * `accept_weaker_bound` is given. Weights can depend on the direction; distances are then those of
- * the ways from the sources, unless `direction_to_source` is `true`.
+ * those between vertices are at most \f$1 + \varepsilon\f$ times the cost of cheapest paths on the
+ * surface. A source that is not a vertex adds an error of at most \f$2 + \varepsilon\f$ times the
+ * cost from there to the nearest corner of its face. A mesh with faces too thin for the bound is
+ * rejected, unless `accept_weaker_bound` is given. Weights can depend on the direction; distances
+ * are then those from the sources, unless `direction_to_source` is `true`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam VertexDistanceMap a model of `WritablePropertyMap` with
- *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type that
- *         `double` converts to
+ *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type to
+ *         which `double` is convertible
  * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
  *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`, or a
  *         model of `ConstRange` with one of these as value type
@@ -92,8 +92,8 @@ void write_distances(const TriangleMesh& tmesh,
  *     \cgalParamExtra{Not needed if `edge_length_map` is given.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_length_map}
- *     \cgalParamDescription{a property map associating lengths to the edges of `tmesh`, to be
- *                           used in place of the distances of their end points}
+ *     \cgalParamDescription{a property map associating lengths to the edges of `tmesh`, used
+ *                           instead of the distances of their end points}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a
  *                    number type convertible by `CGAL::to_double()` as value type}
@@ -106,80 +106,79 @@ void write_distances(const TriangleMesh& tmesh,
  *                           `1 + epsilon` times as long as the shortest ones on the surface}
  *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
  *     \cgalParamDefault{none: paths run along edges}
- *     \cgalParamExtra{`0` means exact, up to rounding; there must be neither weights nor barriers
- *                     then.}
+ *     \cgalParamExtra{`0` means exact, up to rounding; it does not support weights and barriers.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{concurrency_tag}
- *     \cgalParamDescription{whether several threads take part: in computing lengths, and in the
- *                           search if `epsilon` is given and there are neither weights nor
- *                           barriers. Their number does not change the result. Whether
- *                           there are several can change it within the bound.}
+ *     \cgalParamDescription{enables parallel computation of lengths, and a parallel search if
+ *                           `epsilon` is given without weights and barriers. The result does not
+ *                           depend on the number of threads, but sequential and parallel results
+ *                           may differ within the bound.}
  *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
  *                    `CGAL::Parallel_if_available_tag`}
  *     \cgalParamDefault{`CGAL::Sequential_tag`}
- *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB.}
+ *     \cgalParamExtra{`CGAL::Parallel_tag` requires TBB.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_points_per_edge}
- *     \cgalParamDescription{paths run across faces, and from one to the next through one of so many
- *                           points on their edge, at equal distances. There is no error bound.}
+ *     \cgalParamDescription{the number of equally spaced points per edge: paths run across faces,
+ *                           and cross edges at these points. There is no error bound.}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{none: paths run along edges}
- *     \cgalParamExtra{It cannot be given together with `epsilon`. It is a name of \cgal, so that
- *                     other names follow only if the chain begins with one of this package, as in
- *                     `face_weight_map(weights).number_of_points_per_edge(1)`; see
- *                     \ref AG_chains.}
+ *     \cgalParamExtra{It excludes `epsilon`. As this is a parameter of \cgal, a chain with
+ *                     parameters of this package must start with one of these, as in
+ *                     `face_weight_map(weights).number_of_points_per_edge(1)`; see \ref AG_chains.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_weight_map}
- *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: what a path
- *                           in the face costs per unit of length. `0` makes it free, and infinity
- *                           forbidden. A path along an edge costs the smaller weight of its two
+ *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: the cost of
+ *                           a path in the face per unit of length. `0` is free, and infinity is
+ *                           impassable. The weight of an edge is the smaller weight of its two
  *                           faces.}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a number
- *                    type convertible by `CGAL::to_double()` as value type; or what
- *                    `Approximate_geodesics::directional_cost()` returns, for costs that depend on
- *                    the direction}
+ *                    type convertible by `CGAL::to_double()` as value type; or the result of
+ *                    `Approximate_geodesics::directional_cost()`, for costs that depend on the
+ *                    direction}
  *     \cgalParamDefault{unused: all faces have weight `1`}
- *     \cgalParamExtra{If it is given, costs take the place of lengths and distances.}
+ *     \cgalParamExtra{Lengths and distances are then costs.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{direction_to_source}
- *     \cgalParamDescription{whether distances are those to the sources, and not from them, where
+ *     \cgalParamDescription{whether to compute distances to the sources instead of from them, if
  *                           costs depend on the direction}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
- *     \cgalParamExtra{It can only be given together with costs that depend on the direction.}
+ *     \cgalParamExtra{It requires costs that depend on the direction.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which
- *                           paths may run along, and not cross}
+ *     \cgalParamDescription{a property map that marks edges of `tmesh` as barriers: paths may
+ *                           follow them, but not cross them}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
  *                    `bool` as value type}
  *     \cgalParamDefault{unused: no edge is a barrier}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_points}
- *     \cgalParamDescription{so many points may be needed on all edges together, for the bound
- *                           `epsilon` with weights or barriers or as `number_of_points_per_edge`}
+ *     \cgalParamDescription{the maximum number of points on all edges together, for the bound
+ *                           `epsilon` with weights or barriers, or for `number_of_points_per_edge`}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{1000 per edge on average, but at least \f$10^6\f$ and at most
  *                       \f$10^8\f$}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_points_per_edge}
- *     \cgalParamDescription{so many points may be needed on an edge because of a thin face, for the
- *                           bound `epsilon` with weights or barriers}
+ *     \cgalParamDescription{the maximum number of points that a thin face may require on an edge,
+ *                           for the bound `epsilon` with weights or barriers}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{`1000000`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{accept_weaker_bound}
- *     \cgalParamDescription{whether faces that need more points get few, and the bound becomes the
- *                           weaker one that
- *                           `CGAL::Approximate_geodesics::Steiner_graph::epsilon()` tells; else
- *                           they are refused}
+ *     \cgalParamDescription{whether to use fewer points on faces that exceed
+ *                           `maximum_number_of_points_per_edge`, which weakens the bound to
+ *                           `CGAL::Approximate_geodesics::Steiner_graph::epsilon()`; otherwise the
+ *                           mesh is rejected}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{initial_distances}
- *     \cgalParamDescription{what is added to the distances from each of the sources}
+ *     \cgalParamDescription{the initial distances of the sources, which are added to the distances
+ *                           from them}
  *     \cgalParamType{a model of `ConstRange` with a number type convertible by `CGAL::to_double()`
  *                    as value type, and of the size of `sources`}
  *     \cgalParamDefault{`0` for all of them}
@@ -190,10 +189,10 @@ void write_distances(const TriangleMesh& tmesh,
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{targets}
- *     \cgalParamDescription{points of the surface; the run ends as soon as the distances to all
- *                           of them are final}
+ *     \cgalParamDescription{points of the surface; the run stops as soon as the distances of all
+ *                           targets are final}
  *     \cgalParamType{a model of `ConstRange` with one of the value types of `sources`}
- *     \cgalParamDefault{none: the run goes on to the end, as it does if the range is empty}
+ *     \cgalParamDefault{none: the run is complete, as with an empty range}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{nearest_source_map}
  *     \cgalParamDescription{a property map that receives, for each vertex, the position in
@@ -205,14 +204,15 @@ void write_distances(const TriangleMesh& tmesh,
  *     \cgalParamExtra{Vertices that were not reached get `-1`, converted to the value type.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{predecessor_map}
- *     \cgalParamDescription{a property map that receives, for each vertex, the one before it on
- *                           a shortest path from its nearest source}
+ *     \cgalParamDescription{a property map that receives, for each vertex, the previous vertex on a
+ *                           shortest path from its nearest source}
  *     \cgalParamType{a class model of `WritablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key and value
  *                    type}
  *     \cgalParamDefault{unused}
- *     \cgalParamExtra{A source gets itself, as does a vertex with no other one between it and a
- *                     source that is not a vertex; and a vertex that was not reached gets
+ *     \cgalParamExtra{The predecessor of a source is the source itself; the same holds for a vertex
+ *                     without a previous vertex on the path from a source that is not a vertex.
+ *                     Vertices that were not reached get
  *                     `boost::graph_traits<TriangleMesh>::%null_vertex()`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
@@ -245,33 +245,32 @@ void write_distances(const TriangleMesh& tmesh,
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws std::invalid_argument if the mesh or its weights are not as
- *         `CGAL::Approximate_geodesics::Intrinsic_triangulation` requires, if a source or target is
- *         not a point of its surface, if an initial distance is negative or infinite or there are
- *         more or fewer than sources, if `maximum_distance` is negative or not a number, if the
- *         bound `epsilon` is not a finite number or is negative, or `0` with weights or barriers,
- *         if `number_of_points_per_edge` is negative or not an integer, or if paths run across
- *         faces and a face breaks the triangle inequality. The message says what is wrong and
- *         where. If an exception leaves this function, nothing has been written to any property
- *         map.
- * \throws std::length_error if `tmesh` has more halfedges, or the graph more nodes, than 32-bit
- *         numbers can tell apart; or if points on edges are needed, and these are more than
- *         `maximum_number_of_points`, or, with weights or barriers and `epsilon`, a face takes more
- *         than `maximum_number_of_points_per_edge`. The message names the edge with most points, or
- *         the face, and the number.
+ * \throws std::invalid_argument if the mesh or its weights do not meet the requirements of
+ *         `CGAL::Approximate_geodesics::Intrinsic_triangulation`, if a source or target is not a
+ *         point of its surface, if an initial distance is negative or infinite or their number
+ *         differs from that of the sources, if `maximum_distance` is negative or NaN, if `epsilon`
+ *         is negative or not finite, or `0` with weights or barriers, if
+ *         `number_of_points_per_edge` is negative or not an integer, or if paths run across faces
+ *         and a face violates the triangle inequality. The message names the error and the element.
+ *         If an exception is thrown, no property map is written.
+ * \throws std::length_error if the number of halfedges of `tmesh`, or of nodes of the graph,
+ *         exceeds the range of 32-bit indices; or if points on edges are required, and their number
+ *         exceeds `maximum_number_of_points`, or, with weights or barriers and `epsilon`, a face
+ *         requires more than `maximum_number_of_points_per_edge`. The message names the edge with
+ *         most points, or the face, and the number.
  *
  * Run time is \cgalBigO{n} in practice for `n` vertices, and \cgalBigO{n \log n} in the worst case
  * if their degrees are bounded; memory is \cgalBigO{n}. The method is Dijkstra's algorithm
- * \cgalCite{d-ntpcg-59} with buckets in place of a heap. Along edges, and if sources and targets
- * are given as vertex descriptors, it runs on arrays in the order of the mesh, which are read in
- * about half the time of a triangulation; given `epsilon`, it runs on a
+ * \cgalCite{d-ntpcg-59} with buckets instead of a heap. Along edges, and if sources and targets are
+ * vertex descriptors, it runs on arrays in the order of the mesh, which are read in about half the
+ * time of a triangulation; given `epsilon`, it runs on a
  * `CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph`, or, if it is `0`, on a
- * `CGAL::Approximate_geodesics::Saddle_vertex_graph`, where run time is more than linear on smooth
+ * `CGAL::Approximate_geodesics::Saddle_vertex_graph`, where run time is superlinear on smooth
  * surfaces; given weights, barriers or a number of points per edge, on a
- * `CGAL::Approximate_geodesics::Steiner_graph`, where the number of nodes takes the place of that
- * of vertices. If `maximum_distance` is given, and `targets` are not, and a small part of the mesh
- * is enough, only that is read and checked, see section \ref AG_parts, and only writing takes
- * longer for a larger mesh. The mesh is read again by every call: if it is used more than once,
+ * `CGAL::Approximate_geodesics::Steiner_graph`, where `n` is the number of nodes instead of
+ * vertices. If `maximum_distance` is given without `targets`, and a small part of the mesh
+ * suffices, only this part is read and checked, see section \ref AG_parts; then only the time for
+ * writing depends on the size of the mesh. Every call reads the mesh: for several runs on a mesh,
  * `CGAL::Approximate_geodesics::Surface_mesh_shortest_path` is several times as fast.
  *
  * \sa `approximate_geodesic_path()`
@@ -310,9 +309,9 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
           internal_np::maximum_distance_t, internal_np::targets_t, internal_np::nearest_source_t,
           internal_np::geodesic_predecessor_t, internal_np::visitor_t>,
       "approximate_geodesic_distances() does not read one of these named parameters: its "
-      "documentation lists those that it does; straighten is for paths");
+      "documentation lists the supported ones; straighten is for paths");
 
-  if constexpr(is_map && are_sources) // or else there would be more errors
+  if constexpr(is_map && are_sources) // avoids consecutive errors
     AG::internal::write_distances(tmesh, vertex_distance_map, sources, np);
 }
 

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Returns the length.
+// Writes the points of the path, and returns its length.
 template <typename TriangleMesh,
           typename OutputIterator,
           typename Source,
@@ -58,33 +58,33 @@ double write_path(const TriangleMesh& tmesh,
  * computes an approximately shortest path from `source` to `target`, and returns its length.
  *
  * If an error bound `epsilon` is given, the path runs across faces, and is at most
- * \f$1 + \varepsilon\f$ times as long as the shortest one on the surface; with the bound `0`, it
- * is a shortest one. If no bound is given, it is the
- * shortest one along the edges of the mesh, for which there is no bound in general.
+ * \f$1 + \varepsilon\f$ times as long as a shortest path on the surface; with the bound `0`, it is
+ * a shortest path. If no bound is given, it is a shortest path along the edges of the mesh, which
+ * has no error bound in general.
  *
- * The run ends when the distance to `target` is final. Across faces it is led there by the
- * straight line through space, unless there are weights, edge lengths, or a visitor. The length is
- * that of the polyline, up to rounding.
+ * The run stops when the distance to `target` is final. Across faces, it is an A* search with
+ * straight-line distances, unless there are weights, edge lengths, or a visitor. The returned
+ * length is that of the polyline, up to rounding.
  *
- * With weights, "length" reads "cost", and `epsilon` bounds that between vertices; points of edges
- * and faces add to the bound what `Approximate_geodesics::Steiner_graph::cost_to_corner()` tells.
+ * With weights, "length" means cost, and `epsilon` bounds costs between vertices; for other points,
+ * the error increases by `Approximate_geodesics::Steiner_graph::cost_to_corner()`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
  * \tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
  *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`, or a
  *         model of `ConstRange` with one of these as value type
- * \tparam Target one of the first three
+ * \tparam Target one of the first three types of `Source`
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
- * \param points receives the points of the path, from `source` to `target`: vertices, where it
- *               crosses edges, and its ends; a single one if `source` and `target` are the same,
- *               and none if there is no path
- * \param source where the path starts: a vertex, an `Approximate_geodesics::Face_location`, or an
- *               `Approximate_geodesics::Surface_point`; or a range of these, of which the nearest
- *               to `target` is taken
- * \param target where the path ends: one of the three
+ * \param points receives the points of the path, from `source` to `target`: vertices, intersections
+ *               with edges, and the ends; a single point if `source` and `target` are equal, and
+ *               none if there is no path
+ * \param source the start of the path: a vertex, an `Approximate_geodesics::Face_location`, or an
+ *               `Approximate_geodesics::Surface_point`; or a range of these, in which case the path
+ *               starts at the source nearest to `target`
+ * \param target the end of the path, a single point of these types
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below
  *
@@ -98,8 +98,8 @@ double write_path(const TriangleMesh& tmesh,
  *     \cgalParamExtra{The points of the path are taken from it.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_length_map}
- *     \cgalParamDescription{a property map associating lengths to the edges of `tmesh`, to be
- *                           used in place of the distances of their end points}
+ *     \cgalParamDescription{a property map associating lengths to the edges of `tmesh`, used
+ *                           instead of the distances of their end points}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a
  *                    number type convertible by `CGAL::to_double()` as value type}
@@ -112,76 +112,73 @@ double write_path(const TriangleMesh& tmesh,
  *                           `1 + epsilon` times as long as the shortest ones on the surface}
  *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
  *     \cgalParamDefault{none: paths run along edges}
- *     \cgalParamExtra{`0` means exact, up to rounding; there must be neither weights nor barriers
- *                     then.}
+ *     \cgalParamExtra{`0` means exact, up to rounding; it does not support weights and barriers.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{concurrency_tag}
- *     \cgalParamDescription{whether several threads take part: in computing lengths, and in the
- *                           search if `epsilon` is given and there are neither weights nor
- *                           barriers. Their number does not change the result. Whether
- *                           there are several can change it within the bound.}
+ *     \cgalParamDescription{enables parallel computation of lengths, and a parallel search if
+ *                           `epsilon` is given without weights and barriers. The result does not
+ *                           depend on the number of threads, but sequential and parallel results
+ *                           may differ within the bound.}
  *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
  *                    `CGAL::Parallel_if_available_tag`}
  *     \cgalParamDefault{`CGAL::Sequential_tag`}
- *     \cgalParamExtra{`CGAL::Parallel_tag` needs TBB.}
+ *     \cgalParamExtra{`CGAL::Parallel_tag` requires TBB.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_points_per_edge}
- *     \cgalParamDescription{paths run across faces, and from one to the next through one of so many
- *                           points on their edge, at equal distances. There is no error bound.}
+ *     \cgalParamDescription{the number of equally spaced points per edge: paths run across faces,
+ *                           and cross edges at these points. There is no error bound.}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{none: paths run along edges}
- *     \cgalParamExtra{It cannot be given together with `epsilon`. It is a name of \cgal, so that
- *                     other names follow only if the chain begins with one of this package, as in
- *                     `face_weight_map(weights).number_of_points_per_edge(1)`; see
- *                     \ref AG_chains.}
+ *     \cgalParamExtra{It excludes `epsilon`. As this is a parameter of \cgal, a chain with
+ *                     parameters of this package must start with one of these, as in
+ *                     `face_weight_map(weights).number_of_points_per_edge(1)`; see \ref AG_chains.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_weight_map}
- *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: what a path
- *                           in the face costs per unit of length. `0` makes it free, and infinity
- *                           forbidden. A path along an edge costs the smaller weight of its two
+ *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: the cost of
+ *                           a path in the face per unit of length. `0` is free, and infinity is
+ *                           impassable. The weight of an edge is the smaller weight of its two
  *                           faces.}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a number
- *                    type convertible by `CGAL::to_double()` as value type; or what
- *                    `Approximate_geodesics::directional_cost()` returns}
+ *                    type convertible by `CGAL::to_double()` as value type; or the result of
+ *                    `Approximate_geodesics::directional_cost()`}
  *     \cgalParamDefault{unused: all faces have weight `1`}
- *     \cgalParamExtra{If it is given, costs take the place of lengths and distances.}
+ *     \cgalParamExtra{Lengths and distances are then costs.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which
- *                           paths may run along, and not cross}
+ *     \cgalParamDescription{a property map that marks edges of `tmesh` as barriers: paths may
+ *                           follow them, but not cross them}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
  *                    `bool` as value type}
  *     \cgalParamDefault{unused: no edge is a barrier}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{straighten}
- *     \cgalParamDescription{whether the path is shortened to a locally shortest one on the surface:
- *                           one that gets longer if it is moved a little. It is never made longer,
- *                           but for roundings in caps (see page \ref AG_bad_meshes), and in most
- *                           cases becomes the shortest one.}
+ *     \cgalParamDescription{whether to shorten the path to a locally shortest path on the surface.
+ *                           It never gets longer, except for rounding on caps (see page \ref
+ *                           AG_bad_meshes), and in most cases becomes a shortest path.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`}
- *     \cgalParamExtra{It cannot be asked for if faces have weights.}
+ *     \cgalParamExtra{It does not support face weights.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_points}
- *     \cgalParamDescription{so many points may be needed on all edges together, for the bound
- *                           `epsilon` with weights or barriers or as `number_of_points_per_edge`}
+ *     \cgalParamDescription{the maximum number of points on all edges together, for the bound
+ *                           `epsilon` with weights or barriers, or for `number_of_points_per_edge`}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{1000 per edge on average, but at least \f$10^6\f$ and at most
  *                       \f$10^8\f$}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_points_per_edge}
- *     \cgalParamDescription{so many points may be needed on an edge because of a thin face, for the
- *                           bound `epsilon` with weights or barriers}
+ *     \cgalParamDescription{the maximum number of points that a thin face may require on an edge,
+ *                           for the bound `epsilon` with weights or barriers}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{`1000000`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{accept_weaker_bound}
- *     \cgalParamDescription{whether faces that need more points get few, and the bound becomes the
- *                           weaker one that
- *                           `CGAL::Approximate_geodesics::Steiner_graph::epsilon()` tells; else
- *                           they are refused}
+ *     \cgalParamDescription{whether to use fewer points on faces that exceed
+ *                           `maximum_number_of_points_per_edge`, which weakens the bound to
+ *                           `CGAL::Approximate_geodesics::Steiner_graph::epsilon()`; otherwise the
+ *                           mesh is rejected}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
@@ -191,8 +188,8 @@ double write_path(const TriangleMesh& tmesh,
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{an object that is told of settled vertices and of progress, and that
- *                           may end the run}
+ *     \cgalParamDescription{an object that is notified of settled vertices and of progress, and
+ *                           that may stop the run}
  *     \cgalParamType{a class model of `GeodesicVisitor`, or a `std::reference_wrapper` of one}
  *     \cgalParamDefault{`CGAL::Approximate_geodesics::Geodesic_visitor_base`}
  *     \cgalParamExtra{The visitor is copied unless it is given as `std::ref(visitor)`.}
@@ -221,14 +218,14 @@ double write_path(const TriangleMesh& tmesh,
  * \cgalNamedParamsEnd
  *
  * \return the length of the path, in the unit of the coordinates (or of `edge_length_map`), or
- *         infinity if `target` cannot be reached, or not within `maximum_distance`, or the visitor
- *         ended the run.
+ *         infinity if `target` is not reachable, or not within `maximum_distance`, or the visitor
+ *         stopped the run.
  *
  * \throws std::invalid_argument as `approximate_geodesic_distances()` does.
- * \throws std::length_error likewise.
+ * \throws std::length_error as `approximate_geodesic_distances()` does.
  *
- * Only a part of the mesh is read and checked if that is enough, see section \ref AG_parts; run
- * time and memory are then in proportion to the part. Else they are as for
+ * If a small part of the mesh suffices, only this part is read and checked, see section \ref
+ * AG_parts; run time and memory are then proportional to its size. Otherwise they are those of
  * `approximate_geodesic_distances()`.
  *
  * \sa `approximate_geodesic_distances()`
@@ -260,7 +257,7 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
           internal_np::maximum_distance_t, internal_np::straighten_t, internal_np::visitor_t>,
       "approximate_geodesic_path() does not read one of these named parameters: see its manual");
 
-  if constexpr(are_ends) // or else there would be more errors
+  if constexpr(are_ends) // avoids consecutive errors
     return AG::internal::write_path(tmesh, points, source, target, np);
   else
     return 0;

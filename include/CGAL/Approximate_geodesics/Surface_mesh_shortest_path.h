@@ -38,26 +38,26 @@ namespace Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * Shortest paths on a triangle mesh, from any number of sources, as often as wanted.
+ * Approximate shortest paths on a triangle mesh, from any number of sources.
  *
- * The graph is built once, by the constructor; a run from other sources only searches it. Names and
- * results of the member functions are those of the exact class
- * `CGAL::Surface_mesh_shortest_path`, so that exchanging one for the other is a matter of a type
- * definition. Paths and distances are those of the graph: never shorter than the exact ones, and
- * longer by an error that the graph determines: `Edge_graph` has no bound and is the fastest; in
- * `Discrete_geodesic_graph`, `epsilon` chooses it, and so in `Steiner_graph`, which is for faces
- * with weights: "length" and "distance" mean costs there.
+ * The graph is built once, by the constructor; runs from other sources only search it. Names and
+ * results of the member functions are those of the exact class `CGAL::Surface_mesh_shortest_path`,
+ * so the classes are interchangeable by changing a type definition. Paths and distances are those
+ * of the graph: never shorter than the exact ones, with an error that depends on the graph.
+ * `Edge_graph` has no error bound and is the fastest; for `Discrete_geodesic_graph`, the bound is
+ * `epsilon`, and also for `Steiner_graph`, which supports faces with weights: there, "length" and
+ * "distance" mean cost.
  *
- * Where costs depend on the direction, in a `Directional_graph`, distances are those of the ways
- * from the sources, or to them if the graph was made with `direction_to_source(true)`, and is
- * `reversed()`. Only in the latter case do the points of a path, which lead to a source, come in
- * the order of travel.
+ * In a `Directional_graph`, where costs depend on the direction, distances are those from the
+ * sources, or to the sources if the graph was constructed with `direction_to_source(true)` or is
+ * `reversed()`. Paths are reported from the query point to the source, which is the order of travel
+ * in the latter case only.
  *
- * As in the exact class, sources can be added and removed at any time, and the search is run by the
- * first query after that, or by `build_sequence_tree()`.
+ * As in the exact class, sources can be added and removed at any time; the next query, or
+ * `build_sequence_tree()`, runs the search.
  *
- * An object of this class is to be used by one thread at a time. Several threads can share its
- * `graph()`, each with a `Surface_search` of its own.
+ * The class is not thread-safe. Several threads can share a `graph()`, each with its own
+ * `Surface_search`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` with an internal vertex
  *         point map
@@ -103,7 +103,7 @@ public:
   using Source_point_iterator = typename Sources::Iterator;
 #endif
 
-  /// a distance, and the source that it is the distance to.
+  /// a distance, and the corresponding source.
   using Shortest_path_result = std::pair<FT, Source_point_iterator>;
 
   /// @}
@@ -116,11 +116,12 @@ public:
    *
    * \param tmesh the triangle mesh
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the
-   *           constructor of `Intrinsic_triangulation` and those of the constructor of the graph,
-   *           which it is passed to: `epsilon` and `concurrency_tag` for most of them, those of the
-   *           placement for `Steiner_graph`
+   *           constructor of `Intrinsic_triangulation` and those of the constructor of the graph:
+   *           `epsilon` and `concurrency_tag` for most graphs, those of the placement for
+   *           `Steiner_graph`
    *
-   * \warning `tmesh` is referred to, and must neither change nor go away before this object does.
+   * \warning `tmesh` is referred to, and must neither be changed nor destroyed during the lifetime
+   * of this object.
    *
    * \throws std::invalid_argument and std::length_error as `Intrinsic_triangulation` and the graph
    * do.
@@ -136,12 +137,13 @@ public:
   }
 
   /*!
-   * takes a graph of `tmesh` that was built before, or read from a file. Of the named parameters,
-   * `vertex_point_map` is read, and `vertex_index_map`, if one was given for the triangulation.
+   * takes a graph of `tmesh` that was built before, or read from a file. The named parameters are
+   * `vertex_point_map` and, if one was given for the triangulation, `vertex_index_map`.
    *
-   * \warning `tmesh` is referred to, and must neither change nor go away before this object does.
+   * \warning `tmesh` is referred to, and must neither be changed nor destroyed during the lifetime
+   * of this object.
    *
-   * \throws std::invalid_argument if `graph` is that of a mesh of another size.
+   * \throws std::invalid_argument if `graph` belongs to a mesh of another size.
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
   Surface_mesh_shortest_path(const Triangle_mesh& tmesh,
@@ -149,12 +151,13 @@ public:
                              const NamedParameters& np = parameters::default_values())
     : Surface_mesh_shortest_path(tmesh, Graph_holder{std::move(graph)}, np)
   {
-    static_assert(!internal::ignores_any<NamedParameters>,
-                  "beside a graph that was built before, vertex_point_map and vertex_index_map are "
-                  "read; give the others to the graph, its triangulation, or a query");
+    static_assert(
+        !internal::ignores_any<NamedParameters>,
+        "with a graph that was built before, only vertex_point_map and vertex_index_map are "
+        "read; pass the others to the graph, its triangulation, or a query");
   }
 
-  /// not copyable: iterators refer to sources, and the search to the graph.
+  /// not copyable.
   Surface_mesh_shortest_path(const Surface_mesh_shortest_path&) = delete;
   Surface_mesh_shortest_path& operator=(const Surface_mesh_shortest_path&) = delete;
 
@@ -167,21 +170,20 @@ public:
    * adds `v` as a source, and returns an iterator to it.
    *
    * \param v a vertex
-   * \param initial_distance what is added to all distances from there
+   * \param initial_distance a distance that is added to all distances from `v`
    *
    * \throws std::invalid_argument if `v` is not a vertex of the mesh, or the initial distance is
-   *         negative, infinite, or not a number.
+   *         negative, infinite, or NaN.
    */
   Source_point_iterator add_source_point(const vertex_descriptor v, const FT initial_distance = 0)
   {
-    const Intrinsic_point p =
-        m_translation.intrinsic_point(v); // a vertex of the mesh, from here on
+    const Intrinsic_point p = m_translation.intrinsic_point(v); // throws if `v` is invalid
     return add_source(p, initial_distance, this->face_location(v));
   }
 
   /// adds a point of the face `f` as a source.
-  /// \throws std::invalid_argument if `f` is not a face of the mesh, or the coordinates are not
-  ///         those of a point in it, or as above.
+  /// \throws std::invalid_argument if `f` is not a face of the mesh, the coordinates are invalid,
+  ///         or the initial distance is invalid.
   Source_point_iterator add_source_point(const face_descriptor f,
                                          const Barycentric_coordinates& location,
                                          const FT initial_distance = 0)
@@ -199,12 +201,12 @@ public:
   /// adds a point of the surface as a source.
   Source_point_iterator add_source_point(const Surface_point& point, const FT initial_distance = 0)
   {
-    const Intrinsic_point p = m_translation.intrinsic_point(point); // which refuses wrong ones
+    const Intrinsic_point p = m_translation.intrinsic_point(point); // throws if `point` is invalid
     return add_source(p, initial_distance, this->face_location(point));
   }
 
   /// adds a range of vertices, `Face_location`s or `Surface_point`s as sources, and returns an
-  /// iterator to the first of them, or `source_points_end()` if there is none.
+  /// iterator to the first one, or `source_points_end()` if the range is empty.
   template <typename InputIterator>
   Source_point_iterator add_source_points(InputIterator first, const InputIterator beyond)
   {
@@ -219,7 +221,7 @@ public:
     return result;
   }
 
-  /// removes a source. \pre `it` can be dereferenced.
+  /// removes a source. \pre `it` is dereferenceable.
   void remove_source_point(const Source_point_iterator it)
   {
     m_has_changed = true;
@@ -233,7 +235,7 @@ public:
     m_has_changed = true;
   }
 
-  /// returns the first of the sources, which are in the order in which they were added.
+  /// returns an iterator to the first source. Sources have the order of insertion.
   Source_point_iterator source_points_begin() const { return m_sources.begin(); }
 
   /// returns the past-the-end iterator.
@@ -247,7 +249,7 @@ public:
   /// \name Search
   /// @{
 
-  /// searches the graph from the sources, if these have changed since the last time.
+  /// searches the graph if the sources have changed since the last search.
   void build_sequence_tree()
   {
     if(changed_since_last_build())
@@ -255,8 +257,8 @@ public:
   }
 
   /*!
-   * searches the graph from the sources, under the given conditions. Queries that follow are
-   * answered from this run until the sources change; what it did not reach counts as unreachable.
+   * searches the graph with the given parameters. Subsequent queries use this run until the sources
+   * change; points that it did not reach count as unreachable.
    *
    * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `maximum_distance`,
    *        `targets` and `visitor`, as for `approximate_geodesic_distances()`
@@ -267,7 +269,7 @@ public:
     static_assert(!internal::ignores_any<NamedParameters, internal_np::maximum_distance_t,
                                          internal_np::targets_t, internal_np::visitor_t>,
                   "build_sequence_tree() reads maximum_distance, targets and visitor");
-    m_has_changed = true; // should the run throw
+    m_has_changed = true; // in case the run throws
     m_source_points.clear();
     std::vector<Source_point> sources;
     for(auto it = source_points_begin(); it != source_points_end(); ++it)
@@ -279,10 +281,10 @@ public:
     m_has_changed = false;
   }
 
-  /// returns whether sources were added or removed since the last search, or there was none.
+  /// returns whether sources were added or removed since the last search, or there was no search.
   bool changed_since_last_build() const { return m_has_changed; }
 
-  /// removes all sources and results; the graph stays.
+  /// removes all sources and results, and keeps the graph.
   void clear()
   {
     remove_all_source_points();
@@ -290,15 +292,15 @@ public:
   }
 
   /*!
-   * exchanges the weights of the faces, without building the graph again. No other thread may use
-   * the graph meanwhile, and a `Surface_search` of it has to `restart()`.
+   * replaces the weights of the faces, without rebuilding the graph. No other thread may use the
+   * graph during this call, and `restart()` must be called for each `Surface_search` on it.
    *
    * \param face_weight_map a property map as for the constructor of `Intrinsic_triangulation`
    *
    * \pre `Graph` has a member function `set_weights()`, as `Steiner_graph` does.
    *
-   * \throws std::invalid_argument if a weight is negative or not a number, or if costs do not fit
-   * a `double`; the weights are then those that they were before.
+   * \throws std::invalid_argument if a weight is negative or NaN, or if costs overflow a `double`;
+   * the weights are then unchanged.
    */
   template <typename FaceWeightMap>
   void set_face_weights(const FaceWeightMap& face_weight_map)
@@ -318,7 +320,7 @@ public:
   /*!
    * returns the distance from `v` to the nearest source, and that source.
    *
-   * If no source reaches `v`, the distance is negative and the iterator `source_points_end()`.
+   * If `v` is not reachable, the distance is negative and the iterator is `source_points_end()`.
    *
    * \throws std::invalid_argument if `v` is not a vertex of the mesh.
    */
@@ -328,8 +330,8 @@ public:
   }
 
   /// returns the distance from a point in the face `f` to the nearest source, and that source.
-  /// \throws std::invalid_argument if `f` is not a face of the mesh, or the coordinates are not
-  ///         those of a point in it.
+  /// \throws std::invalid_argument if `f` is not a face of the mesh, or the coordinates are
+  ///         invalid.
   Shortest_path_result shortest_distance_to_source_points(const face_descriptor f,
                                                           const Barycentric_coordinates& location)
   {
@@ -343,11 +345,11 @@ public:
   }
 
   /*!
-   * writes the distances of all vertices to the nearest source to a property map: infinity where no
-   * source reaches a vertex. Asking for each of them would cost more than the search.
+   * writes the distances of all vertices to the nearest source to a property map, infinity for
+   * unreachable vertices. This is faster than a query per vertex.
    *
    * \param vertex_distance_map a writable property map with `vertex_descriptor` as key type and a
-   *        value type that `double` converts to
+   *        value type to which `double` is convertible
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
    *        `nearest_source_map`, which receives positions in the order of `source_points_begin()`,
    *        and `predecessor_map`, as for `approximate_geodesic_distances()`
@@ -374,10 +376,9 @@ public:
   /*!
    * \name Paths
    *
-   * All these functions return the length of the path, and the source that it leads to. If no
-   * source reaches the point that it starts from, nothing is written, the length is negative, and
-   * the iterator is `source_points_end()`. The initial distance of the source is part of the
-   * length.
+   * All these functions return the length of the path, and the source at its end. If the start of
+   * the path is not reachable, nothing is written, the length is negative, and the iterator is
+   * `source_points_end()`. The length includes the initial distance of the source.
    *
    * Their last parameter is a sequence of \ref bgl_namedparameters "Named Parameters" with
    * `straighten`, as for `approximate_geodesic_path()`.
@@ -385,8 +386,8 @@ public:
   /// @{
 
   /*!
-   * writes the points of a shortest path from `v` to the nearest source to `points`: those of the
-   * vertices on the path, those where it crosses edges, and its ends.
+   * writes the points of a shortest path from `v` to the nearest source to `points`: vertices on
+   * the path, intersections with edges, and its ends.
    *
    * \tparam OutputIterator a model of `OutputIterator` that takes values of type `Point_3`
    */
@@ -415,8 +416,8 @@ public:
   }
 
   /*!
-   * reports to `visitor` the vertices, edges and faces that a shortest path from `v` to the nearest
-   * source goes through. Only the ends of the path can lie inside faces.
+   * reports to `visitor` the sequence of vertices, edges and faces on a shortest path from `v` to
+   * the nearest source. Only the ends of the path can lie inside faces.
    *
    * \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
    */
@@ -444,7 +445,7 @@ public:
 
   /*!
    * writes the points of a shortest path from a point of the surface to the nearest source, as
-   * points of the surface. Any two consecutive ones lie in the same face.
+   * points of the surface. Two consecutive points lie in the same face.
    *
    * \tparam OutputIterator a model of `OutputIterator` that takes values of type `Surface_point`
    */
@@ -465,22 +466,21 @@ public:
   /*!
    * \name Single Pairs
    *
-   * These functions find paths between any two points of the surface, whatever the sources are.
-   * The search ends as soon as the distance is final, and is led to the target by the straight line
-   * through space, unless faces have weights, lengths are not those of the mesh's points, or there
-   * is a visitor. It works in memory of its own: 24 bytes per vertex more than that of the sources.
+   * These functions find paths between two points of the surface, independent of the sources. The
+   * search stops as soon as the distance is final. It is an A* search with straight-line distances,
+   * unless faces have weights, lengths do not come from the points of the mesh, or there is a
+   * visitor. It has a separate workspace of 24 additional bytes per vertex.
    *
-   * They return the length of the path; it is negative, and nothing is written, if there is none.
-   * Where costs depend on the direction, the way goes from `source` to `target` in any case.
-   * The named parameters are `straighten`, `maximum_distance` and `visitor`, as above.
+   * They return the length of the path; if there is no path, it is negative, and nothing is
+   * written. If costs depend on the direction, the path always leads from `source` to `target`. The
+   * named parameters are `straighten`, `maximum_distance` and `visitor`, as above.
    *
    * \tparam Source `vertex_descriptor`, `Face_location` or `Surface_point`
    * \tparam Target the same
    */
   /// @{
 
-  /// returns the distance from `source` to `target`; the length of the path, if that is
-  /// straightened.
+  /// returns the distance from `source` to `target`, or the length of the straightened path.
   template <typename Source,
             typename Target,
             typename NamedParameters = parameters::Default_named_parameters>
@@ -514,19 +514,19 @@ public:
   using Locations::point;
 #endif
 
-  /// returns a point of the surface.
+  /// returns the position of a point of the surface.
   Point_3 point(const Surface_point& p) const { return point_of(m_translation.intrinsic_point(p)); }
 
   /// returns the graph that is searched.
   const Graph& graph() const { return m_graph; }
 
-  /// returns the search, with its results and figures.
+  /// returns the search, with its results and statistics.
   const Search& search() const { return m_search.search().search(); }
 
   /// enables or disables statistics for subsequent runs: see `search().statistics()`.
   void collect_statistics(const bool counts) { m_search.search().collect_statistics(counts); }
 
-  /// returns the node of the graph that stands for `v`.
+  /// returns the node of `v` in the graph.
   /// \throws std::invalid_argument if `v` is not a vertex of the mesh.
   typename Search::Node node(const vertex_descriptor v) const { return m_translation.node(v); }
 
@@ -539,7 +539,7 @@ private:
   using Translation = Mesh_translation<Triangle_mesh, Index_function>;
   using Mesh_search = internal::Mesh_search<Graph, PriorityQueue, Translation, Point_function>;
 
-  // Tells what both constructors have in common from the one that takes a graph.
+  // Disambiguates the delegated constructor from the one that takes a graph.
   struct Graph_holder
   {
     Graph graph;
@@ -578,7 +578,7 @@ private:
     return {answer.distance, m_source_points[answer.source]};
   }
 
-  // Calls `f(point)` for the points of the path from a point to its nearest source.
+  // Calls `f(point)` for the points of the path from `p` to its nearest source.
   template <typename NamedParameters, typename F>
   Shortest_path_result for_each_point(const Intrinsic_point& p, const NamedParameters& np, F f)
   {
