@@ -6,8 +6,8 @@
 #ifndef APPROXIMATE_GEODESICS_PYTHON_ARRAYS_H
 #define APPROXIMATE_GEODESICS_PYTHON_ARRAYS_H
 
-// Between arrays of NumPy and those of C++, without copies: arguments are read where they are, and
-// results are owned by the arrays that are returned.
+// Conversions between NumPy arrays and C++ arrays without copies: arguments are read in place, and
+// returned arrays own their results.
 
 #include <CGAL/Approximate_geodesics/Solver/Solver_point.h>
 
@@ -25,11 +25,11 @@ namespace python {
 namespace py = pybind11;
 namespace AG = CGAL::Approximate_geodesics;
 
-// With `noconvert()`, only arrays of this type that are contiguous are accepted, and never copied.
+// With `noconvert()`, only contiguous arrays of this type are accepted, and they are never copied.
 template <typename T>
 using Array = py::array_t<T, py::array::c_style>;
 
-// Hands the ownership of an object to arrays that show parts of it.
+// Transfers the ownership of an object to arrays that refer to its parts.
 template <typename T>
 py::capsule capsule(std::unique_ptr<T> owned)
 {
@@ -46,14 +46,14 @@ Array<T> moved(std::vector<T> values, std::vector<py::ssize_t> shape)
   return Array<T>(std::move(shape), data, capsule(std::move(owned)));
 }
 
-// coordinates, three in a row
+// Coordinates as an array of points.
 inline Array<double> moved_points(std::vector<double> coordinates)
 {
   const auto rows = static_cast<py::ssize_t>(coordinates.size() / 3);
   return moved(std::move(coordinates), {rows, 3});
 }
 
-// Vertices, or faces and barycentric coordinates in them.
+// Converts vertices, or faces and barycentric coordinates, to points.
 inline std::vector<AG::Solver_point> points(const Array<std::int64_t>& elements,
                                             const std::optional<Array<double>>& coordinates)
 {

@@ -6,7 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_PYTHON_FILES_H
 #define APPROXIMATE_GEODESICS_PYTHON_FILES_H
 
-// Solvers in files and as bytes, and meshes from files.
+// Reading and writing of solvers, as files or bytes, and reading of meshes.
 
 #include "arrays.h"
 #include "interpreter_lock.h"
@@ -51,13 +51,13 @@ inline void save(const AG::Solver& solver, const std::string& file)
   }
 }
 
-// Reads a solver, which must be all that there is.
+// Reads a solver, up to the end of the stream.
 inline std::unique_ptr<AG::Solver> read_solver(std::istream& in, const std::size_t threads)
 {
   return run(py::none(), [&](const AG::Solver_watch& watch) {
     auto result = std::make_unique<AG::Solver>(in, threads, watch);
     if(in.peek() != std::istream::traits_type::eof())
-      throw std::invalid_argument("there are more bytes after those of the solver");
+      throw std::invalid_argument("there are extra bytes after the solver");
     return result;
   });
 }
@@ -87,7 +87,7 @@ inline std::unique_ptr<AG::Solver> from_bytes(const py::bytes& bytes, const std:
   return read_solver(in, threads);
 }
 
-// The vertices and the faces of a mesh in one of the formats that CGAL reads.
+// Reads the vertices and faces of a mesh in a format that CGAL supports.
 inline py::tuple read_mesh(const std::string& file)
 {
   if(!std::ifstream(file))

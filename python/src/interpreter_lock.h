@@ -6,7 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_PYTHON_INTERPRETER_LOCK_H
 #define APPROXIMATE_GEODESICS_PYTHON_INTERPRETER_LOCK_H
 
-// The lock of the interpreter, which a thread gives back for the time of a run.
+// The global interpreter lock, which is released during a run.
 
 #include <pybind11/pybind11.h>
 
@@ -25,11 +25,11 @@ inline bool is_interpreter_ending()
 }
 
 /*
- * Gives the lock back as long as it lives.
+ * Releases the lock during its lifetime.
  *
- * When the interpreter ends, daemon threads may still run. Older versions of Python unwind the
- * stack of those that ask for the lock then, which ends the program if there is C++ on it; newer
- * ones let them wait for the end of the process, and so does this class.
+ * During interpreter shutdown, daemon threads may still run. If they request the lock, older
+ * versions of Python unwind their stacks, which aborts the process if there are C++ frames; newer
+ * versions block them until the process ends, and so does this class.
  */
 class Unlocked
 {
@@ -39,7 +39,7 @@ public:
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
 
-  // Calls `f` with the lock, and returns what it returns.
+  // Returns `f()`, called with the lock.
   template <typename F>
   auto with_lock(const F& f)
   {
@@ -62,7 +62,7 @@ private:
     {
       PyEval_RestoreThread(m_state);
     }
-    catch(...) // the interpreter has begun to end since, and unwinds the stack
+    catch(...) // shutdown has begun since the check
     {
       wait_for_the_end();
     }

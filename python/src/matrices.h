@@ -6,7 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_PYTHON_MATRICES_H
 #define APPROXIMATE_GEODESICS_PYTHON_MATRICES_H
 
-// Distance matrices as arrays: dense ones, or the three arrays of compressed sparse rows.
+// Distance matrices as arrays: a dense array, or the three arrays of compressed sparse rows.
 
 #include "arrays.h"
 #include "running.h"
@@ -26,7 +26,7 @@
 
 namespace python {
 
-// What the sources, the columns and the limits of a matrix are.
+// The sources, the targets and the limits of a matrix.
 struct Matrix_request
 {
   std::vector<AG::Solver_point> sources;
@@ -59,8 +59,8 @@ dense_matrix(const AG::Solver& solver, const Matrix_request& request, const py::
   return result;
 }
 
-// Where the entries of each row begin, and those of the last one end. SciPy copies other arrays if
-// this one has wider numbers than it needs.
+// The row pointers of the matrix. SciPy copies the other arrays if the integer type is wider than
+// necessary.
 template <typename T, typename Rows>
 Array<T> starts_of_rows(const Rows& rows)
 {
@@ -77,7 +77,7 @@ Array<T> shown(const T* const data, const std::size_t size, const py::capsule& o
   return Array<T>({static_cast<py::ssize_t>(size)}, data, owner);
 }
 
-// Distances, columns, and starts of rows.
+// Returns distances, columns, and row pointers.
 template <typename Rows>
 py::tuple sparse_matrix(const AG::Solver& solver,
                         std::unique_ptr<Rows> rows,
@@ -90,7 +90,7 @@ py::tuple sparse_matrix(const AG::Solver& solver,
   const Rows& r = *rows;
   const bool is_empty = r.number_of_rows() == 0;
   const double* const distances = is_empty ? nullptr : r.distances(0).begin();
-  // the same bytes: there are fewer vertices than the largest signed number
+  // same representation: indices fit signed integers
   const auto* const columns =
       is_empty ? nullptr : reinterpret_cast<const std::int32_t*>(r.columns(0).begin());
   const std::size_t size = r.number_of_entries();

@@ -3,9 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The module `_native`: `Solver` as it is, with arrays for pointers. What arguments can be beside
-// arrays of the right type is a matter of the package in Python, which is the only one to call
-// this.
+// The module `_native`: a direct binding of `Solver`, with arrays instead of pointers. The Python
+// package, its only caller, converts and validates arguments.
 
 #include "arrays.h"
 #include "files.h"
@@ -33,7 +32,7 @@ namespace python {
 using Numbers = Array<std::int64_t>;
 using Coordinates = std::optional<Array<double>>;
 
-// The number of a model, its parameters, and the numbers of faces.
+// The cost model, its parameters, and its face data.
 using Cost = std::tuple<std::uint8_t, std::vector<double>, Array<double>>;
 
 AG::Solver_cost solver_cost(const Cost& cost)
@@ -123,7 +122,7 @@ py::tuple path(const AG::Solver& solver,
   return py::make_tuple(moved_points(std::move(result)), length);
 }
 
-// Dense if `k` is absent and the maximum distance infinite.
+// Returns a dense matrix if neither `k` nor the maximum distance is given.
 py::object matrix(const AG::Solver& solver,
                   const Numbers& elements,
                   const Coordinates& coordinates,
@@ -221,14 +220,14 @@ Numbers faces(const AG::Solver& solver)
   return result;
 }
 
-// The number of the model of directional costs, if there are any.
+// Returns the model of directional costs, if there are any.
 std::optional<int> cost_model(const AG::Solver& solver)
 {
   const auto& cost = solver.directional_cost();
   return cost ? std::optional<int>(cost->model) : std::nullopt;
 }
 
-// Messages name the element; that it is this package which complains is known from the traceback.
+// Strips the package name from messages: the traceback shows it.
 void translate(const std::exception_ptr error)
 {
   try

@@ -6,8 +6,8 @@
 #ifndef APPROXIMATE_GEODESICS_PYTHON_RUNNING_H
 #define APPROXIMATE_GEODESICS_PYTHON_RUNNING_H
 
-// Runs without the lock of the interpreter, which is taken only to ask for signals, and to tell of
-// progress.
+// Runs without the global interpreter lock, which is only acquired to check for signals and to
+// report progress.
 
 #include "interpreter_lock.h"
 
@@ -22,7 +22,7 @@ namespace python {
 namespace py = pybind11;
 namespace AG = CGAL::Approximate_geodesics;
 
-// Calls `f(watch)`, and returns what it returns. `progress` is a callable, or None.
+// Returns `f(watch)`. `progress` is a callable, or None.
 template <typename F>
 auto run(const py::object& progress, const F& f)
 {
@@ -39,7 +39,7 @@ auto run(const py::object& progress, const F& f)
   }
   catch(const AG::Solver_interrupted&)
   {
-    throw py::error_already_set(); // what the handler of the signal has raised
+    throw py::error_already_set(); // raised by the signal handler
   }
 }
 
