@@ -15,7 +15,7 @@
 class Errors
 {
 public:
-  // Sources are left out, as a share of nothing says nothing. Returns the error.
+  // Skips sources, where the relative error is undefined. Returns the error.
   double add(const double distance, const double exact)
   {
     if(exact == 0)
@@ -30,7 +30,7 @@ public:
 
   std::size_t count() const { return m_count; }
 
-  // without regard to the sign
+  // Absolute values.
   double mean() const { return m_count == 0 ? 0 : m_sum / double(m_count); }
 
   double least() const { return m_least; }

@@ -17,8 +17,8 @@
 #include <limits>
 #include <vector>
 
-// Measures paths as they lie on a mesh, so that it does not matter who has found them, or how. The
-// mesh has to live as long.
+// Measures the lengths of paths on a mesh, independent of the algorithm that has found them. The
+// mesh is referred to, not copied.
 class Path_measure
 {
 public:
@@ -53,7 +53,7 @@ private:
   }
 
   const Mesh& m_mesh;
-  Tree m_tree; // of the faces, if it was needed
+  Tree m_tree; // of the faces, built on demand
 };
 
 #endif // BENCHMARK_PATH_MEASURE_H

@@ -17,8 +17,8 @@
 #include <cstddef>
 #include <utility>
 
-// A saddle vertex graph that counts sights: the parts of edges that its expansions look through.
-// It finds the same arcs in the same order. As it counts, it is for one search at a time.
+// A saddle vertex graph that counts windows. It finds the same arcs in the same order. The counters
+// allow one search at a time only.
 class Sight_counting_graph : public CGAL::Approximate_geodesics::Saddle_vertex_graph
 {
 public:
@@ -29,7 +29,7 @@ public:
   {
   }
 
-  // since the construction
+  // Since construction.
   std::size_t number_of_sights() const { return m_number_of_sights; }
 
   template <typename Labels, typename F>

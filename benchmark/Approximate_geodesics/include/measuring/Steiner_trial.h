@@ -26,11 +26,11 @@
 #include <utility>
 #include <vector>
 
-// The names of placements.
+// Names of placements.
 inline const std::string SPACED = "equally spaced";
 inline const std::string GEOMETRIC = "geometric";
 
-// One placement on one mesh.
+// A measurement of one placement on one mesh.
 class Steiner_trial
 {
 public:
@@ -67,10 +67,10 @@ public:
   bool has_bound() const { return std::isfinite(m_bound); }
   double bound() const { return m_bound; }
 
-  // without the triangulation
+  // Excludes the triangulation.
   double bytes_per_vertex() const { return double(m_bytes_of_graph) / m_number_of_vertices; }
 
-  // after the runs
+  // Call it after the runs.
   double bytes_per_vertex_with_workspace() const
   {
     return double(m_bytes_of_graph + m_bytes_of_workspace()) / m_number_of_vertices;
@@ -78,7 +78,7 @@ public:
 
   void run(const Vertex source) const { m_run(source); }
 
-  // Expected costs come from an `Exact_case` or the like.
+  // Expected costs come from an `Exact_case` or a similar class.
   template <typename Expected>
   void find_errors(const Expected& expected)
   {
@@ -104,7 +104,7 @@ private:
     {
       result.reset();
       CGAL::Approximate_geodesics::Intrinsic_triangulation copy =
-          triangulation; // takes time that does not count
+          triangulation; // excluded from the time
       seconds.push_back(
           seconds_of([&] { result = std::make_shared<const Graph>(std::move(copy), placement); }));
     }
@@ -113,9 +113,9 @@ private:
   }
 
   std::string m_name;
-  double m_parameter; // of the placement
+  double m_parameter; // epsilon or the number of points
   std::function<void(Vertex)> m_run;
-  std::function<double(Vertex)> m_distance; // in the last run
+  std::function<double(Vertex)> m_distance; // of the last run
   std::function<std::size_t()> m_bytes_of_workspace;
   std::size_t m_bytes_of_graph = 0;
   double m_number_of_vertices = 0;

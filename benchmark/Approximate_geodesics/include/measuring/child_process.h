@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-// Memory that a process shares with its children.
+// Memory shared with child processes.
 class Shared_doubles
 {
 public:
@@ -47,7 +47,7 @@ private:
   void* m_memory;
 };
 
-// Seconds of the processor's time, so that what else runs does not matter.
+// CPU time in seconds, which does not depend on other processes.
 inline void limit_processor_time(const unsigned seconds)
 {
   const rlimit limit{seconds, seconds + 1};
@@ -73,8 +73,8 @@ template <typename F>
   _exit(status);
 }
 
-// Returns the numbers that `f(double*)` writes. It may crash or not come to an end: it runs as a
-// process of its own, and what happens to that is the message of an exception.
+// Returns the numbers that `f(double*)` writes. `f` runs in a child process; if it crashes or
+// exceeds its time, an exception reports it.
 template <typename F>
 std::vector<double> numbers_from_child(const std::size_t size, const unsigned seconds, F f)
 {

@@ -31,14 +31,14 @@ double seconds_of(F f)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Contestants that are to be compared take turns, so that a machine that slows down for a while
-// slows down all of them. Every round gives each of them the same task.
+// Measures several contestants in interleaved rounds, so that a temporary slowdown of the machine
+// affects all of them. In each round, all contestants get the same task.
 class Contest
 {
 public:
   using Contestant = std::function<void(std::size_t round)>;
 
-  // returns the number by which to ask for the result
+  // Returns the index of the contestant in results.
   std::size_t add(Contestant contestant)
   {
     m_contestants.push_back({std::move(contestant), {}});
@@ -64,7 +64,7 @@ public:
     return std::accumulate(seconds.begin(), seconds.end(), 0.) / double(seconds.size());
   }
 
-  // how many times as long as the second the first one takes
+  // The ratio of the time of the first contestant to that of the second.
   double ratio(const std::size_t first, const std::size_t second) const
   {
     return median_seconds(first) / median_seconds(second);

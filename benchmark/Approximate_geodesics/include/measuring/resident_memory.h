@@ -13,7 +13,7 @@
 #include <fstream>
 #include <stdexcept>
 
-// The memory of a process as the operating system sees it, in bytes.
+// The resident memory of a process, in bytes.
 
 inline double resident_memory()
 {
@@ -24,10 +24,11 @@ inline double resident_memory()
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-// Gives memory back that was freed, and that a child would take what it needs from, unseen.
+// Returns freed memory to the operating system. Otherwise a child process would reuse it, and its
+// use would not be measured.
 inline void release_free_memory() { malloc_trim(0); }
 
-// the most that there ever was
+// peak resident memory
 inline double peak_memory()
 {
   rusage usage{};

@@ -19,7 +19,7 @@
 static constexpr bool HAS_THREADS =
     std::is_same_v<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>;
 
-// Calls `f(tag)` where that many threads may work, more than there are cores, too.
+// Calls `f(tag)` with a given number of threads, which may exceed the number of cores.
 template <typename F>
 void with_threads([[maybe_unused]] const std::size_t number, F f)
 {

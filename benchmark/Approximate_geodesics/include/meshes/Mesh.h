@@ -26,11 +26,11 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 
-// A mesh is named as a file, or as one of CGAL's sample meshes without folder and extension; "+2"
-// after that stands for two steps of Loop subdivision. Scans have loose bits, and vertices that are
-// not manifold: what counts is the largest connected component of what CGAL makes of the file.
+// A mesh is given as a file, or as a sample mesh of CGAL without folder and extension; the suffix
+// "+2" means two steps of Loop subdivision. Scans have small components and non-manifold vertices:
+// CGAL repairs them, and only the largest connected component is kept.
 
-// the end of the name if nothing is to be subdivided; a plus may belong to a file's name
+// The end of the name without subdivision; file names may contain a plus sign.
 inline std::size_t position_of_plus(const std::string& name)
 {
   const std::size_t plus = name.rfind('+');
@@ -51,14 +51,14 @@ inline unsigned number_of_subdivisions(const std::string& name)
   return plus == name.size() ? 0 : static_cast<unsigned>(std::stoul(name.substr(plus + 1)));
 }
 
-// the name without folder and extension
+// The name without folder and extension.
 inline std::string short_name(const std::string& name)
 {
   const std::size_t plus = position_of_plus(name);
   return std::filesystem::path(name.substr(0, plus)).stem().string() + name.substr(plus);
 }
 
-// the files
+// Returns the mesh files.
 inline std::vector<std::string> all_sample_meshes()
 {
   std::vector<std::string> result;
@@ -84,7 +84,7 @@ inline Mesh read_mesh(const std::string& name)
   return mesh;
 }
 
-// Another seed gives other vertices.
+// Vertices depend on the seed.
 inline std::vector<Vertex>
 random_vertices(const Mesh& mesh, const std::size_t count, const unsigned seed)
 {
@@ -100,7 +100,8 @@ inline std::vector<Vertex> random_sources(const Mesh& mesh, const std::size_t co
   return random_vertices(mesh, count, 1);
 }
 
-// Of random sources, which are at least one: the first vertex of the mesh, and all but one of them.
+// Given at least one random source, returns the first vertex of the mesh and all sources except
+// one.
 inline std::vector<Vertex> first_and_random(std::vector<Vertex> sources)
 {
   sources.front() = Vertex(0);

@@ -16,9 +16,9 @@
 #include <map>
 #include <utility>
 
-// The unit sphere, as an icosahedron whose edges are divided into so many parts. Its number of
-// vertices is `10 * parts * parts + 2`; with 57 parts, that of cortical surfaces with 32,492
-// vertices.
+// The unit sphere as a subdivided icosahedron, with a given number of parts per edge and `10 *
+// parts * parts + 2` vertices; 57 parts give 32,492 vertices, the size of standard cortical
+// surfaces.
 class Sphere_builder
 {
 public:
@@ -34,7 +34,8 @@ public:
 private:
   using Corners = std::array<Vertex, 3>;
 
-  // What a vertex is known by in all faces that it belongs to: how much each corner counts.
+  // Identifies a vertex in all faces of the icosahedron that share it: the weights of their
+  // corners.
   using Weights = std::map<Vertex, std::size_t>;
 
   Corners corners(const Mesh::Face_index f) const

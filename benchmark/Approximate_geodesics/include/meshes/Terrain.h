@@ -12,10 +12,9 @@
 #include <cstddef>
 #include <random>
 
-// A square of hills over a grid, whose points are shifted at random by up to a third of its
-// spacing; from a fourth on, there are needles among the faces. With a grading of more than 1, the
-// spacing grows from one side to the other as a power of the coordinate, so that edge lengths
-// differ by orders of magnitude.
+// A square of hills over a grid with randomly perturbed points, by up to a third of the spacing;
+// perturbations of a fourth and more produce needles. With a grading above 1, the spacing grows as
+// a power of the coordinate, so that edge lengths differ by orders of magnitude.
 inline Mesh
 terrain(const std::size_t side, const double grading = 1, const double largest_shift = 1. / 3)
 {
@@ -46,8 +45,7 @@ terrain(const std::size_t side, const double grading = 1, const double largest_s
   return mesh;
 }
 
-// The same terrain with rough ground: heights differ at random by up to a third of the spacing,
-// too.
+// The terrain with additional random perturbations of heights, by up to a third of the spacing.
 inline Mesh rough_terrain(const std::size_t side)
 {
   std::mt19937 random(2);

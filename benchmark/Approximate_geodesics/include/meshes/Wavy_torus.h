@@ -11,12 +11,11 @@
 #include <cmath>
 #include <cstddef>
 
-// A closed smooth surface: a tube around a circle, with waves that make it look the same from no
-// two points. It has about `side * side` vertices, in faces of about the same size. The surface is
-// the same for all sides; with larger ones, the mesh is only finer.
+// A smooth torus with waves, without symmetries. It has about `side * side` vertices and faces of
+// about equal size. A larger `side` gives a finer mesh of the same surface.
 inline Mesh wavy_torus(const std::size_t side)
 {
-  constexpr double longer = 1.5; // how many times as many vertices there are along as around
+  constexpr double longer = 1.5; // ratio of vertices along the tube to those around it
   const auto along = static_cast<std::size_t>(double(side) * std::sqrt(longer));
   const auto around = static_cast<std::size_t>(double(side) / std::sqrt(longer));
   const double full_turn = 4 * std::acos(0.);

@@ -32,7 +32,7 @@ public:
   const Mesh& mesh() const { return m_mesh; }
   const Triangulation& triangulation() const { return m_triangulation; }
 
-  // random vertices that are not in the lake
+  // Random vertices outside the lake.
   std::vector<Vertex> sources(const std::size_t count) const
   {
     std::vector<Vertex> result;
@@ -62,7 +62,7 @@ private:
     });
   }
 
-  // Needles would be without a bound.
+  // Needles admit no error bound.
   static constexpr double LARGEST_SHIFT = 0.2;
 
   Mesh m_mesh;

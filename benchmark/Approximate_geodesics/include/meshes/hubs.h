@@ -13,10 +13,10 @@
 #include <cstddef>
 #include <vector>
 
-// Meshes in which one vertex, or two, have as many neighbors as wanted.
+// Meshes with one or two vertices of high degree.
 
-// Joins halfedges that follow each other around to a new vertex, the last one to the first one,
-// too. `CGAL::Euler::add_face()` takes quadratic time for that.
+// Connects a closed chain of halfedges to a new vertex by faces. `CGAL::Euler::add_face()` would
+// take quadratic time.
 inline void add_hub(Mesh& mesh, const std::vector<Mesh::Halfedge_index>& rim, const Mesh::Point& p)
 {
   const Vertex hub = mesh.add_vertex(p);
@@ -37,7 +37,7 @@ inline void add_hub(Mesh& mesh, const std::vector<Mesh::Halfedge_index>& rim, co
   }
 }
 
-// A ring of vertices, number i of which is at `place(angle, i)`. Halfedges run counterclockwise.
+// A ring of vertices; vertex i is at `place(angle, i)`. Halfedges run counterclockwise.
 template <typename F>
 std::vector<Mesh::Halfedge_index> add_rim(Mesh& mesh, const std::size_t size, F place)
 {

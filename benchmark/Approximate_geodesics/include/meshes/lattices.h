@@ -17,8 +17,8 @@
 
 inline double half_turn() { return std::acos(-1.); }
 
-// Squares with a diagonal; vertex (x, y) is at `place(x, y)`. The last column can be joined to the
-// first one.
+// A grid of squares with diagonals; vertex (x, y) is at `place(x, y)`. It is optionally periodic in
+// x.
 template <typename F>
 Mesh lattice(const std::size_t side, F place, const bool is_closed = false)
 {
@@ -50,7 +50,7 @@ inline Mesh wavy_lattice(const std::size_t side)
   });
 }
 
-// Heights in whole meters, ten meters apart, as in files of elevations.
+// Integer heights in meters at a spacing of ten meters, like elevation data.
 inline Mesh height_field(const std::size_t side)
 {
   return lattice(side, [](const double x, const double y) {
@@ -83,7 +83,7 @@ inline Mesh globe(const std::size_t side)
 // An octahedron whose faces are subdivided and projected to the sphere.
 inline Mesh subdivided_sphere(const std::size_t side)
 {
-  const int n = int(side / 2); // parts of an edge
+  const int n = int(side / 2); // parts per edge
   Mesh mesh;
   using Place = std::array<int, 3>; // |x| + |y| + |z| = n
   std::map<Place, Vertex> vertices;

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <random>
 
-// Surfaces that are not like scans, with about `side` times `side` vertices.
+// Surfaces unlike scans, with about `side` times `side` vertices.
 
 // between -1 and 1
 inline double random_sign(std::mt19937_64& random)
@@ -21,7 +21,7 @@ inline double random_sign(std::mt19937_64& random)
   return 2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1;
 }
 
-// A plane with vertices anywhere, and a ten-thousandth of an edge above it or below it.
+// A plane with random vertices, and noise in height of 1e-4 edge lengths.
 inline Mesh nearly_flat(const std::size_t side)
 {
   std::mt19937_64 random(1);
@@ -32,7 +32,7 @@ inline Mesh nearly_flat(const std::size_t side)
   });
 }
 
-// A sphere that the noise of a scanner makes rough: by half of an edge.
+// A sphere with scanner noise of half an edge length.
 inline Mesh noisy_sphere(const std::size_t side)
 {
   std::mt19937_64 random(1);
@@ -47,8 +47,7 @@ inline Mesh noisy_sphere(const std::size_t side)
   return result;
 }
 
-// A box a hundred times as long as wide, without its ends. Its faces are longer than wide, too, by
-// a factor of 25.
+// An open box with an aspect ratio of 100, and faces with an aspect ratio of 25.
 inline Mesh long_box(const std::size_t side)
 {
   const double quarter = double(side) / 4;

@@ -13,7 +13,7 @@
 
 using Face_weights = Mesh::Property_map<Mesh::Face_index, double>;
 
-// by classes of slope: the tangent of the angle between the face and the plane
+// Weights by slope, the tangent of the angle between the face and the horizontal plane.
 inline double weight_of_slope(const Mesh& mesh, const Mesh::Face_index f)
 {
   const auto h = mesh.halfedge(f);
@@ -24,8 +24,8 @@ inline double weight_of_slope(const Mesh& mesh, const Mesh::Face_index f)
   return slope < 0.1 ? 1 : slope < 0.2 ? 1.5 : slope < 0.3 ? 2.5 : 4;
 }
 
-// What a path across a terrain of that side costs per unit of length: it depends on the slope, but
-// for a cheap road from one side to the other, and a lake, which is forbidden.
+// The cost per unit of length on a terrain: it depends on the slope, except for a cheap road across
+// the terrain and an impassable lake.
 inline Face_weights terrain_weights(Mesh& mesh, const double side)
 {
   constexpr double road = 0.5, width_of_road = 4;

@@ -20,20 +20,20 @@
 #include <string>
 #include <vector>
 
-// What all benchmark programs understand.
+// The common options of all benchmark programs.
 struct Options
 {
   std::vector<std::string> meshes;
   std::size_t number_of_rounds;
-  std::string csv; // what the names of the tables' files start with
+  std::string csv; // prefix of the names of table files
   bool is_quick = false;
   std::vector<std::string> quick_meshes = {"elephant"};
 };
 
-// The options that only one program has, each with the variable that it sets.
+// Options of a single program, each with the variable that it sets.
 using More_options = boost::program_options::options_description;
 
-// Prints tables as text, and, on request, each to a file of its own.
+// Prints tables as text and, optionally, each to its own file.
 class Report
 {
 public:
@@ -47,7 +47,7 @@ public:
     write(name, table);
   }
 
-  // only to the file
+  // Writes to the file only.
   void write(const std::string& name, const Table& table) const
   {
     if(m_csv.empty())
@@ -62,7 +62,7 @@ private:
   std::string m_csv;
 };
 
-// Returns nothing if the user has asked for help, and got it.
+// Returns nothing after printing help.
 inline std::optional<Options> parse_options(const int argc,
                                             char* argv[],
                                             const std::string& program,
@@ -104,7 +104,7 @@ inline std::optional<Options> parse_options(const int argc,
   return result;
 }
 
-// The frame of every benchmark's main().
+// The common main() of all benchmarks.
 template <typename F>
 int run_benchmark(const int argc,
                   char* argv[],
@@ -126,7 +126,7 @@ int run_benchmark(const int argc,
   }
 }
 
-// scans, and what subdivision makes of them
+// Scans, and subdivided scans.
 inline std::vector<std::string> usual_meshes()
 {
   return {"bunny00", "armadillo", "refined_elephant"};

@@ -37,7 +37,7 @@ public:
       return add(text_of(number, digits_after_point));
     }
 
-    // a number that not every row has
+    // A number that may be missing.
     Row& add_if(const bool is_known, const double number, const int digits_after_point)
     {
       return is_known ? add(number, digits_after_point) : add("-");
@@ -54,7 +54,7 @@ public:
     return text.str();
   }
 
-  // for numbers of unknown magnitude
+  // For numbers of unknown magnitude.
   static std::string scientific(const double number)
   {
     std::ostringstream text;
@@ -93,7 +93,7 @@ public:
   }
 
 private:
-  std::vector<std::vector<std::string>> m_rows; // the first one is the header
+  std::vector<std::vector<std::string>> m_rows; // starting with the header
 };
 
 #endif // BENCHMARK_TABLE_H

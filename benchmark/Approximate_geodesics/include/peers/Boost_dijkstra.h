@@ -15,8 +15,8 @@
 #include <stdexcept>
 #include <string>
 
-// What a user of CGAL has without the package: Boost's algorithm on the mesh itself. Distances and
-// lengths are properties of the mesh.
+// The alternative for users of CGAL without the package: Boost's algorithm on the mesh itself.
+// Distances and lengths are properties of the mesh.
 class Boost_dijkstra
 {
 public:
@@ -54,7 +54,7 @@ private:
   Distance_map m_distances;
 };
 
-// Figures of wrong results are worth nothing.
+// Timings of wrong results are meaningless.
 template <typename Search>
 void check_distances(const Mesh& mesh,
                      const Search& search,

@@ -23,8 +23,8 @@
 #include <utility>
 #include <vector>
 
-// In place of exact costs, which nobody computes if faces have weights: those of graphs with many
-// more points than others. Each graph's paths are paths on the mesh, so the cheaper one counts.
+// Reference costs from dense graphs, because exact costs on weighted faces are not available. Paths
+// of all graphs are paths on the mesh, so the minimum of their costs is used.
 class Dense_reference
 {
   using Triangulation = CGAL::Approximate_geodesics::Intrinsic_triangulation;
@@ -77,7 +77,7 @@ private:
 
   const Mesh& m_mesh;
   std::vector<Vertex> m_sources;
-  std::vector<double> m_costs; // of all vertices from the first source, and so on
+  std::vector<double> m_costs; // of all vertices, source by source
 };
 
 #endif // BENCHMARK_DENSE_REFERENCE_H

@@ -18,14 +18,14 @@
 #include <string>
 #include <vector>
 
-// A mesh, with the exact distances from some of its vertices: those of the package, which it has
-// for every mesh. `bench_validation` compares them with those of CGAL's exact class.
+// A mesh with exact distances from some of its vertices, computed by the package.
+// `bench_validation` compares them with those of CGAL's exact class.
 class Exact_case
 {
 public:
   static constexpr double ROUNDING = 1e-10; // of exact distances
 
-  // from random vertices
+  // From random vertices.
   Exact_case(const std::string& name, const std::size_t number_of_sources)
     : Exact_case(name, read_mesh(name), number_of_sources)
   {
@@ -72,10 +72,10 @@ private:
   std::string m_name;
   Mesh m_mesh;
   std::vector<Vertex> m_sources;
-  std::vector<double> m_distances; // of all vertices from the first source, and so on
+  std::vector<double> m_distances; // of all vertices, source by source
 };
 
-// from the first vertex and random ones
+// From the first vertex and random ones.
 inline Exact_case first_and_random_case(const std::string& name,
                                         const std::size_t number_of_sources)
 {

@@ -23,18 +23,18 @@
 #include <string>
 #include <vector>
 
-// What the exact class is asked to cope with.
+// Limits for the exact class.
 struct Limits
 {
-  unsigned seconds = 60; // of the processor, per mesh
+  unsigned seconds = 60; // CPU time per mesh
   std::size_t faces = 100000;
 };
 
 /*
  * Compares the exact distances of the package, "ours", with those of CGAL's exact class, "theirs".
- * Both are rounded, and either could lose a path by that. Where they differ by more, whoever has
- * the smaller distance has to show the path: its length, measured as it lies on the mesh, proves
- * the other one wrong.
+ * Both are subject to rounding, and could miss a path because of it. If distances differ by more
+ * than rounding, the path with the smaller distance is measured on the mesh: its length proves an
+ * error of the other class.
  */
 class Exact_class_comparison
 {
@@ -43,10 +43,10 @@ public:
   {
     Vertex source, vertex;
     double ours = 0, theirs = 0;
-    double relative = 0; // without regard to the sign
+    double relative = 0; // absolute value
   };
 
-  // Throws `std::runtime_error` if the class does not come to an end.
+  // Throws `std::runtime_error` if the class does not terminate in time.
   Exact_class_comparison(const Exact_case& ours, const Limits& limits) : m_ours(ours)
   {
     if(ours.mesh().number_of_faces() > limits.faces)
@@ -62,7 +62,7 @@ public:
 
   const Difference& largest() const { return m_largest; }
 
-  // those that are larger than rounding explains, and how many of these prove someone wrong
+  // Differences that exceed rounding, and the number of those that prove an error.
   std::size_t number_of_differences() const { return m_number_of_differences; }
   std::size_t number_of_theirs_too_long() const { return m_number_of_theirs_too_long; }
   std::size_t number_of_ours_too_long() const { return m_number_of_ours_too_long; }
@@ -76,7 +76,7 @@ private:
     return a < b * (1 - Exact_case::ROUNDING);
   }
 
-  // Writes all distances, then the lengths of those paths that are shorter than ours.
+  // Writes all distances, then the lengths of the paths that are shorter than ours.
   void find_theirs(double* distance) const
   {
     double* length = distance + number_of_distances();

@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-// The distances along the surface, by CGAL's exact class. It takes seconds where a graph takes
-// milliseconds. The mesh has no isolated vertices, which the class cannot do with.
+// Exact distances by CGAL's class, which takes seconds instead of milliseconds. Precondition: the
+// mesh has no isolated vertices, which the class does not support.
 class Exact_search
 {
   using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -46,7 +46,7 @@ public:
     m_paths.build_sequence_tree();
   }
 
-  // On degenerate meshes, the class may lose its way.
+  // The class may fail on degenerate meshes.
   double distance(const Vertex v)
   {
     const double result = m_paths.shortest_distance_to_source_points(v).first;

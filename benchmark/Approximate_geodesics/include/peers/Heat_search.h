@@ -10,8 +10,8 @@
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 
-// CGAL's other approximation, as its free function does it by default. The constructor factorizes
-// two matrices, which all sources share.
+// The heat method of CGAL, with the defaults of its free function. The constructor factorizes two
+// matrices, which are shared by all sources.
 class Heat_search
 {
 public:

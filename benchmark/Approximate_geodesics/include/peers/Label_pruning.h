@@ -11,7 +11,7 @@
 
 #include <cstddef>
 
-// Counts the windows that an expansion looks through; nothing, at no cost, if `COUNTS` is false.
+// Counts the windows of an expansion; does nothing, at no cost, if `COUNTS` is false.
 template <bool COUNTS>
 class Window_count
 {
@@ -28,7 +28,7 @@ private:
   mutable std::size_t m_number = 0;
 };
 
-// Leaves out no arc, and counts windows.
+// Prunes no window, and counts windows.
 template <bool COUNTS>
 struct Counting_windows : CGAL::Approximate_geodesics::internal::Leave_out_nothing
 {
@@ -43,8 +43,8 @@ struct Counting_windows : CGAL::Approximate_geodesics::internal::Leave_out_nothi
   const Window_count<COUNTS>& count;
 };
 
-// Does without windows if all that lies behind is reached well enough over an end of their edge,
-// going by the labels.
+// Prunes a window if its labels show that paths over an end of its edge are good enough for all
+// nodes behind it.
 template <bool COUNTS, typename Labels>
 struct Label_pruning : CGAL::Approximate_geodesics::internal::Leave_out_nothing
 {

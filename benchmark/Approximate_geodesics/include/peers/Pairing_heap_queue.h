@@ -24,19 +24,19 @@ using Boost_pairing_heap_queue =
 } // namespace internal
 
 /*
- * A priority queue on a pairing heap (Fredman et al. 1986), from the library Boost.Heap: simpler
- * than a Fibonacci heap, and often faster. Keys are lowered in place.
+ * A priority queue based on the pairing heap (Fredman et al. 1986) of Boost.Heap: simpler than a
+ * Fibonacci heap, and often faster. Keys are decreased in place.
  *
- * `push()` takes constant time if it enters a node, and amortized time O(log m), as Boost
- * states, if it lowers a key; `extract_min()` takes amortized time O(log m) for `m`
- * entries. Memory is O(n) for `n` nodes.
+ * `push()` takes constant time to insert a node, and amortized time O(log m), according to Boost,
+ * to decrease a key; `extract_min()` takes amortized time O(log m) for `m` entries. Memory is O(n)
+ * for `n` nodes.
  *
- * Objects can be moved, but not copied.
+ * The class is movable, but not copyable.
  */
 class Pairing_heap_queue : public internal::Boost_pairing_heap_queue
 {
 public:
-  // makes an empty queue for a graph with `number_of_nodes` nodes.
+  // Constructs an empty queue for a graph with `number_of_nodes` nodes.
   explicit Pairing_heap_queue(const std::size_t number_of_nodes = 0,
                               const Arc_lengths& arcs = Arc_lengths())
     : internal::Boost_pairing_heap_queue(number_of_nodes, arcs)

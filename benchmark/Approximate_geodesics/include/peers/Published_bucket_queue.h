@@ -23,18 +23,18 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*
- * The adaptive bucket queue as Schwartz, de Rezende and Pedrini published it
- * (2015), provided for comparison with `Basic_adaptive_bucket_queue`. Buckets
- * follow each other from key 0 to the largest key. `extract_min()` searches the first bucket that
- * is not empty for its smallest key. A node whose key is lowered moves from one bucket to another.
+ * The adaptive bucket queue as Schwartz, de Rezende and Pedrini published it (2015), provided for
+ * comparison with `Basic_adaptive_bucket_queue`. The buckets cover all keys from 0 to the largest
+ * one. `extract_min()` searches the first nonempty bucket for its smallest key. A node whose key
+ * decreases moves to another bucket.
  *
- * There are 5000 buckets at first, and more when a key lies beyond the last one. Unlike in the
+ * The queue starts with 5000 buckets, and grows when a key lies beyond the last one. Unlike in the
  * publication, their number is limited to 5000 plus 16 times the number of nodes; the last bucket
  * takes all larger keys, so that a huge key costs time, not memory.
  *
- * `push()` takes constant time; `extract_min()` takes time in proportion to the number of entries
- * of the bucket, and of empty buckets passed. Memory is that of the buckets, of the largest number
- * of entries that each of them held, and of a slot for each node.
+ * `push()` takes constant time; `extract_min()` takes time proportional to the number of entries of
+ * the bucket and of skipped empty buckets. Buckets retain the memory of their largest sizes; there
+ * is a slot per node.
  *
  * \tparam WidthPolicy a model of `BucketWidthPolicy`
  */
@@ -42,7 +42,7 @@ template <typename WidthPolicy = Published_bucket_width>
 class Basic_published_bucket_queue : public internal::Ordered_queue_base
 {
 public:
-  // makes an empty queue for a graph with `number_of_nodes` nodes and the given arcs.
+  // Constructs an empty queue for a graph with `number_of_nodes` nodes and the given arc lengths.
   explicit Basic_published_bucket_queue(const std::size_t number_of_nodes = 0,
                                         const Arc_lengths& arcs = Arc_lengths())
     : m_largest_number((std::min)(16 * number_of_nodes + FIRST_NUMBER, LARGEST_NUMBER)),
@@ -53,11 +53,11 @@ public:
     start();
   }
 
-  // returns whether no entry is left.
+  // Returns whether the queue is empty.
   bool is_empty() const { return m_size == 0; }
 
-  // enters `node` with `key`, or lowers its key.
-  // \pre the node exists, and `key` is not below the key extracted last.
+  // Inserts `node` with `key`, or decreases its key.
+  // \pre The node exists, and `key` is not smaller than the last extracted key.
   void push(const Node node, const Key key)
   {
     CGAL_precondition(node < m_slot.size() && !is_final(key));
@@ -66,13 +66,13 @@ public:
       enter(node, key);
     else if(key < m_buckets[old.bucket][old.position].key)
     {
-      enter(node, key); // first, as it may throw
+      enter(node, key); // first, because it may throw
       remove(old);
       --m_size;
     }
   }
 
-  // removes the entry with the smallest key, and returns it. \pre `!is_empty()`
+  // Removes and returns the entry with the smallest key. \pre `!is_empty()`
   Batch extract_min()
   {
     CGAL_precondition(!is_empty());
@@ -91,7 +91,7 @@ public:
     return hand_out(result);
   }
 
-  // calls `f(node)` for the nodes of all entries.
+  // Calls `f(node)` for the nodes of all entries.
   template <typename F>
   void for_each_node(F f) const
   {
@@ -100,7 +100,7 @@ public:
         f(e.node);
   }
 
-  // removes all entries, and adapts the width of the buckets to the last run.
+  // Removes all entries, and adapts the bucket width to the last run.
   void clear()
   {
     for(std::size_t i = m_current; i < m_beyond_used; ++i)
@@ -113,8 +113,8 @@ public:
     start();
   }
 
-  // returns the figures of the run since the last call of `clear()`. The occupancy of a bucket is
-  // the number of entries extracted from it.
+  // Returns the statistics since the last call of `clear()`. The occupancy of a bucket is the
+  // number of entries extracted from it.
   Bucket_statistics statistics() const
   {
     Bucket_statistics result = m_statistics;
@@ -123,7 +123,7 @@ public:
     return result;
   }
 
-  // returns the number of bytes that the queue takes.
+  // Returns the size of the queue in bytes.
   std::size_t memory() const
   {
     std::size_t entries = 0;
@@ -137,7 +137,7 @@ private:
   using Bucket = std::vector<Entry>;
 
   static constexpr std::size_t FIRST_NUMBER = 5000;                   // of buckets
-  static constexpr std::size_t LARGEST_NUMBER = std::size_t(1) << 31; // numbers fit 32 bits
+  static constexpr std::size_t LARGEST_NUMBER = std::size_t(1) << 31; // fits 32 bits
   static constexpr std::uint32_t nowhere = (std::numeric_limits<std::uint32_t>::max)();
 
   struct Slot
@@ -177,7 +177,7 @@ private:
     ++m_size;
   }
 
-  // The last entry of the bucket takes the slot.
+  // Replaces the entry by the last one of the bucket.
   void remove(const Slot slot)
   {
     Bucket& bucket = m_buckets[slot.bucket];
@@ -199,9 +199,9 @@ private:
   std::size_t m_largest_number; // of buckets
   WidthPolicy m_policy;
   std::vector<Bucket> m_buckets;
-  std::vector<Slot> m_slot; // of each node
+  std::vector<Slot> m_slot; // by node
   double m_buckets_per_unit = 1;
-  std::size_t m_current = 0;        // the bucket that is searched
+  std::size_t m_current = 0;        // the current bucket
   std::size_t m_beyond_used = 0;    // all buckets from here on are empty
   std::size_t m_size = 0;           // the number of entries
   std::size_t m_extracted_here = 0; // the number of entries extracted from the current bucket

@@ -16,19 +16,18 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*
- * The policy of Schwartz, de Rezende and Pedrini for the width of buckets
- * (2015): the longest arc divided by a number. This number is 100 at first, and
- * grows by 100 after every run whose buckets held more than 64 entries on average, empty ones not
- * counted.
+ * The policy of Schwartz, de Rezende and Pedrini for the width of buckets (2015): the longest arc
+ * divided by a number. This number is 100 at first, and grows by 100 after every run whose nonempty
+ * buckets held more than 64 entries on average.
  *
- * The publication leaves open the lower bound of the width, which depends on the mesh. Here it is a
- * hundredth of the shortest arc, and at least a millionth of the longest one; scanned models never
- * reach it.
+ * The publication does not specify the lower bound of the width, which depends on the mesh. Here it
+ * is a hundredth of the shortest arc, and at least a millionth of the longest one; scanned models
+ * never reach it.
  */
 class Published_bucket_width
 {
 public:
-  // chooses the width for the first run.
+  // Chooses the width for the first run.
   explicit Published_bucket_width(const Arc_lengths& arcs = Arc_lengths())
     : m_longest_arc(arcs.longest > 0 ? arcs.longest : 1),
       m_narrowest(
@@ -36,10 +35,10 @@ public:
   {
   }
 
-  // returns the width of the buckets, in units of the graph.
+  // Returns the bucket width, in units of the graph.
   double width() const { return (std::max)(m_longest_arc / m_divisor, m_narrowest); }
 
-  // chooses the width for the next run, given the figures of the last one.
+  // Chooses the width for the next run from the statistics of the last one.
   void update(const Bucket_statistics& last_run)
   {
     if(last_run.mean_occupancy() > LARGEST_OCCUPANCY && width() > m_narrowest)

@@ -22,42 +22,42 @@ namespace CGAL {
 namespace Approximate_geodesics {
 
 /*
- * The geometric progressions of Aleksandrov, Lanthier, Maheshwari and Sack (1998), to compare with:
- * `Geometric_points` gives the same bound with a small part of these points.
+ * The geometric progressions of Aleksandrov, Lanthier, Maheshwari and Sack (1998), for comparison:
+ * `Geometric_points` guarantees the same bound with a fraction of these points.
  *
- * From either end of an edge, points follow each other at distances that grow by the factor
- * 1 + delta sin(theta), where theta is the smallest angle at the vertex (and the factor is
- * 1 + delta if that is obtuse). They start at delta times the radius of the star of the vertex, and
- * end where the spacings of the two progressions are equal. Paths then cost at most
- * 1 + delta (1 + 2 W / ((1 - 2 delta) w)) times as much as the cheapest ones, for delta < 1/2,
- * where W is the largest finite weight of a face and w the smallest one, which must not be 0; so
- * delta is chosen for this to be 1 + epsilon.
+ * From either end of an edge, the distances of consecutive points grow by the factor 1 + delta
+ * sin(theta), where theta is the smallest angle at the vertex (and the factor is 1 + delta if that
+ * is obtuse). They start at delta times the radius of the star of the vertex, and end where the
+ * spacings of the two progressions are equal. Paths then cost at most 1 + delta (1 + 2 W / ((1 - 2
+ * delta) w)) times as much as the cheapest ones, for delta < 1/2, where W is the largest finite
+ * weight of a face and w the smallest one, which must not be 0; so delta is chosen for this to be 1
+ * + epsilon.
  *
  * `SMALLEST_SINE` is used, and ends the bound, as in `Geometric_points`.
  */
 class Published_geometric_points
 {
 public:
-  // the number of a halfedge.
+  // The index of a halfedge.
   using Index = Intrinsic_triangulation::Index;
 
-  // points do not divide edges into equal parts.
+  // Points do not divide edges into equal parts.
   static constexpr bool makes_equal_parts = false;
 
-  // angles are taken to have at least this sine.
+  // Smaller sines are replaced by this one.
   static constexpr double SMALLEST_SINE = 0.02;
 
-  // progressions start at least this far from the end, in lengths of the edge.
+  // The minimum distance of a progression from the end, relative to the edge length.
   static constexpr double SMALLEST_START = 1e-36;
 
-  // places points for the bound `epsilon`.
+  // Places points for the bound `epsilon`.
   // \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
   explicit Published_geometric_points(const double epsilon = 0.1)
     : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon)))
   {
   }
 
-  // reads the bound from the named parameter `epsilon`, whose default is `0.1`.
+  // Reads the bound from the named parameter `epsilon`, by default `0.1`.
   // \throws std::invalid_argument if it is not a finite number above `0`.
   template <typename T, typename Tag, typename Base>
   explicit Published_geometric_points(const Named_function_parameters<T, Tag, Base>& np)
@@ -71,7 +71,7 @@ public:
                   "own, use Fixed_number_of_points or Points_at_interval");
   }
 
-  // computes where the progressions of every vertex start, and their factors.
+  // Computes the starts and the factors of the progressions of every vertex.
   // \throws std::invalid_argument if some faces, but not all, have weight `0`.
   //
   // Run time is O(n).
@@ -94,13 +94,13 @@ public:
     }
   }
 
-  // returns the number of points on the edge of `h`.
+  // Returns the number of points on the edge of `h`.
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
     return progressions(triangulation, h).number_of_points();
   }
 
-  // writes the positions of these points to `positions`.
+  // Writes the positions of these points to `positions`.
   void place(const Intrinsic_triangulation& triangulation,
              const Index h,
              float* positions,
@@ -109,8 +109,7 @@ public:
     progressions(triangulation, h).place(positions);
   }
 
-  // returns the bound that holds with the present weights of `triangulation`.
-  // Run time is O(n).
+  // Returns the guaranteed bound for the current weights of `triangulation`. Run time is O(n).
   double epsilon(const Intrinsic_triangulation& triangulation) const
   {
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
@@ -122,7 +121,7 @@ public:
     return result <= m_epsilon * (1 + tolerance) ? m_epsilon : result;
   }
 
-  // returns the number of bytes that are stored per element of the mesh.
+  // Returns the number of bytes stored for all elements of the mesh.
   std::size_t memory() const { return m_ends.capacity() * sizeof(End); }
 
 private:

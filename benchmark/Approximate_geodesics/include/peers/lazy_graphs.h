@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
-// A lazy graph that follows each cone to its end before the next one. Cones end by geometry and by
-// labels alike, with the same share of epsilon.
+// A lazy graph that expands cones depth first. Pruning by geometry and pruning by labels use the
+// same share of epsilon.
 template <bool COUNTS>
 class Cones_in_turn
 {
@@ -62,7 +62,7 @@ public:
                                                      m_rules.longest_detour, m_count));
   }
 
-  // that searches have looked through
+  // Windows visited by searches.
   std::size_t number_of_windows() const { return m_count.number(); }
 
 private:
@@ -75,7 +75,7 @@ private:
   Window_count<COUNTS> m_count;
 };
 
-// The lazy graph of the package, counting. It is for one search at a time.
+// The lazy graph of the package with counters, which allow one search at a time only.
 class Counted_cones_together : public CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph
 {
 public:
@@ -114,7 +114,7 @@ public:
       expand(std::false_type());
   }
 
-  // that searches have looked through
+  // Windows visited by searches.
   std::size_t number_of_windows() const
   {
     return m_unfolding.count.number() - m_number_of_first_faces + m_count.number();
@@ -123,7 +123,7 @@ public:
 private:
   using Unfolding = CGAL::Approximate_geodesics::internal::Unfolding;
 
-  // Counts the faces that are asked for: those around a node, and the one behind each window.
+  // Counts the visited faces: those around a node, and the face behind each window.
   struct Counting_unfolding : Unfolding
   {
     using Unfolding::Unfolding;

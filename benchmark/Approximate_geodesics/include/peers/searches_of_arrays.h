@@ -17,14 +17,14 @@
 #include <utility>
 #include <vector>
 
-// What the package is compared with, on the same adjacency arrays. Each keeps its arrays from run
-// to run, as the package does.
+// Reference searches on the same adjacency arrays. Like the package, they keep their arrays between
+// runs.
 
 using CGAL::Approximate_geodesics::Intrinsic_triangulation;
 using Index = Intrinsic_triangulation::Index;
 
-// A floor for searches that look at every arc, if written in the usual way. It depends on how well
-// the processor can predict which targets were seen before, and so on the mesh.
+// A lower bound on the run time of searches that visit every arc, in a straightforward
+// implementation. It depends on branch prediction, and so on the mesh.
 class Breadth_first_search
 {
 public:
@@ -64,7 +64,7 @@ private:
   std::vector<Index> m_queue;
 };
 
-// What most people write.
+// The textbook implementation.
 class Priority_queue_dijkstra
 {
   using Entry = std::pair<double, Index>;
@@ -100,7 +100,7 @@ public:
     }
   }
 
-  // in units of the triangulation
+  // In units of the triangulation.
   double distance(const Index v) const { return m_distance[v]; }
 
 private:
