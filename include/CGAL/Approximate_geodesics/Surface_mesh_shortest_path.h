@@ -24,7 +24,7 @@
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for programs
+#include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for users of the class
 
 #include <algorithm>
 #include <cstddef>

@@ -56,7 +56,7 @@ public:
     return m_distances[row * number_of_columns() + column];
   }
 
-  /// returns a row. \pre It exists.
+  /// returns a row. \pre The row exists.
   Row row(const std::size_t number) const
   {
     CGAL_precondition(number < number_of_rows());

@@ -109,7 +109,7 @@ public:
   const VertexIndexMap& index_map() const { return m_vertex_index_map; }
 
   /// checks that the mesh has as many vertices and halfedges as the triangulation.
-  /// \throws std::invalid_argument if not.
+  /// \throws std::invalid_argument otherwise.
   ///
   /// Run time is linear.
   void check_size() const
@@ -203,7 +203,7 @@ public:
     return intrinsic_point(point.first, point.second);
   }
 
-  /// returns the point at a point of the surface.
+  /// converts a point of the surface.
   Intrinsic_point intrinsic_point(const Surface_point<TriangleMesh>& point) const
   {
     return std::visit([this](const auto& p) { return this->intrinsic_point(p); }, point);
@@ -230,7 +230,7 @@ public:
   {
     if(node >= m_vertices.size())
       internal::reject("there is no vertex " + std::to_string(node) +
-                       " in the list: list_vertices() has to be called before");
+                       " in the list: call list_vertices() before");
     return m_vertices[node];
   }
 

@@ -98,7 +98,7 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those listed
  *           below and `vertex_point_map`, `edge_length_map`, `face_weight_map`,
  *           `edge_is_constrained_map`, `vertex_index_map`, `halfedge_index_map` and `geom_traits`,
- *           which are as for `approximate_geodesic_path()`
+ *           as for `approximate_geodesic_path()`
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_points_per_edge}

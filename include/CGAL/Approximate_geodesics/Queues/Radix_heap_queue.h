@@ -110,7 +110,7 @@ private:
 
   static Bits bits_of(const Key key)
   {
-    const Key positive = key + 0.0; // turns a negative zero into a positive one
+    const Key positive = key + 0.0; // normalizes negative zero
     Bits result;
     static_assert(sizeof(result) == sizeof(positive));
     std::memcpy(&result, &positive, sizeof(result));

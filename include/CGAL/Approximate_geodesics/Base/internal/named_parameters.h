@@ -198,10 +198,9 @@ CGAL_APPROXIMATE_GEODESICS_FOR_EACH_PARAMETER(CGAL_APPROXIMATE_GEODESICS_FUNCTIO
  *
  * concatenates two or more chains of named parameters of this package and of \cgal.
  *
- * A chain that starts with a named parameter of this package can be continued with any other;
- * a chain that starts with one of \cgal's cannot be continued with one of this package's.
- * This function is for the latter:
- * `combine(vertex_point_map(vpm).verbose(true), targets(range))`.
+ * A chain that starts with a named parameter of this package can be continued with any other; a
+ * chain that starts with a parameter of \cgal cannot be continued with a parameter of this package.
+ * In this case, combine two chains: `combine(vertex_point_map(vpm).verbose(true), targets(range))`.
  *
  * \return a sequence of \ref bgl_namedparameters "Named Parameters" that contains the parameters of
  *         all arguments.

@@ -121,8 +121,8 @@ private:
   // distances.
   static constexpr bool depends_on_limit = needs_bounds<Graph> || needs_expansion_history<Graph>;
 
-  // A search for few columns labels many nodes beyond them. An estimate of the required distance
-  // avoids this: that of the previous row, whose source is near.
+  // A search for few columns labels many nodes beyond them. Limiting the distance avoids this; the
+  // estimate is that of the previous row, whose source is near.
   template <typename Visitor>
   void search_nearest(const Intrinsic_point& source, Visitor& visitor)
   {

@@ -20,7 +20,7 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-namespace parts { // beside it are functions of graphs, which must not hide others
+namespace parts { // separate, so that its graph functions hide no others
 
 /*
  * A submesh: some faces of a mesh and their border, represented by the elements of the mesh. The

@@ -181,7 +181,7 @@ private:
   const Positions& m_positions;
   const Detour& m_detour;
   const std::size_t m_largest_number_of_faces;
-  std::vector<halfedge_descriptor> m_entries; // whose faces are to be added
+  std::vector<halfedge_descriptor> m_entries; // whose faces will be added
   std::vector<Vertex> m_vertices;             // by number in the part
 };
 

@@ -29,7 +29,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * A placement of equally spaced points on the edges near a path: those of the faces that the path
+ * A placement of equally spaced points on the edges near a path: edges of faces that the path
  * touches, and of `number_of_rings` rings of faces around them.
  */
 class Points_near_path

@@ -69,7 +69,7 @@ public:
       ++m_size;
     }
     else if(key < (*m_handle[node]).key)
-      m_heap.increase(m_handle[node], {key, node}); // in the reversed order
+      m_heap.increase(m_handle[node], {key, node}); // a smaller key is larger in reversed order
   }
 
   Batch extract_min()

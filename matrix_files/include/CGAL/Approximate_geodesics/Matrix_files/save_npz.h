@@ -28,7 +28,7 @@ namespace Approximate_geodesics {
  * \param rows the matrix
  * \param file the name of the file
  *
- * \throws std::runtime_error if the file cannot be written. The message says why.
+ * \throws std::runtime_error if the file cannot be written. The message gives the reason.
  *
  * Run time is linear in the numbers of rows and entries.
  */

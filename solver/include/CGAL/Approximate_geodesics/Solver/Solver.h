@@ -191,7 +191,7 @@ public:
   }
 
   /// reads a solver from a binary stream written by `save()`.
-  /// \throws std::invalid_argument if the stream holds something else, or is damaged.
+  /// \throws std::invalid_argument if the stream does not contain a solver, or is damaged.
   explicit Solver(std::istream& in,
                   const std::size_t number_of_threads = 0,
                   const Solver_watch& watch = Solver_watch())
@@ -315,8 +315,8 @@ public:
    * appends the points of a shortest path from `source` to `target` to `coordinates`, three numbers
    * each, and returns its length. If there is no path, appends nothing and returns infinity.
    *
-   * \param source where the path starts
-   * \param target where it ends
+   * \param source the start of the path
+   * \param target the end of the path
    * \param straighten whether to straighten the path to a locally shortest one, which does not
    *        support costs
    * \param coordinates receives the points

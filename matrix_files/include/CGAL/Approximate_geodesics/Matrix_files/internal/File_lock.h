@@ -100,7 +100,7 @@ private:
       reject(subject + " is already being computed by another program");
   }
 
-  // File systems without locks count as locked.
+  // Succeeds on file systems without locks.
   bool try_lock()
   {
     try

@@ -109,7 +109,7 @@ public:
 private:
   std::string m_name;
   std::fstream m_stream;
-  std::mutex m_mutex; // the stream has one position
+  std::mutex m_mutex; // guards the position of the stream
 };
 
 } // namespace internal

@@ -310,7 +310,8 @@ private:
     return true;
   }
 
-  // Removes the journal of process 0 last: beside the file, it shows that the file is complete.
+  // Removes the journal of process 0 last: as long as it exists, it shows that the file is
+  // complete.
   void remove_traces() const
   {
     for(const auto& [rank, file] : m_names.parts())

@@ -86,7 +86,7 @@ public:
   // Ends a member, and writes its checksum to its header.
   void end()
   {
-    CGAL_assertion_msg(m_position == m_end, "a member has the size that its header tells");
+    CGAL_assertion_msg(m_position == m_end, "the size of a member matches its header");
     Member& member = m_members.back();
     member.checksum = m_checksum.value();
     go_to(member.offset);
