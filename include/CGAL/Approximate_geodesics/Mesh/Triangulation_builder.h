@@ -29,8 +29,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Builds an `Intrinsic_triangulation` from a mesh. All traversal and validation of whole meshes
- * happens here, by `Connectivity_reader` and the functions that read lengths, weights and costs.
+ * Builds an `Intrinsic_triangulation` from a mesh. `Connectivity_reader` and the functions that
+ * read lengths, weights and costs traverse and validate the mesh.
  */
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder

@@ -135,7 +135,7 @@ private:
     {
       h = way_on(h);
       auto p = point(h);
-      if(p != result.back()) // edges may be crossed at the same vertex
+      if(p != result.back()) // consecutive crossings may coincide at a vertex
         result.push_back(std::move(p));
     }
     return result;

@@ -257,7 +257,7 @@ private:
   {
     add_current_bucket(m_statistics);
     if(m_round.capacity() > current_bucket().capacity())
-      std::swap(m_round, current_bucket()); // returns its buffer: else all grow to the largest
+      std::swap(m_round, current_bucket()); // gives the larger buffer back to its bucket
     m_unordered_budget -= (std::min)(m_unordered_budget, m_drained);
 
     const bool circle_is_empty = m_size == m_heap.size();

@@ -35,7 +35,7 @@ struct Mesh_place
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Vertex = typename Graph_traits::vertex_descriptor;
 
-  // The vertices with nonzero weights, which add up to 1: one, two on an edge, or three in a face.
+  // The vertices, with weights that add up to 1: one, two on an edge, or three in a face.
   std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};
   std::array<double, 3> weight{};
   std::size_t number_of_corners = 0;

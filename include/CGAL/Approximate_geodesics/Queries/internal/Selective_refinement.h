@@ -171,7 +171,7 @@ private:
     return tree_path(search, m_target);
   }
 
-  // Returns the number of points per edge.
+  // The mean over all edges.
   template <typename Placement>
   static std::size_t mean_number_of_points(const Steiner_graph<Placement>& graph)
   {

@@ -60,7 +60,7 @@ public:
       fail_to("written", m_name);
   }
 
-  // Returns false at the end of the file.
+  // Returns false if the file is too short.
   bool read(const std::uint64_t offset, void* const data, const std::size_t size)
   {
     const std::lock_guard lock(m_mutex);
@@ -72,7 +72,7 @@ public:
     return result;
   }
 
-  // Throws at the end of the file.
+  // Throws if the file is too short.
   void read_all(const std::uint64_t offset, void* const data, const std::size_t size)
   {
     if(!read(offset, data, size))
