@@ -282,7 +282,7 @@ private:
     return m_drained >= limit || m_size > unordered_limit();
   }
 
-  // Moves the entries of the current bucket to the heap, now and in the future.
+  // Moves the current bucket to the heap, including entries that are pushed later.
   void put_in_order()
   {
     m_is_in_order = true;

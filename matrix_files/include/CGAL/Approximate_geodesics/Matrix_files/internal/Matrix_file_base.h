@@ -73,7 +73,7 @@ protected:
     m_plan = &plan;
     Matrix_identity identity = plan.identity();
     identity.parts[Matrix_identity::KIND] = checksum_of_kind(kind, plan.is_symmetric());
-    Bulk_checksum version; // blocks of the same rows depend on it
+    Bulk_checksum version; // includes the size of blocks, which the journal numbers
     version.add_value(identity.parts[Matrix_identity::DISTANCES]);
     version.add_value(static_cast<std::uint64_t>(plan.rows_per_block()));
     identity.parts[Matrix_identity::DISTANCES] = version.value();
