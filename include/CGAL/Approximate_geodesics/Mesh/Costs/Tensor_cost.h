@@ -26,8 +26,8 @@ namespace Approximate_geodesics {
  * direction \f$d\f$, a path costs \f$\sqrt{d^T A\,d}\f$ per unit of length, where \f$A\f$ is a
  * symmetric matrix.
  *
- * If a matrix is not finite, or not positive semidefinite in the plane of its face, beyond rounding,
- * costs are NaN, and reading the mesh fails.
+ * If a matrix is not finite, or not positive semidefinite in the plane of its face, beyond
+ * rounding, costs are NaN, and reading the mesh fails.
  *
  * \tparam FaceTensorMap a model of `ReadablePropertyMap` with faces as key type and as value type
  *         `std::array<double, 6>`: the entries xx, xy, xz, yy, yz and zz of the matrix
