@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Vertex_fan.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -78,12 +79,14 @@ private:
                             const Face_steps& steps,
                             const Index h)
   {
+    // where an edge is shorter than rounding errors of the others, so may paths over its ends be
+    constexpr double smallest_part = 1e-12;
     const Face_step& step = steps[h];
     const bool has_area = step.across > 0 && step.across < 1e200 && std::abs(step.along) < 1e200;
-    const Index next = triangulation.next(h);
-    return !has_area || !(triangulation.length(h) > Sight::SHORTEST_EDGE) ||
-           !(triangulation.length(next) > Sight::SHORTEST_EDGE) ||
-           !(triangulation.length(triangulation.next(next)) > Sight::SHORTEST_EDGE);
+    const Index second = triangulation.next(h), third = triangulation.next(second);
+    const auto [shortest, longest] = std::minmax(
+        {triangulation.length(h), triangulation.length(second), triangulation.length(third)});
+    return !has_area || !(shortest > (std::max)(Sight::SHORTEST_EDGE, smallest_part * longest));
   }
 
   static Bend_kind
