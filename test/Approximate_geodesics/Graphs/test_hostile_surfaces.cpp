@@ -209,7 +209,7 @@ void for_each_hostile_surface(const std::uint64_t number, F f)
 
 TEST(Hostile_surfaces, have_exact_distances)
 {
-  Comparison comparison("exact", 0, 1e-10);
+  Comparison comparison("exact", 0, 1e-9);
   for_each_hostile_surface(500, [&](const Mesh& mesh) {
     comparison.add(mesh, Visibility_distances(mesh), Saddle_vertex_graph(Triangulation(mesh)));
   });
