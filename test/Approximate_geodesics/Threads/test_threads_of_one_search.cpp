@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -47,9 +48,10 @@ struct Watched_queue : AG::Adaptive_bucket_queue
 {
   using AG::Adaptive_bucket_queue::Adaptive_bucket_queue;
 
-  Batch extract_round()
+  Batch extract_round(const std::size_t largest_batch)
   {
-    const Batch result = AG::Adaptive_bucket_queue::extract_round();
+    const Batch result = AG::Adaptive_bucket_queue::extract_round(largest_batch);
+    EXPECT_LE(result.size(), largest_batch);
     largest_round = (std::max)(largest_round, result.size());
     return result;
   }
@@ -182,11 +184,26 @@ TEST_F(One_search_by_threads, finds_the_distances_of_the_built_graph)
       seeds.push_back({v, 0});
     search.run(seeds);
     // or threads have nothing to do
-    EXPECT_EQ(search.queue().largest_round > 200, graph.is_parallel());
+    EXPECT_EQ(search.queue().largest_round > Watched_queue::LARGEST_BATCH, graph.is_parallel());
     AG::Propagation<Discrete_geodesic_graph> other(built);
     other.run(seeds);
     EXPECT_TRUE(have_same_bits(distances_of_nodes(search), distances_of_nodes(other)));
   });
+}
+
+// Who expands many nodes at a time expands those again that get shorter paths by others of them,
+// and then looks for all their arcs.
+TEST_F(One_search_by_threads, expands_few_nodes_again)
+{
+  const AG::Intrinsic_triangulation t(to_mesh(grid(300, 300, [](const double i, const double j) {
+    return Point(std::exp(i / 100) * std::cos(j / 100), std::exp(i / 100) * std::sin(j / 100), 0);
+  })));
+  const Lazy_discrete_geodesic_graph graph(
+      t, parameters::epsilon(epsilon).concurrency_tag(CGAL::Parallel_tag()));
+  AG::Propagation<Lazy_discrete_geodesic_graph> search(graph);
+  search.collect_statistics(true);
+  search.run_from(0);
+  EXPECT_LT(search.statistics().repeated_pops(), t.number_of_vertices() / 120);
 }
 
 TEST_F(One_search_by_threads, counts_what_one_thread_counts)

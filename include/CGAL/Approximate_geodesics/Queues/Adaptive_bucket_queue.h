@@ -116,9 +116,10 @@ public:
    */
   Batch extract_min() { return extract(LARGEST_BATCH); }
 
-  /// removes and returns all current entries of the first nonempty bucket: a batch that is large
-  /// enough for several threads. \pre `!is_empty()`
-  Batch extract_round() { return extract((std::numeric_limits<std::size_t>::max)()); }
+  /// removes and returns current entries of the first nonempty bucket, at most `largest_batch`: a
+  /// batch that is large enough for several threads. Remaining entries are extracted next.
+  /// \pre `!is_empty()`
+  Batch extract_round(const std::size_t largest_batch) { return extract(largest_batch); }
 
   /// the largest number of entries in a batch.
   static constexpr std::size_t LARGEST_BATCH = 32;

@@ -197,7 +197,7 @@ private:
   {
     if constexpr(may_have_threads<Graph> && has_rounds<Queue>)
       if(m_graph.is_parallel())
-        return m_queue.extract_round();
+        return m_queue.extract_round(Parallel_expansion<Graph>::largest_batch);
     return m_queue.extract_min();
   }
 

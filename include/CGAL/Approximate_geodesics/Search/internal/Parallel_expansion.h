@@ -42,6 +42,11 @@ class Parallel_expansion
   static constexpr std::size_t fewest_tasks = has_parts<Graph> ? 16 : 64; // to be worth their while
 
 public:
+  // The most nodes whose arcs are to be found before labels change. The more there are, the more of
+  // them get shorter paths by others of them, and are expanded again.
+  static constexpr std::size_t largest_batch =
+      has_parts<Graph> ? (std::numeric_limits<std::size_t>::max)() : 4 * nodes_at_a_time<Graph>;
+
   // Lists what there is to do for these nodes. Returns whether threads are worth their while.
   template <typename Labels>
   bool prepare(const Graph& graph,

@@ -47,7 +47,7 @@ template <typename Queue>
 using Statistics = decltype(std::declval<const Queue&>().statistics());
 
 template <typename Queue>
-using Extract_round = decltype(std::declval<Queue&>().extract_round());
+using Extract_round = decltype(std::declval<Queue&>().extract_round(std::size_t(1)));
 
 // Whether a graph knows how many arcs a node has at most.
 template <typename Graph>
