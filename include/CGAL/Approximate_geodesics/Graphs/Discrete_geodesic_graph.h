@@ -42,11 +42,12 @@ namespace Approximate_geodesics {
  * A graph whose shortest paths are longer than the shortest paths on the surface by a factor of at
  * most \f$1 + \varepsilon\f$.
  *
- * Its nodes are the vertices of the mesh, and its arcs are straight lines across the faces that lie
- * between them, laid out in the plane. From every vertex, all directions are followed for as long
- * as they lead to something that cannot be reached well enough over another vertex; section \ref
- * AG_discrete_geodesic_graph of the user manual describes how that is decided, and the report
- * \cgalCite{ag-report} proves the bound. On scanned models the mean error is about
+ * Its nodes are the vertices of the mesh, and points inside faces if most of these are far longer
+ * than wide, as lines would cross very many of them else. Its arcs are straight lines across the
+ * faces that lie between them, laid out in the plane. From every vertex, all directions are
+ * followed for as long as they lead to something that cannot be reached well enough over another
+ * vertex; section \ref AG_discrete_geodesic_graph of the user manual describes how that is decided,
+ * and the report \cgalCite{ag-report} proves the bound. On scanned models the mean error is about
  * \f$\varepsilon / 100\f$ for \f$\varepsilon = 0.1\f$, and the largest error about
  * \f$\varepsilon / 4\f$ or less.
  *
@@ -64,7 +65,7 @@ namespace Approximate_geodesics {
 class Discrete_geodesic_graph
 {
 public:
-  /// the number of a node; that of the vertex it stands for.
+  /// the number of a node; those of the vertices come first.
   using Node = Intrinsic_triangulation::Index;
 
   /// \name Creation
@@ -133,7 +134,10 @@ public:
   }
 
   /// returns the number of nodes.
-  std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
+  std::size_t number_of_nodes() const
+  {
+    return m_cone_triangulation.get(m_triangulation).number_of_vertices();
+  }
 
   /// returns the number of arcs.
   std::size_t number_of_arcs() const { return m_rows.number_of_arcs(); }
@@ -169,6 +173,12 @@ public:
   {
     return m_cone_triangulation.trace<internal::Leave_out_detours>(m_triangulation, m_rules, source,
                                                                    target, length, f);
+  }
+
+  /// returns where a node is, which may be one of the vertices.
+  Intrinsic_point position(const Node node) const
+  {
+    return m_cone_triangulation.position(m_triangulation, node);
   }
 
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
@@ -220,7 +230,8 @@ public:
     result.m_triangulation = std::move(triangulation);
     result.m_cone_triangulation = internal::Cone_triangulation(result.m_triangulation);
     double epsilon = 0;
-    internal::Arc_file::load(in, result.m_triangulation, epsilon, result.m_rows);
+    internal::Arc_file::load(in, result.m_triangulation, result.number_of_nodes(), epsilon,
+                             result.m_rows);
     result.m_rules = internal::Cone_rules(epsilon);
     result.m_rows.shrink_to_fit();
     return result;
@@ -239,14 +250,14 @@ private:
     m_cone_triangulation = internal::Cone_triangulation(m_triangulation);
     const internal::Unfolding unfolding(m_cone_triangulation.get(m_triangulation),
                                         internal::Loop::with_tag<ConcurrencyTag>());
-    const Node number_of_vertices = m_triangulation.number_of_vertices();
-    std::vector<internal::Compressed_arcs> blocks((number_of_vertices + SIZE_OF_BLOCK - 1) /
+    const Node number_of_nodes = static_cast<Node>(this->number_of_nodes());
+    std::vector<internal::Compressed_arcs> blocks((number_of_nodes + SIZE_OF_BLOCK - 1) /
                                                   SIZE_OF_BLOCK);
     const double unit = internal::unit_of_arcs(m_triangulation);
     std::atomic<std::size_t> number_done(0);
     CGAL::for_each<ConcurrencyTag>(blocks, [&](internal::Compressed_arcs& block) {
       const Node first = static_cast<Node>(&block - blocks.data()) * SIZE_OF_BLOCK;
-      const Node size = (std::min)(SIZE_OF_BLOCK, number_of_vertices - first);
+      const Node size = (std::min)(SIZE_OF_BLOCK, number_of_nodes - first);
       block = rows_of(unfolding, unit, first, size, number_done);
       return true;
     });
@@ -305,13 +316,17 @@ inline bool Discrete_geodesic_graph::is_valid() const
     });
     if(!is_valid)
       return false;
-    for(Node h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
-    {
-      const Node w = m_triangulation.target(h);
-      const double longest = m_triangulation.length(h) * rounding + smallest_step;
-      if(w != v && !(length_to[w] <= longest))
-        return false;
-    }
+    if(v >= m_triangulation.number_of_vertices()) // a point in a face
+      is_valid = m_rows.degree(v) > 0;
+    else
+      for(Node h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
+      {
+        const Node w = m_triangulation.target(h);
+        const double longest = m_triangulation.length(h) * rounding + smallest_step;
+        is_valid = is_valid && (w == v || length_to[w] <= longest);
+      }
+    if(!is_valid)
+      return false;
     m_rows.for_each_arc(v, [&](const Node target, double) {
       length_to[target] = std::numeric_limits<double>::infinity();
     });

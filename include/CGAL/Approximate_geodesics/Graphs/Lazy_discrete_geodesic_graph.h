@@ -59,7 +59,7 @@ namespace Approximate_geodesics {
 class Lazy_discrete_geodesic_graph
 {
 public:
-  /// the number of a node; that of the vertex it stands for.
+  /// the number of a node; those of the vertices come first.
   using Node = Intrinsic_triangulation::Index;
 
   /// what becomes of arcs once they are computed.
@@ -117,7 +117,7 @@ public:
       m_cone_triangulation(m_triangulation),
       m_unfolding(m_cone_triangulation.get(m_triangulation), m_loop),
       m_rules(internal::checked_epsilon(np)),
-      m_edge_lengths(summarize_arc_lengths(m_triangulation.lengths())),
+      m_edge_lengths(summarize_arc_lengths(nodes_and_edges().lengths())),
       m_unit(internal::unit_of_arcs(m_triangulation))
   {
     internal::reject_weights(m_triangulation, np, "Lazy_discrete_geodesic_graph");
@@ -140,7 +140,10 @@ public:
   static constexpr bool needs_expansion_history = true;
 
   /// returns the number of nodes.
-  std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
+  std::size_t number_of_nodes() const
+  {
+    return m_cone_triangulation.get(m_triangulation).number_of_vertices();
+  }
 
   /// returns the unit of lengths, that of the triangulation.
   double unit() const { return m_triangulation.unit(); }
@@ -224,6 +227,12 @@ public:
           m_triangulation, rules_of_longest_arcs(), source, target, length, f);
   }
 
+  /// returns where a node is, which may be one of the vertices.
+  Intrinsic_point position(const Node node) const
+  {
+    return m_cone_triangulation.position(m_triangulation, node);
+  }
+
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
   /// from a vertex are followed. So the bound holds for it, too.
   internal::Cones_of_point attach(const Intrinsic_point& point) const
@@ -234,8 +243,9 @@ public:
   /// prefetches what it takes to find the first arcs of `node`.
   void prefetch(const Node node) const
   {
-    const auto h = m_triangulation.first_halfedge(node);
-    m_triangulation.prefetch(h);
+    const Intrinsic_triangulation& triangulation = m_cone_triangulation.get(m_triangulation);
+    const auto h = triangulation.first_halfedge(node);
+    triangulation.prefetch(h);
     constexpr Node faces_per_cache_line = 2;
     for(Node i = 0; i < 6; i += faces_per_cache_line) // of most nodes
       m_unfolding.prefetch(h + i);
@@ -256,6 +266,13 @@ public:
 
 private:
   using Expansion = internal::Cone_expansion<internal::Unfolding>;
+
+  // The triangulation whose vertices are the nodes, where that is not the mesh.
+  const Intrinsic_triangulation& nodes_and_edges() const
+  {
+    return m_cone_triangulation.has_refined_needles() ? m_cone_triangulation.get(m_triangulation)
+                                                      : m_triangulation;
+  }
 
   // whether nodes that are expanded for the first time are expanded together
   bool advances_together() const
@@ -303,7 +320,8 @@ private:
                    const Labels& labels,
                    Arcs& arcs) const
   {
-    Front(m_triangulation, m_unfolding, m_rules.epsilon, labels, arcs).expand(nodes, number);
+    Front(m_cone_triangulation.get(m_triangulation), m_unfolding, m_rules.epsilon, labels, arcs)
+        .expand(nodes, number);
   }
 
   // In balanced fans, detours are left out: a hub's neighbors may all see each other.

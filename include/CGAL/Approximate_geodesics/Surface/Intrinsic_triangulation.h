@@ -36,7 +36,7 @@ template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder;
 template <typename TriangleMesh, typename VertexIndexMap, typename HalfedgeIndexMap>
 class Connectivity_reader;
-class Balanced_fans;
+class Flipped_triangulation;
 } // namespace internal
 
 /*!
@@ -383,8 +383,8 @@ public:
   // in space.
   bool lines_may_return() const { return m_lines_may_return; }
 
-  // Whether the edge of `h` is none of the mesh, as in `Balanced_fans`. A shortest path may cross
-  // such an edge more than once, and so the faces next to it.
+  // Whether the edge of `h` is none of the mesh, as in `Flipped_triangulation`. A shortest path may
+  // cross such an edge more than once, and so the faces next to it.
   bool is_flipped(const Index h) const { return !m_is_flipped.empty() && m_is_flipped[h]; }
 
   // Whether the face to the left of `h` is none of the mesh. \pre There is one.
@@ -445,7 +445,7 @@ private:
   friend class internal::Triangulation_builder;
   template <typename TriangleMesh, typename VertexIndexMap, typename HalfedgeIndexMap>
   friend class internal::Connectivity_reader;
-  friend class internal::Balanced_fans;
+  friend class internal::Flipped_triangulation;
 
   bool is_valid_halfedge(Index h) const;
 

@@ -36,9 +36,9 @@ public:
   double operator()(const Node node) const
   {
     if constexpr(has_positions<SurfaceGraph>)
-      return distance(m_positions(m_graph.triangulation(), position(m_graph, node)), m_goal);
-    else
-      return distance(m_positions[node], m_goal);
+      if(node >= m_graph.triangulation().number_of_vertices())
+        return distance(m_positions(m_graph.triangulation(), m_graph.position(node)), m_goal);
+    return distance(m_positions[node], m_goal);
   }
 
 private:

@@ -30,14 +30,15 @@ class Vertex_predecessors
 public:
   explicit Vertex_predecessors(const Search& search) : m_search(search)
   {
-    if constexpr(has_positions<typename Search::Graph>)
-      m_before.resize(m_search.graph().number_of_nodes(), Search::null_node);
+    const std::size_t number_of_nodes = search.graph().number_of_nodes();
+    if(number_of_nodes > search.graph().triangulation().number_of_vertices())
+      m_before.resize(number_of_nodes, Search::null_node);
   }
 
   // Allocates nothing.
   Node operator()(const Node node)
   {
-    if constexpr(!has_positions<typename Search::Graph>)
+    if(m_before.empty()) // all nodes are vertices
       return m_search.predecessor(node);
 
     const Node vertex = vertex_of(node);

@@ -56,7 +56,7 @@ public:
     writer.write(double(Cone_rules::SHARE_OF_ENDS));
     writer.write(double(Cone_rules::SHARE_OF_DETOURS));
     writer.write(double(Cone_rules::SHARE_OF_BENDS));
-    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    for(Index v = 0; v < rows.number_of_rows(); ++v)
     {
       writer.write(static_cast<std::uint32_t>(rows.degree(v)));
       rows.for_each_stored_arc(v, [&](const Index target, const float length) {
@@ -67,9 +67,10 @@ public:
     writer.finish();
   }
 
-  // Reads what was written for the same triangulation.
+  // Reads what was written for the same triangulation, whose graph has so many nodes.
   static void load(std::istream& in,
                    const Intrinsic_triangulation& triangulation,
+                   const std::size_t number_of_nodes,
                    double& epsilon,
                    Compressed_arcs& rows)
   {
@@ -78,11 +79,11 @@ public:
     epsilon = reader.read<double>();
     check_shares(reader);
     rows = Compressed_arcs(unit_of_arcs(triangulation));
-    rows.reserve(triangulation.number_of_vertices());
+    rows.reserve(number_of_nodes);
     std::vector<Stored_arc> arcs;
-    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    for(Index v = 0; v < number_of_nodes; ++v)
     {
-      read_arcs(reader, triangulation.number_of_vertices(), v, arcs);
+      read_arcs(reader, number_of_nodes, v, arcs);
       rows.append_row(arcs);
     }
     reader.finish();
@@ -141,7 +142,7 @@ private:
   }
 
   static void read_arcs(Binary_reader& reader,
-                        const Index number_of_vertices,
+                        const std::size_t number_of_nodes,
                         const Index node,
                         std::vector<Stored_arc>& arcs)
   {
@@ -152,7 +153,7 @@ private:
       const auto target = reader.read<std::uint32_t>();
       const auto length = reader.read<float>();
       const bool is_sorted = arcs.empty() || arcs.back().target < target;
-      if(target >= number_of_vertices || target == node || !is_sorted || !(length >= 0) ||
+      if(target >= number_of_nodes || target == node || !is_sorted || !(length >= 0) ||
          std::isinf(length))
         reject("the file of the graph is damaged: arc " + std::to_string(i) + " of node " +
                std::to_string(node) + " makes no sense");

@@ -198,8 +198,8 @@ private:
     const double distance = length(position);
     const double label = m_labels.distance(cone.tip);
     const End apex{position, distance, m_labels.distance(face.apex) - label};
-    const bool is_of_use = is_worth_a_look(cone, face.across);
-    const bool is_open = is_of_use & (MAY_RETURN | (face.apex != cone.tip));
+    const bool is_of_use = is_worth_a_look(cone, face);
+    const bool is_open = is_of_use & (MAY_RETURN | face.is_face_new | (face.apex != cone.tip));
     m_arcs.append(is_open & is_seen, cone.tip, label, face.apex, distance);
 
     // An apex where the tip is sees the same.
@@ -275,7 +275,7 @@ private:
   // line in their middle. See `Cone_side`, whose vertices serve what is farther away by the way to
   // them, less the part that may be lost. In a triangle whose sides have an angle with the cosine
   // `cosine`, this comes to the two comparisons below.
-  bool is_worth_a_look(const Cone& cone, const double height_of_face) const
+  bool is_worth_a_look(const Cone& cone, const Unfolded_face& face) const
   {
     const Side& left = cone.left_side;
     const Side& right = cone.right_side;
@@ -291,7 +291,7 @@ private:
     const bool both_serve = (gain > 0) & (area * gain >= m_part_lost * farther * slope);
 
     const bool is_plane = (area >= 0) & ((slope > 0) | (cosine < 0)); // up to rounding
-    const bool winds = has_returned(cone, height_of_face);
+    const bool winds = !face.is_edge_new & has_returned(cone, face.across);
     return is_plane & !(serves_other | both_serve | winds);
   }
 

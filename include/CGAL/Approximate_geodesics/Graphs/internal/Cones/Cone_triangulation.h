@@ -12,8 +12,11 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_line.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_segment.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Balanced_fans.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Balanced_fans.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Refined_needles.h>
 
 #include <cstddef>
 #include <optional>
@@ -23,8 +26,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The triangulation whose faces cones cross: that of the mesh, or, where a vertex of that has very
- * many neighbors, one with balanced fans. Those who have it keep the mesh's, too, and hand it in.
+ * The triangulation whose faces cones cross, and whose vertices are the nodes of a graph: that of
+ * the mesh; or one with refined needles, if it has many of them; or one with balanced fans, if a
+ * vertex has very many neighbors. Those who have it keep the mesh's, too, and hand it in.
  */
 class Cone_triangulation
 {
@@ -35,7 +39,9 @@ public:
 
   explicit Cone_triangulation(const Intrinsic_triangulation& mesh)
   {
-    if(Balanced_fans::are_useful(mesh))
+    if(Refined_needles::are_useful(mesh))
+      m_needles.emplace(mesh);
+    else if(Balanced_fans::are_useful(mesh))
       m_fans.emplace(mesh);
   }
 
@@ -43,7 +49,18 @@ public:
 
   const Intrinsic_triangulation& get(const Intrinsic_triangulation& mesh) const
   {
+    if(m_needles)
+      return m_needles->triangulation();
     return m_fans ? m_fans->triangulation() : mesh;
+  }
+
+  bool has_refined_needles() const { return m_needles.has_value(); }
+
+  // Where a node is in the mesh.
+  Intrinsic_point position(const Intrinsic_triangulation& mesh, const Index node) const
+  {
+    return node < mesh.number_of_vertices() ? Intrinsic_point::at_vertex(node)
+                                            : m_needles->position(node);
   }
 
   // Calls `f(target, length)` for the arcs of `v` that `expansion` finds, which crosses this
@@ -58,9 +75,9 @@ public:
   {
     expansion.expand(
         v, [&](const Straight_arc& arc) { f(arc.target, arc.length); }, visitor);
-    if(m_fans)
+    if((m_fans || m_needles) && v < mesh.number_of_vertices())
       for(Index h = mesh.first_halfedge(v); h < mesh.beyond_halfedge(v); ++h)
-        if(m_fans->is_lost(h))
+        if(m_fans ? m_fans->is_lost(h) : m_needles->is_lost(h))
           f(mesh.target(h), mesh.length(h));
   }
 
@@ -73,14 +90,20 @@ public:
                const double length,
                F f) const
   {
+    if(m_needles)
+      return trace_segment(mesh, position(mesh, source), position(mesh, target), length, f);
     return m_fans ? trace_arc_of_fans<Visitor>(mesh, *m_fans, rules, source, target, length, f)
                   : trace_arc<Visitor>(mesh, rules, source, target, length, f);
   }
 
-  std::size_t memory() const { return m_fans ? m_fans->memory() : 0; }
+  std::size_t memory() const
+  {
+    return (m_fans ? m_fans->memory() : 0) + (m_needles ? m_needles->memory() : 0);
+  }
 
 private:
   std::optional<Balanced_fans> m_fans;
+  std::optional<Refined_needles> m_needles;
 };
 
 } // namespace internal

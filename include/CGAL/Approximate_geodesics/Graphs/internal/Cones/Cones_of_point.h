@@ -74,8 +74,8 @@ public:
       return;
     m_lines.for_each_point(points, f);
     Window_tree tree;
-    expand_to_points<Leave_out_nothing>(
-        points, tree, [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); });
+    expand_to_points(points, tree, Leave_out_nothing(),
+                     [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); });
   }
 
   // Calls `f(h, t)` for the edges that the line of the given length to the vertex `v` crosses.
@@ -84,13 +84,9 @@ public:
   double for_each_crossing(const Index v, const double length, F f) const
   {
     Line_search search{length};
-    m_lines.for_each_node([&](const Index corner, const double l) {
-      if(corner == v)
-        search.consider({corner, l, {0, 0}, 0, 0});
-    });
-    find_arc<Leave_out_nothing>(v, search);
+    find_line(v, Leave_out_nothing(), search);
     if(!search.is_found())
-      farther().find_arc<Leave_out_nothing_in_doubt>(v, search);
+      farther().find_arc(v, Leave_out_nothing_in_doubt(), search);
     return trace(search, f);
   }
 
@@ -98,15 +94,19 @@ public:
   template <typename F>
   double for_each_crossing(const Intrinsic_point& end, const double length, F f) const
   {
-    const Points_by_face points(m_triangulation, {end});
     Line_search search{length};
-    const auto consider = [&](std::size_t, const Straight_arc& line) { search.consider(line); };
-    m_lines.for_each_point(points, [&](std::size_t, const double l) {
-      search.consider({0, l, {0, 0}, 0, 0});
-    });
-    expand_to_points<Leave_out_nothing>(points, search.tree, consider);
+    find_line(end, Leave_out_nothing(), search);
     if(!search.is_found())
-      farther().expand_to_points<Leave_out_nothing_in_doubt>(points, search.tree, consider);
+      farther().find_line(end, Leave_out_nothing_in_doubt(), search);
+    return trace(search, f);
+  }
+
+  // The same for a line to a vertex or a point through windows that `visitor` does not prune.
+  template <typename End, typename Visitor, typename F>
+  double trace_within(const End& end, const double length, const Visitor& visitor, F f) const
+  {
+    Line_search search{length};
+    find_line(end, visitor, search);
     return trace(search, f);
   }
 
@@ -115,7 +115,28 @@ private:
   Cones_of_point farther() const { return {m_triangulation, m_rules.farther(1. / 64), m_point}; }
 
   template <typename Visitor>
-  void find_arc(const Index v, Line_search& search) const
+  void find_line(const Index v, const Visitor& visitor, Line_search& search) const
+  {
+    m_lines.for_each_node([&](const Index corner, const double l) {
+      if(corner == v)
+        search.consider({corner, l, {0, 0}, 0, 0});
+    });
+    find_arc(v, visitor, search);
+  }
+
+  template <typename Visitor>
+  void find_line(const Intrinsic_point& end, const Visitor& visitor, Line_search& search) const
+  {
+    const Points_by_face points(m_triangulation, {end});
+    m_lines.for_each_point(points, [&](std::size_t, const double l) {
+      search.consider({0, l, {0, 0}, 0, 0});
+    });
+    expand_to_points(points, search.tree, visitor,
+                     [&](std::size_t, const Straight_arc& line) { search.consider(line); });
+  }
+
+  template <typename Visitor>
+  void find_arc(const Index v, const Visitor& visitor, Line_search& search) const
   {
     const auto consider = [&](const Straight_arc& arc) {
       if(arc.target == v)
@@ -124,7 +145,7 @@ private:
     if(!m_point.is_vertex())
       for_each_window([&](const Window& window, const Index start) {
         m_expansion.expand_through(window, start, consider,
-                                   Remembering<Visitor>{Visitor(), search.tree});
+                                   Remembering<Visitor>{visitor, search.tree});
       });
   }
 
@@ -167,12 +188,15 @@ private:
   };
 
   template <typename Visitor, typename Report>
-  void expand_to_points(const Points_by_face& points, Window_tree& tree, const Report& report) const
+  void expand_to_points(const Points_by_face& points,
+                        Window_tree& tree,
+                        const Visitor& visitor,
+                        const Report& report) const
   {
     for_each_window([&](const Window& window, const Index start) {
       m_expansion.expand_through(
           window, start, [](const Straight_arc&) {},
-          Finding_points<Visitor, Report>{{}, m_triangulation, points, tree, report, start});
+          Finding_points<Visitor, Report>{visitor, m_triangulation, points, tree, report, start});
     });
   }
 

@@ -168,6 +168,7 @@ void find_arc(const Intrinsic_triangulation& triangulation,
               const Cone_rules& rules,
               const Intrinsic_triangulation::Index source,
               const Intrinsic_triangulation::Index target,
+              const Visitor& visitor,
               Line_search& search)
 {
   const Unfolding_on_demand unfolding(triangulation);
@@ -176,7 +177,7 @@ void find_arc(const Intrinsic_triangulation& triangulation,
     if(arc.target == target)
       search.consider(arc);
   };
-  expansion.expand(source, consider, Remembering<Visitor>{Visitor(), search.tree});
+  expansion.expand(source, consider, Remembering<Visitor>{visitor, search.tree});
 }
 
 // Looks for an arc that was not found, although it was when the graph was built: for vertices that
@@ -189,8 +190,8 @@ inline void search_in_doubt(const Intrinsic_triangulation& triangulation,
 {
   for(const double part : {1. / 4, 1. / 64, 1. / 1024})
     if(!search.is_found())
-      find_arc<Leave_out_nothing_in_doubt>(triangulation, rules.farther(part), source, target,
-                                           search);
+      find_arc(triangulation, rules.farther(part), source, target, Leave_out_nothing_in_doubt(),
+               search);
 }
 
 // Calls `f(h, t)` for the edges that the line found to `target` crosses. Returns its length.
@@ -225,7 +226,7 @@ double trace_arc(const Intrinsic_triangulation& triangulation,
                  F f)
 {
   Line_search search{length};
-  find_arc<Visitor>(triangulation, rules, source, target, search);
+  find_arc(triangulation, rules, source, target, Visitor(), search);
   search_in_doubt(triangulation, rules, source, target, search);
   return report_line(triangulation, search, target, f);
 }

@@ -11,9 +11,9 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Balanced_fans.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Balanced_fans.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <cmath>
@@ -156,7 +156,7 @@ double trace_arc_of_fans(const Intrinsic_triangulation& mesh,
     return search.found.length;
 
   Line_search found{length};
-  find_arc<Visitor>(fans.triangulation(), rules, source, target, found);
+  find_arc(fans.triangulation(), rules, source, target, Visitor(), found);
   search_in_doubt(fans.triangulation(), rules, source, target, found);
   if(found.found.target == target)
     Line_in_mesh(mesh, fans).find(source, found.found, search);

@@ -3,18 +3,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_BALANCED_FANS_H
-#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_BALANCED_FANS_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_BALANCED_FANS_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_BALANCED_FANS_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Edge_flips.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Edge_flips.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Flipped_triangulation.h>
 
 #include <cstddef>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,25 +51,19 @@ public:
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
       if(mesh.degree(v) > LARGEST_DEGREE)
         balance(mesh, v, flips, degrees);
-    number_halfedges(mesh, flips);
-    copy(mesh, flips);
-    copy_thin_faces(mesh, flips);
+    m_flipped = Flipped_triangulation(mesh, flips);
   }
 
-  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+  const Intrinsic_triangulation& triangulation() const { return m_flipped.triangulation(); }
 
   // Whether a halfedge of the mesh is none of this triangulation.
-  bool is_lost(const Index h) const { return m_triangulation.is_flipped(m_number[h]); }
+  bool is_lost(const Index h) const { return m_flipped.is_lost(h); }
 
   // The number here of a halfedge that is not lost, and that in the mesh of one that is not new.
-  Index number(const Index h) const { return m_number[h]; }
-  Index number_in_mesh(const Index h) const { return m_number_in_mesh[h]; }
+  Index number(const Index h) const { return m_flipped.number(h); }
+  Index number_in_mesh(const Index h) const { return m_flipped.number_in_mesh(h); }
 
-  std::size_t memory() const
-  {
-    return m_triangulation.memory() +
-           sizeof(Index) * (m_number.capacity() + m_number_in_mesh.capacity());
-  }
+  std::size_t memory() const { return m_flipped.memory(); }
 
 private:
   // How many edges a vertex has got from others, and how many of its own are left.
@@ -143,83 +135,11 @@ private:
     return true;
   }
 
-  // Every vertex has a halfedge of its own left, which comes first.
-  void number_halfedges(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
-  {
-    m_number.resize(mesh.number_of_halfedges());
-    m_number_in_mesh.reserve(mesh.number_of_halfedges());
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-    {
-      m_triangulation.m_first_halfedge.back() = static_cast<Index>(m_number_in_mesh.size());
-      m_triangulation.m_first_halfedge.push_back(0);
-      Index first = mesh.first_halfedge(v);
-      while(first < mesh.beyond_halfedge(v) && flips.is_flipped(first))
-        ++first;
-      if(first == mesh.beyond_halfedge(v))
-        continue; // an isolated vertex
-      Index h = first;
-      do
-      {
-        m_number[h] = static_cast<Index>(m_number_in_mesh.size());
-        m_number_in_mesh.push_back(h);
-        h = flips[h].counterclockwise;
-      } while(h != first);
-    }
-    m_triangulation.m_first_halfedge.back() = static_cast<Index>(m_number_in_mesh.size());
-  }
-
-  void copy(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
-  {
-    Intrinsic_triangulation& t = m_triangulation;
-    t.m_opposite_rank.resize(m_number.size());
-    for(Index i = 0; i < m_number_in_mesh.size(); ++i)
-    {
-      const Index h = m_number_in_mesh[i];
-      t.m_target.push_back(flips[h].target);
-      t.m_length.push_back(flips[h].length);
-      t.m_is_border.push_back(mesh.is_border(h));
-      t.m_is_flipped.push_back(flips.is_flipped(h));
-      t.m_opposite_rank.set(i, m_number[flips[h].opposite] - t.first_halfedge(flips[h].target));
-    }
-    t.m_vertex_of_index = mesh.m_vertex_of_index;
-    t.m_index_of_vertex = mesh.m_index_of_vertex;
-    t.m_number_of_faces = mesh.m_number_of_faces;
-    t.m_unit = mesh.m_unit;
-  }
-
-  // New faces have shapes, even where those of the mesh are not known.
-  void copy_thin_faces(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
-  {
-    const Intrinsic_triangulation& t = m_triangulation;
-    Thin_faces result;
-    for(Index i = 0; i < t.number_of_halfedges(); ++i)
-    {
-      if(t.is_border(i))
-        continue;
-      const Thin_faces::Halfedges sides = t.halfedges_of_face(i);
-      if(i > sides[1] || i > sides[2] ||
-         !Thin_faces::is_thin(t.length(i), t.length(sides[1]), t.length(sides[2])))
-        continue;
-      const Thin_faces::Halfedges in_mesh{m_number_in_mesh[i], m_number_in_mesh[sides[1]],
-                                          m_number_in_mesh[sides[2]]};
-      const Edge_flips::Halfedge& h = flips[in_mesh[0]];
-      if(t.is_in_new_face(i))
-        result.add(sides, {{h.corner, flips[in_mesh[1]].corner, flips[in_mesh[2]].corner},
-                           h.doubled_area});
-      else if(const std::optional<Thin_face> face = mesh.thin_faces().find(in_mesh))
-        result.add(sides, *face);
-    }
-    result.shrink_to_fit();
-    m_triangulation.m_thin_faces = std::move(result);
-  }
-
-  Intrinsic_triangulation m_triangulation;
-  std::vector<Index> m_number;         // by that in the mesh
-  std::vector<Index> m_number_in_mesh; // per halfedge of the triangulation
+  Flipped_triangulation m_flipped;
 };
 
 } // namespace internal
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_BALANCED_FANS_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_BALANCED_FANS_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_EDGE_FLIPS_H
-#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_EDGE_FLIPS_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_EDGE_FLIPS_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_EDGE_FLIPS_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -26,7 +26,8 @@ namespace internal {
 /*
  * A copy of a triangulation, in which edges can be flipped: the two faces at an edge are laid out
  * in the plane, and their other diagonal takes its place. So the surface and its vertices stay what
- * they are. Halfedges keep their numbers, those that were flipped with other ends.
+ * they are. Halfedges keep their numbers, those that were flipped with other ends. Vertices can be
+ * added inside faces; their numbers, and those of their halfedges, follow the others.
  */
 class Edge_flips
 {
@@ -45,7 +46,8 @@ public:
     Index hub;           // the vertex that it was taken from by a flip, if any
   };
 
-  explicit Edge_flips(const Intrinsic_triangulation& triangulation) : m_mesh(triangulation)
+  explicit Edge_flips(const Intrinsic_triangulation& triangulation)
+    : m_mesh(triangulation), m_number_of_vertices(triangulation.number_of_vertices())
   {
     m_halfedges.reserve(triangulation.number_of_halfedges());
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
@@ -54,6 +56,26 @@ public:
   }
 
   const Halfedge& operator[](const Index h) const { return m_halfedges[h]; }
+
+  Index number_of_vertices() const { return m_number_of_vertices; }
+  Index number_of_halfedges() const { return static_cast<Index>(m_halfedges.size()); }
+
+  bool is_border(const Index h) const
+  {
+    return h < m_mesh.number_of_halfedges() && m_mesh.is_border(h);
+  }
+
+  // Where the third vertex of the face to the left of `h` is, if `h` is laid out.
+  Plane_vector
+  position_of_apex(const Index h, const Plane_vector source, const Plane_vector target) const
+  {
+    const Plane_vector edge = target - source;
+    const double square = m_halfedges[h].length * m_halfedges[h].length;
+    const double along = m_halfedges[h].corner / square;
+    const double across = m_halfedges[h].doubled_area / square;
+    return {source.x + along * edge.x - across * edge.y,
+            source.y + along * edge.y + across * edge.x};
+  }
 
   bool is_flipped(const Index h) const { return m_halfedges[h].hub != null_index; }
 
@@ -111,6 +133,53 @@ public:
     set_face({quad.right_side, h, quad.left_side},
              {dot(far_left, far_right), -dot(far_right, diagonal), dot(far_left, diagonal)},
              cross(far_right, far_left));
+  }
+
+  // Whether the other diagonal makes the smallest angle of the two faces larger, and can be drawn.
+  bool is_worse_than_flipped(const Index h) const
+  {
+    const Index g = m_halfedges[h].opposite;
+    if(is_border(h) || is_border(g))
+      return false;
+    const Quad quad = this->quad(h);
+    const Index left = m_halfedges[quad.left_rim].target,
+                right = m_halfedges[quad.right_side].target;
+    const Index source = m_halfedges[g].target, v = m_halfedges[h].target;
+    if(left == right || left == source || right == source || left == v || right == v || source == v)
+      return false;
+    const double left_area = m_halfedges[h].doubled_area, right_area = m_halfedges[g].doubled_area;
+    if(!(left_area > 0 && right_area > 0))
+      return false;
+    constexpr double rounding = 1e-9;
+    return corner(quad.left_side) / left_area + corner(quad.right_rim) / right_area < -rounding &&
+           doubled_area_beyond(quad) > rounding * (left_area + right_area) &&
+           cross(right_of_source(quad), left_of_source(quad)) > rounding * (left_area + right_area);
+  }
+
+  // Adds a vertex in the face to the left of `h`, at `p` where `h` starts from the origin and lies
+  // along x. Returns a halfedge that starts from it.
+  Index insert(const Index h, const Plane_vector p)
+  {
+    const std::array<Index, 3> sides = halfedges_of_face(h);
+    const Plane_vector corners[3] = {{0, 0},
+                                     {m_halfedges[h].length, 0},
+                                     position_of_apex(h, {0, 0}, {m_halfedges[h].length, 0})};
+    const Index v = m_number_of_vertices++, first = number_of_halfedges();
+    for(Index i = 0; i < 3; ++i)
+      add_spoke(v, first + 2 * i, sides[i], length(p - corners[i]));
+    for(Index i = 0; i < 3; ++i)
+    {
+      const Index out = first + 2 * i, next_out = first + 2 * ((i + 1) % 3);
+      m_halfedges[out].counterclockwise = next_out;
+      m_halfedges[next_out].clockwise = out;
+    }
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const Plane_vector a = corners[i], b = corners[(i + 1) % 3];
+      set_face(halfedges_of_face(sides[i]),
+               {dot(b - a, p - a), dot(a - b, p - b), dot(a - p, b - p)}, cross(b - a, p - a));
+    }
+    return first;
   }
 
 private:
@@ -189,6 +258,18 @@ private:
     return (std::max)(std::abs(far_left - far_right), (std::min)(diagonal, left + right));
   }
 
+  // Connects a new vertex to the source of `side`, in the face to its left: by `out`, and `out` + 1
+  // in the opposite direction.
+  void add_spoke(const Index v, const Index out, const Index side, const double length)
+  {
+    const Index corner = m_halfedges[m_halfedges[side].opposite].target;
+    const Index beyond = m_halfedges[side].counterclockwise;
+    m_halfedges.push_back({corner, out + 1, out, out, length, 0, 0, v});
+    m_halfedges.push_back({v, out, beyond, side, length, 0, 0, v});
+    m_halfedges[side].counterclockwise = out + 1;
+    m_halfedges[beyond].clockwise = out + 1;
+  }
+
   void remove(const Index h)
   {
     const Halfedge& old = m_halfedges[h];
@@ -217,6 +298,7 @@ private:
   }
 
   const Intrinsic_triangulation& m_mesh;
+  Index m_number_of_vertices;
   std::vector<Halfedge> m_halfedges;
 };
 
@@ -224,4 +306,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_EDGE_FLIPS_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_EDGE_FLIPS_H

@@ -1,0 +1,306 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "checks/test_random.h"
+#include "meshes/test_meshes.h"
+#include "oracles/test_oracles.h"
+
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Refined_needles.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Strips of faces that are far longer than wide: cones must not run across hundreds of them, and
+// the bound has to hold with the vertices that are added there.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+using namespace geodesics_test;
+using AG::Discrete_geodesic_graph;
+using AG::Lazy_discrete_geodesic_graph;
+using AG::internal::Refined_needles;
+using CGAL::parameters::epsilon;
+
+// ----- the meshes
+
+struct Needle_mesh
+{
+  std::string name;
+  Soup soup;
+};
+
+// A grid whose columns go around; faces are `aspect` times as high as wide.
+Soup tube(const std::size_t columns,
+          const std::size_t rows,
+          const double aspect,
+          const double jitter = 0)
+{
+  const double width = 2 * CGAL_PI / static_cast<double>(columns);
+  const double step = jitter * width * (std::min)(1., aspect);
+  Random random(3);
+  const auto moved = [&](const double x) { return x + step * random.between(-1, 1); };
+  Soup result = grid(columns, rows, [&](const double i, const double j) {
+    return Point(moved(std::cos(i * width)), moved(std::sin(i * width)), moved(j * width * aspect));
+  });
+  for(std::size_t j = 0; j + 1 < rows; ++j)
+  {
+    const std::size_t a = j * columns, b = a + columns, last = columns - 1;
+    result.triangles.push_back({a + last, a, b});
+    result.triangles.push_back({a + last, b, b + last});
+  }
+  return result;
+}
+
+// The outline is extruded, and closed by fans.
+Soup extruded(const std::size_t size, const double height, double (*radius)(std::size_t))
+{
+  Soup result = tube(size, 2, 1);
+  for(std::size_t i = 0; i < 2 * size; ++i)
+  {
+    const double angle = 2 * CGAL_PI * static_cast<double>(i) / static_cast<double>(size);
+    const double r = radius(i % size);
+    result.points[i] = Point(r * std::cos(angle), r * std::sin(angle), i < size ? 0 : height);
+  }
+  result.points.push_back(Point(0, 0, 0));
+  result.points.push_back(Point(0, 0, height));
+  for(std::size_t i = 0; i < size; ++i)
+  {
+    const std::size_t j = (i + 1) % size;
+    result.triangles.push_back({j, i, 2 * size});
+    result.triangles.push_back({i + size, j + size, 2 * size + 1});
+  }
+  return result;
+}
+
+Soup helix(const std::size_t size)
+{
+  return grid(size, 2, [](const double i, const double j) {
+    const double angle = i / 200, radius = 1 + j / 3;
+    return Point(radius * std::cos(angle), radius * std::sin(angle), angle / 9);
+  });
+}
+
+std::vector<Needle_mesh> needle_meshes()
+{
+  const auto round = [](std::size_t) { return 1.; };
+  const auto teeth = [](const std::size_t i) { return i / 5 % 2 == 0 ? 1. : 1.2; };
+  return {
+      {"wide tube", tube(200, 5, 40)},
+      {"wide tube, uneven", tube(200, 5, 40, 0.3)},
+      {"tall tube", tube(6, 200, 1. / 60)},
+      {"tall tube, uneven", tube(6, 200, 1. / 60, 0.3)},
+      {"strip", grid(500, 2, [](const double i, const double j) { return Point(i, 99 * j, 0); })},
+      {"slanted strip",
+       grid(500, 2, [](const double i, const double j) { return Point(i + 99 * j, 50 * j, 0); })},
+      {"helix", helix(800)},
+      {"prism", extruded(300, 3, round)},
+      {"gear", extruded(300, 3, teeth)}};
+}
+
+AG::Vertex_positions positions_of(const Mesh& mesh, const Triangulation& t)
+{
+  return AG::Vertex_positions(t, [&](const Node v) {
+    const Point& p = mesh.point(Vertex(static_cast<Mesh::size_type>(t.index(v))));
+    return AG::Vertex_positions::Position{p.x(), p.y(), p.z()};
+  });
+}
+
+// ----- the triangulation
+
+TEST(Needles, are_refined_to_another_triangulation_of_the_same_surface)
+{
+  for(const Needle_mesh& m : needle_meshes())
+  {
+    SCOPED_TRACE(m.name);
+    const Triangulation mesh(to_mesh(m.soup));
+    ASSERT_TRUE(Refined_needles::are_useful(mesh));
+    const Refined_needles needles(mesh);
+    const Triangulation& t = needles.triangulation();
+    EXPECT_TRUE(t.is_valid());
+    EXPECT_NO_THROW(t.check_triangle_inequality());
+    EXPECT_GT(t.number_of_vertices(), mesh.number_of_vertices());
+    EXPECT_LE(t.number_of_vertices(), 2 * mesh.number_of_vertices());
+    for(Node v = mesh.number_of_vertices(); v < t.number_of_vertices(); ++v)
+      EXPECT_TRUE(needles.position(v).is_valid(mesh));
+  }
+}
+
+// An edge cannot be shorter than the straight line between its ends.
+TEST(Needles, have_added_vertices_where_they_say)
+{
+  for(const Needle_mesh& m : needle_meshes())
+  {
+    SCOPED_TRACE(m.name);
+    const Mesh surface = to_mesh(m.soup);
+    const Triangulation mesh(surface);
+    const Refined_needles needles(mesh);
+    const Triangulation& t = needles.triangulation();
+    const AG::Vertex_positions positions = positions_of(surface, mesh);
+    const auto place = [&](const Node v) {
+      return positions(mesh, v < mesh.number_of_vertices() ? AG::Intrinsic_point::at_vertex(v)
+                                                           : needles.position(v));
+    };
+    for(Node h = 0; h < t.number_of_halfedges(); ++h)
+      EXPECT_LE(AG::internal::distance(place(t.source(h)), place(t.target(h))),
+                t.length(h) * (1 + 1e-9));
+  }
+}
+
+TEST(Needles, are_left_alone_where_they_are_few)
+{
+  const Triangulation mesh(to_mesh(tube(40, 40, 1)));
+  EXPECT_EQ(&AG::internal::Cone_triangulation(mesh).get(mesh), &mesh);
+}
+
+// ----- what they cost
+
+struct Windows : AG::internal::Leave_out_detours
+{
+  bool prune(const AG::internal::Window&) const
+  {
+    ++number;
+    return false;
+  }
+  std::size_t& number;
+};
+
+double windows_per_vertex(const Soup& soup)
+{
+  const Triangulation mesh(to_mesh(soup));
+  const AG::internal::Cone_triangulation cones(mesh);
+  const Triangulation& t = cones.get(mesh);
+  const AG::internal::Unfolding unfolding(t);
+  const AG::internal::Cone_expansion<AG::internal::Unfolding> expansion(
+      t, unfolding, AG::internal::Cone_rules(0.1));
+  std::size_t result = 0;
+  for(Node v = 0; v < t.number_of_vertices(); ++v)
+    expansion.expand(
+        v, [](const AG::internal::Straight_arc&) {}, Windows{{}, result});
+  return static_cast<double>(result) / mesh.number_of_vertices();
+}
+
+TEST(Needles, cost_a_vertex_nearly_the_same_however_long_they_are)
+{
+  constexpr double most = 800; // about 180 on an ordinary mesh
+  for(const double aspect : {50., 200., 1000.})
+    for(const double jitter : {0., 0.3})
+      EXPECT_LT(windows_per_vertex(tube(1500, 4, aspect, jitter)), most) << aspect;
+  EXPECT_LT(windows_per_vertex(tube(6, 1000, 1. / 60)), most);
+  EXPECT_LT(windows_per_vertex(tube(6, 1000, 1. / 600)), most);
+}
+
+// ----- the bound
+
+template <typename Graph>
+void expect_bound(const Graph& graph,
+                  const Node source,
+                  const std::vector<double>& exact,
+                  const double e)
+{
+  AG::Propagation<Graph> search(graph);
+  search.run_from(source);
+  for(Node v = 0; v < exact.size(); ++v)
+  {
+    EXPECT_GE(search.distance(v), exact[v] * (1 - 1e-11)) << "at vertex " << v;
+    EXPECT_LE(search.distance(v), exact[v] * (1 + e)) << "at vertex " << v;
+  }
+}
+
+TEST(Needles, have_the_bound)
+{
+  for(const Needle_mesh& m : needle_meshes())
+  {
+    SCOPED_TRACE(m.name);
+    const Triangulation t(to_mesh(m.soup));
+    const AG::Saddle_vertex_graph exact_graph(t);
+    AG::Propagation<AG::Saddle_vertex_graph> search(exact_graph);
+    for(const std::size_t i : {std::size_t(0), m.soup.points.size() / 3})
+    {
+      search.run_from(t.vertex(i));
+      std::vector<double> exact;
+      for(Node v = 0; v < t.number_of_vertices(); ++v)
+        exact.push_back(search.distance(v));
+      for(const double e : {1., 0.3, 0.1, 0.01})
+      {
+        const Discrete_geodesic_graph built(t, epsilon(e));
+        EXPECT_TRUE(built.is_valid());
+        expect_bound(built, t.vertex(i), exact, e);
+        expect_bound(Lazy_discrete_geodesic_graph(t, epsilon(e)), t.vertex(i), exact, e);
+      }
+    }
+  }
+}
+
+TEST(Needles, have_the_same_graph_lazily_and_from_a_file)
+{
+  const Triangulation t(to_mesh(tube(200, 5, 40, 0.3)));
+  const Discrete_geodesic_graph built(t, epsilon(0.1));
+  std::stringstream file;
+  built.save(file);
+  const Discrete_geodesic_graph read = Discrete_geodesic_graph::load(file, t);
+  EXPECT_TRUE(read.is_valid());
+  const Lazy_discrete_geodesic_graph kept(t, epsilon(0.1),
+                                          Lazy_discrete_geodesic_graph::Arcs::KEPT);
+  AG::Propagation<Discrete_geodesic_graph> search(built), search_of_file(read);
+  AG::Propagation<Lazy_discrete_geodesic_graph> search_of_kept(kept);
+  search.run_from(9);
+  search_of_file.run_from(9);
+  search_of_kept.run_from(9);
+  for(Node v = 0; v < built.number_of_nodes(); ++v)
+  {
+    EXPECT_EQ(search_of_file.distance(v), search.distance(v));
+    EXPECT_EQ(search_of_kept.distance(v), search.distance(v));
+  }
+}
+
+// ----- paths
+
+// The points of a path, in space, are as far apart as its length says.
+template <typename Graph>
+void expect_paths(const Mesh& mesh, const double tolerance)
+{
+  const Triangulation t(mesh);
+  const Graph graph(t, epsilon(0.1));
+  const AG::Vertex_positions positions = positions_of(mesh, t);
+  AG::Surface_search<Graph> search(graph);
+  const Node source = t.vertex(1);
+  search.run({{AG::Intrinsic_point::at_vertex(source)}});
+  for(Node v = 0; v < t.number_of_vertices(); v += 1 + t.number_of_vertices() / 29)
+  {
+    const AG::Path path = search.find_path(AG::Intrinsic_point::at_vertex(v));
+    double length = 0;
+    for(std::size_t i = 1; i < path.points.size(); ++i)
+      length += t.unit() * AG::internal::distance(positions(t, path.points[i - 1]),
+                                                  positions(t, path.points[i]));
+    const double expected = search.search().distance(v);
+    EXPECT_NEAR(path.length, expected, tolerance * expected) << "to vertex " << v;
+    EXPECT_NEAR(length, expected, tolerance * expected) << "to vertex " << v;
+  }
+}
+
+TEST(Needles, have_paths_on_the_mesh)
+{
+  constexpr double rounding = 1e-9, single_precision = 1e-6;
+  for(const Needle_mesh& m : needle_meshes())
+  {
+    SCOPED_TRACE(m.name);
+    expect_paths<Lazy_discrete_geodesic_graph>(to_mesh(m.soup), rounding);
+    expect_paths<Discrete_geodesic_graph>(to_mesh(m.soup), single_precision);
+  }
+}
+
+} // namespace
