@@ -126,9 +126,9 @@ public:
   /// @{
 
   /// does what `extract_min()` does, and removes more entries, up to `largest_batch`, if there are
-  /// more that may come in any order. Graphs that are searched by several threads get larger batches
-  /// in this way. A queue without this member function works with them, too, but keeps threads less
-  /// busy.
+  /// more that may come in any order. Graphs that are searched by several threads get larger
+  /// batches in this way. A queue without this member function works with them, too, but keeps
+  /// threads less busy.
   Batch extract_round(std::size_t largest_batch);
 
   /// @}
