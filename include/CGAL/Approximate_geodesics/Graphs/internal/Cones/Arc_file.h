@@ -36,7 +36,7 @@ class Arc_file
   using Index = Intrinsic_triangulation::Index;
 
   static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4747444741; // AGDGG, and what text modes spoil
-  static constexpr std::uint32_t VERSION = 2;
+  static constexpr std::uint32_t VERSION = 3;
   static constexpr const char* CONTENTS = "the graph"; // in messages
 
 public:
