@@ -95,11 +95,11 @@ protected:
 };
 
 using Graphs_of_pairs = testing::Types<AG::Edge_graph,
-                              Steiner_graph<Fixed_number_of_points>,
-                              Steiner_graph<Geometric_points>,
-                              AG::Discrete_geodesic_graph,
-                              AG::Lazy_discrete_geodesic_graph,
-                              AG::Saddle_vertex_graph>;
+                                       Steiner_graph<Fixed_number_of_points>,
+                                       Steiner_graph<Geometric_points>,
+                                       AG::Discrete_geodesic_graph,
+                                       AG::Lazy_discrete_geodesic_graph,
+                                       AG::Saddle_vertex_graph>;
 TYPED_TEST_SUITE(Near_pairs, Graphs_of_pairs, );
 
 TYPED_TEST(Near_pairs, have_the_distance_of_the_field)
