@@ -294,12 +294,12 @@ void expect_paths(const Mesh& mesh, const double tolerance)
 
 TEST(Needles, have_paths_on_the_mesh)
 {
-  constexpr double rounding = 1e-9, single_precision = 1e-6;
+  constexpr double rounding = 1e-9, rounding_of_arcs = 1e-6;
   for(const Needle_mesh& m : needle_meshes())
   {
     SCOPED_TRACE(m.name);
     expect_paths<Lazy_discrete_geodesic_graph>(to_mesh(m.soup), rounding);
-    expect_paths<Discrete_geodesic_graph>(to_mesh(m.soup), single_precision);
+    expect_paths<Discrete_geodesic_graph>(to_mesh(m.soup), rounding_of_arcs);
   }
 }
 

@@ -54,8 +54,8 @@ protected:
     std::array<Weights, 2> result;
     for(Weights& weights : result)
     {
-      const double u = random.below(3) * random.between(0, part / 3);
-      const double v = random.below(3) * random.between(0, part / 3);
+      const double u = double(random.below(3)) * random.between(0, part / 3);
+      const double v = double(random.below(3)) * random.between(0, part / 3);
       weights[corner] = 1 - (u + v);
       weights[(corner + 1) % 3] = u;
       weights[(corner + 2) % 3] = v;
@@ -73,7 +73,7 @@ protected:
       {
         SCOPED_TRACE("1e" + std::to_string(exponent) + ", pair " + std::to_string(i));
         const double part = std::pow(10., exponent);
-        const Face f(random.below(mesh.number_of_faces()));
+        const Face f(static_cast<Face::size_type>(random.below(mesh.number_of_faces())));
         const auto points = i % 2 == 0 ? inside(random, part) : at_corner(random, part);
         compare(pairs, field, Location(f, points[0]), Location(f, points[1]));
       }

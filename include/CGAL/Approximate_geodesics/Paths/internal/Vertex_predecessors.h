@@ -30,9 +30,12 @@ class Vertex_predecessors
 public:
   explicit Vertex_predecessors(const Search& search) : m_search(search)
   {
-    const std::size_t number_of_nodes = search.graph().number_of_nodes();
-    if(number_of_nodes > search.graph().triangulation().number_of_vertices())
-      m_before.resize(number_of_nodes, Search::null_node);
+    if constexpr(has_positions<typename Search::Graph>)
+    {
+      const std::size_t number_of_nodes = search.graph().number_of_nodes();
+      if(number_of_nodes > search.graph().triangulation().number_of_vertices())
+        m_before.resize(number_of_nodes, Search::null_node);
+    }
   }
 
   // Allocates nothing.
