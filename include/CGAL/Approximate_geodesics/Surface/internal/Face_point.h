@@ -76,8 +76,8 @@ struct Face_point
   }
 };
 
-// The distance of two points of a face, the same from either of them. That of two points of an edge
-// is accurate, as it is for any two points of a needle, and for a point next to a corner.
+// The distance of two points of a face. That of two points of an edge is accurate, as it is for any
+// two points of a needle.
 inline double
 distance(const Intrinsic_triangulation& triangulation, const Face_point& p, const Face_point& q)
 {
@@ -87,20 +87,14 @@ distance(const Intrinsic_triangulation& triangulation, const Face_point& p, cons
     step[i] = r.weight[i] - p.weight[i];
   if(p.is_on_edge() && r.is_on_edge()) // there may be no face to the left
     return std::abs(step[1]) * triangulation.length(p.halfedge);
-  // Their sum is zero, but a weight next to 1 was rounded. So the largest step is made of the
-  // others, and has the opposite sign of the larger one of these, seen from the vertex of the third
-  // one.
-  const auto is_shorter = [&](const std::size_t j, const std::size_t k) {
-    return std::abs(step[j % 3]) < std::abs(step[k % 3]);
-  };
-  std::size_t largest = is_shorter(0, 1) ? 1 : 0;
-  largest = is_shorter(largest, 2) ? 2 : largest;
-  step[largest] = -(step[(largest + 1) % 3] + step[(largest + 2) % 3]);
-  const std::size_t i = is_shorter(largest + 1, largest + 2) ? largest + 1 : largest + 2;
+  // Their sum is zero: two of them point away from the third vertex and toward it.
+  std::size_t i = 0;
+  while(i < 2 && step[(i + 1) % 3] * step[(i + 2) % 3] > 0)
+    ++i;
   const auto halfedges = triangulation.halfedges_of_face(p.halfedge);
   const auto length = [&](const std::size_t j) { return triangulation.length(halfedges[j % 3]); };
   const double a = length(i), opposite = length(i + 1), b = length(i + 2);
-  return corner_of_face(triangulation, halfedges[i % 3], a, b, opposite)
+  return corner_of_face(triangulation, halfedges[i], a, b, opposite)
       .distance(std::abs(step[(i + 1) % 3]) * a, std::abs(step[(i + 2) % 3]) * b);
 }
 
