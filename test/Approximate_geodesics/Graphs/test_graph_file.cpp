@@ -128,7 +128,7 @@ TEST_F(Graph_file, is_refused_if_anything_is_changed)
 
 TEST_F(Graph_file, is_refused_if_it_is_something_else)
 {
-  expect_refused("", m_mesh, "too early");
+  expect_refused("", m_mesh, "truncated");
   std::ifstream missing("no folder/no file");
   expect_message<std::invalid_argument>(
       [&] { Discrete_geodesic_graph::load(missing, Triangulation(m_mesh)); },

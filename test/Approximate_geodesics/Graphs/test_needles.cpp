@@ -103,9 +103,9 @@ std::vector<Needle_mesh> needle_meshes()
       {"wide tube, uneven", tube(200, 5, 40, 0.3)},
       {"tall tube", tube(6, 200, 1. / 60)},
       {"tall tube, uneven", tube(6, 200, 1. / 60, 0.3)},
-      {"strip", grid(500, 2, [](const double i, const double j) { return Point(i, 99 * j, 0); })},
+      {"strip", grid(700, 2, [](const double i, const double j) { return Point(i, 99 * j, 0); })},
       {"slanted strip",
-       grid(500, 2, [](const double i, const double j) { return Point(i + 99 * j, 50 * j, 0); })},
+       grid(700, 2, [](const double i, const double j) { return Point(i + 99 * j, 50 * j, 0); })},
       {"helix", helix(800)},
       {"prism", extruded(300, 3, round)},
       {"gear", extruded(300, 3, teeth)}};

@@ -71,6 +71,9 @@ TEST(Surface_paths, are_straight_in_a_face)
       const Face_location p = random_face_location(mesh, random);
       const Face_location q(p.first, random_face_location(mesh, random).second);
       const double straight = distance_in_space(position(mesh, p), position(mesh, q));
+      const Halfedge h = mesh.halfedge(p.first);
+      const bool has_area = !CGAL::collinear(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                             mesh.point(mesh.target(mesh.next(h))));
       const auto expect_straight = [&](auto& paths) {
         paths.remove_all_source_points();
         paths.add_source_point(p);
@@ -80,7 +83,7 @@ TEST(Surface_paths, are_straight_in_a_face)
                                                                         std::back_inserter(points))
                                  .first;
         EXPECT_NEAR(found, straight, 1e-12 * size(mesh));
-        EXPECT_EQ(points.size(), 2u);
+        EXPECT_TRUE(points.size() == 2 || !has_area); // a way over a corner may be as short there
       };
       expect_straight(on_edges);
       expect_straight(on_points);

@@ -498,9 +498,11 @@ private:
     };
     if constexpr(internal::needs_bounds<Graph>)
     {
-      const auto bound = bound_before(answer.distance * (1 + internal::slack_of_labels));
-      path.length += m_graph->attach(from).for_each_crossing(0, bound, end, answer.last_length, 0,
-                                                             append_crossing);
+      const double rounding = internal::rounding_of_line(0, m_graph->unit());
+      const auto before = bound_before(answer.distance * (1 + internal::slack_of_labels));
+      const auto bound = [&](const Node node) { return before(node) + rounding; };
+      path.length += m_graph->attach(from).for_each_crossing(0, bound, end, answer.last_length,
+                                                             rounding, append_crossing);
     }
     else
       path.length +=
@@ -515,7 +517,8 @@ private:
       return;
     const double length = (m_search.distance(first) - source.distance) / m_graph->unit();
     if constexpr(internal::needs_bounds<Graph>)
-      return internal::append_line_back(m_search, first, source.point, source.distance, path);
+      return internal::append_line_back(m_search, first, source.point,
+                                        source.distance / m_graph->unit(), path);
     else
       internal::append_backward(
           [&](auto f) { return m_graph->attach(source.point).for_each_crossing(first, length, f); },

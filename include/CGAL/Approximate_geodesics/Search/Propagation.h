@@ -307,6 +307,9 @@ public:
 
   /// \cond SKIP_IN_MANUAL
 
+  // The distance in units of the graph, in which no digits are lost where the mesh is tiny.
+  double label(const Node node) const { return m_labels.distance(node); }
+
   // How the path to `node`, which was reached, arrives there, if the graph needs bounds.
   const auto& arrival(const Node node) const { return m_labels.arrival(node); }
 
@@ -370,18 +373,22 @@ private:
   {
     if constexpr(internal::needs_bounds<Graph> && !internal::is_heuristic<Heuristic>)
     {
-      bool is_first = true;
+      std::vector<std::pair<Node, double>> lowered; // and by how much
       m_labels.for_each_lost_node(largest_label(stop), [&](const Node node) {
         const auto [from, length, arrival] = m_graph->last_edge(node, m_labels);
-        if(from == null_node || !(m_labels.distance(from) + length < m_labels.distance(node)))
+        const double old = m_labels.distance(node);
+        if(from == null_node || !(m_labels.distance(from) + length < old))
           return;
-        if(is_first)
-          m_queue.clear(); // it went past these nodes
-        is_first = false;
         m_labels.set(node, m_labels.distance(from) + length, from);
         m_labels.set_arrival(node, arrival);
-        m_queue.push(node, m_labels.distance(node));
+        lowered.emplace_back(node, old - m_labels.distance(node));
       });
+      if(lowered.empty())
+        return;
+      m_labels.lower_successors(lowered);
+      m_queue.clear(); // it went past these nodes
+      for(const auto& [node, difference] : lowered)
+        m_queue.push(node, m_labels.distance(node));
     }
   }
 

@@ -431,6 +431,9 @@ public:
   /// @}
 
 #ifndef DOXYGEN_RUNNING
+  // A halfedge of a face that breaks the triangle inequality, or whose area underflows; or null.
+  Index face_without_shape() const;
+
   // the face to the left of `h`, in words
   std::string name_of_face(const Index h) const
   {
@@ -500,6 +503,21 @@ inline bool Intrinsic_triangulation::is_valid() const
 
 inline void Intrinsic_triangulation::check_triangle_inequality() const
 {
+  const Index h = face_without_shape();
+  if(h == null_index)
+    return;
+  const Index g = next(h), k = next(g);
+  const char* const what = length(h) > length(g) + length(k)
+                               ? "the triangle inequality does not hold"
+                               : "the area is too small relative to the mesh, and underflows,";
+  internal::reject(what + (" in " + name_of_face(h)) + ": its edges have lengths " +
+                   internal::text_of(length(h) * unit()) + ", " +
+                   internal::text_of(length(g) * unit()) + ", " +
+                   internal::text_of(length(k) * unit()));
+}
+
+inline Intrinsic_triangulation::Index Intrinsic_triangulation::face_without_shape() const
+{
   // lengths are rounded once when computed from coordinates, or given with errors of that order
   constexpr double tolerance = 16 * std::numeric_limits<double>::epsilon();
   constexpr double smallest_perimeter = 0x1p-240; // its fourth power still fits a `double`
@@ -508,19 +526,13 @@ inline void Intrinsic_triangulation::check_triangle_inequality() const
   {
     if(is_border(h))
       continue;
-    const Index g = next(h), k = next(g);
-    const double rest = length(g) + length(k);
-    const auto reject = [&](const char* what) {
-      internal::reject(what + (" in " + name_of_face(h)) + ": its edges have lengths " +
-                       internal::text_of(length(h) * unit()) + ", " +
-                       internal::text_of(length(g) * unit()) + ", " +
-                       internal::text_of(length(k) * unit()));
-    };
-    if(length(h) > rest + tolerance * (length(h) + rest))
-      reject("the triangle inequality does not hold");
-    if(0 < rest && length(h) + rest < smallest_perimeter)
-      reject("the area is too small relative to the mesh, and underflows,");
+    const Index g = next(h);
+    const double rest = length(g) + length(next(g));
+    if(length(h) > rest + tolerance * (length(h) + rest) ||
+       (0 < rest && length(h) + rest < smallest_perimeter))
+      return h;
   }
+  return null_index;
 }
 
 } // namespace Approximate_geodesics

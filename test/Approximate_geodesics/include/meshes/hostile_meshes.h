@@ -477,7 +477,7 @@ private:
     far_apart.point(Vertex(7)) = Point(1.5e308, 0, 0);
     refuse("a length beyond the largest number", far_apart, {"vertex 7", "does not fit a double"});
     refuse("lengths beyond it together", to_mesh(scaled(flat_grid(30, 30), 5e306)),
-           {"all edges", "half of the largest double", "vertex"});
+           {"all edge lengths", "half of the largest double", "vertex"});
   }
 
   void refuse_connectivity()

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -73,6 +74,33 @@ public:
     for(const Node node : m_bounded)
       if(distance(node) > m_bound[node] * factor && m_bound[node] < limit)
         f(node);
+  }
+
+  // Lowers the labels of all nodes that paths over these nodes lead to by as much as theirs were,
+  // as the lines to them are the same, and appends these nodes. Takes time in proportion to the
+  // number of all nodes times the number of arcs on the longest of these paths.
+  void lower_successors(std::vector<std::pair<Node, double>>& lowered)
+  {
+    std::vector<double> difference(number_of_nodes(), 0);
+    for(const auto& [node, by] : lowered)
+      if(by < infinity)
+        difference[node] = by;
+    for(bool goes_on = true; goes_on;)
+    {
+      goes_on = false;
+      for(const Node node : m_bounded)
+      {
+        if(!is_reached(node) || predecessor(node) == null_node || difference[node] > 0)
+          continue;
+        const double by = difference[predecessor(node)];
+        if(!(by > 0 && distance(node) - by >= distance(predecessor(node))))
+          continue;
+        set(node, distance(node) - by, predecessor(node));
+        difference[node] = by;
+        lowered.emplace_back(node, by);
+        goes_on = true;
+      }
+    }
   }
 
   void discard(const Node node)

@@ -40,8 +40,14 @@ public:
   explicit Cone_triangulation(const Intrinsic_triangulation& mesh)
   {
     if(Refined_needles::are_useful(mesh))
+    {
       m_needles.emplace(mesh);
-    else if(Balanced_fans::are_useful(mesh))
+      // by rounding, a new face may have no shape
+      if(m_needles->triangulation().face_without_shape() == Intrinsic_triangulation::null_index)
+        return;
+      m_needles.reset();
+    }
+    if(Balanced_fans::are_useful(mesh))
       m_fans.emplace(mesh);
   }
 

@@ -42,15 +42,21 @@ public:
 
   // Whether lines cross needles for the most part. A line along a strip of them crosses about as
   // many as they are long, in widths. Those around hubs do not count, as fans can be balanced.
+  // Small meshes have no long strips. Next to nearly degenerate faces, rounding would change
+  // lengths.
   static bool are_useful(const Intrinsic_triangulation& mesh)
   {
-    constexpr double most_faces = 8, largest = 1e3;
+    constexpr double most_faces = 8, largest = 1e3, nearly_degenerate = 1e4;
+    if(mesh.number_of_halfedges() < 3 * SMALLEST_NUMBER_OF_FACES)
+      return false;
     double sum = 0;
     for(Index v = 0; v < mesh.number_of_vertices(); ++v)
       for(Index h = mesh.first_halfedge(v); h < mesh.beyond_halfedge(v); ++h)
       {
         const double a = mesh.length(h), b = mesh.length(mesh.counterclockwise(v, h));
         const double shorter = (std::min)(a, b), longer = (std::max)(a, b);
+        if(!(longer < nearly_degenerate * shorter) && !mesh.is_border(h))
+          return false;
         if(longer > LARGEST_ASPECT * shorter && shorter > 0 && !mesh.is_border(h) &&
            !is_at_hub(mesh, v, h))
           sum += (std::min)(largest, longer / shorter);
@@ -89,6 +95,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t SMALLEST_NUMBER_OF_FACES = 1200;
+
   // Vertices are added so far above a short side, in its lengths, and so many times as far ...
   static constexpr double FIRST_HEIGHT = 8, GROWTH = 4;
   // ... unless there is one that is closer than this part of it, or it is too close to the apex.
