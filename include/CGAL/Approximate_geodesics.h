@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-// Includes the whole package, layer by layer, except for headers provided for comparison.
+// Includes the whole package, layer by layer.
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 

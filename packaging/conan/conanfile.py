@@ -39,11 +39,15 @@ class ApproximateGeodesicsConan(ConanFile):
     def package(self):
         licenses = os.path.join(self.package_folder, "licenses")
         copy(self, "LICENSE", self.source_folder, licenses)
-        headers = os.path.join(self.source_folder, "include")
-        copy(self, "*.h", headers, os.path.join(self.package_folder, "include"))
+        for folder in ("", "matrix_files", "solver"):
+            headers = os.path.join(self.source_folder, folder, "include")
+            copy(self, "*.h", headers, os.path.join(self.package_folder, "include"))
 
     def package_info(self):
-        self.cpp_info.bindirs = []
-        self.cpp_info.libdirs = []
         self.cpp_info.set_property("cmake_file_name", "Approximate_geodesics")
-        self.cpp_info.set_property("cmake_target_name", "Approximate_geodesics::Approximate_geodesics")
+        for name in ("Approximate_geodesics", "Matrix_files", "Solver"):
+            component = self.cpp_info.components[name.lower()]
+            component.bindirs = []
+            component.libdirs = []
+            component.requires = ["cgal::cgal"]
+            component.set_property("cmake_target_name", f"Approximate_geodesics::{name}")

@@ -27,6 +27,24 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
+// Calls `f()`. Returns whether the numbers in a damaged file let it come to its end.
+template <typename F>
+bool fits_memory(F f)
+{
+  try
+  {
+    f();
+    return true;
+  }
+  catch(const std::bad_alloc&)
+  {
+  }
+  catch(const std::length_error&)
+  {
+  }
+  return false;
+}
+
 inline std::string ending_of(const std::string& file)
 {
   const std::size_t dot = file.find_last_of("./");
@@ -77,18 +95,14 @@ void read_soup(const std::string& file,
   if(std::ifstream(file).peek() == std::ifstream::traits_type::eof())
     fail("it is empty");
   bool is_read = false;
-  try
-  {
-    is_read = IO::read_polygon_soup(file, points, faces, parameters::verbose(false));
-  }
-  catch(const std::bad_alloc&) // caused by damaged sizes
-  {
-  }
-  catch(const std::length_error&)
-  {
-  }
+  internal::fits_memory(
+      [&] { is_read = IO::read_polygon_soup(file, points, faces, parameters::verbose(false)); });
   if(!is_read)
-    fail(internal::error_in_mesh_file(file));
+  {
+    std::string reason = "a number in it exceeds the memory";
+    internal::fits_memory([&] { reason = internal::error_in_mesh_file(file); });
+    fail(reason);
+  }
   for(std::size_t f = 0; f < faces.size(); ++f)
     for(const std::size_t v : faces[f])
       if(v >= points.size())
