@@ -516,6 +516,7 @@ inline void Intrinsic_triangulation::check_triangle_inequality() const
                    internal::text_of(length(k) * unit()));
 }
 
+#ifndef DOXYGEN_RUNNING
 inline Intrinsic_triangulation::Index Intrinsic_triangulation::face_without_shape() const
 {
   // lengths are rounded once when computed from coordinates, or given with errors of that order
@@ -534,6 +535,7 @@ inline Intrinsic_triangulation::Index Intrinsic_triangulation::face_without_shap
   }
   return null_index;
 }
+#endif
 
 } // namespace Approximate_geodesics
 } // namespace CGAL
