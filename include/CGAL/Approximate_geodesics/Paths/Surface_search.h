@@ -333,7 +333,7 @@ private:
     if constexpr(internal::needs_bounds<Graph>)
       return [this, &sources](const auto& labels, const auto& enter) {
         for(std::size_t i = 0; i < sources.size(); ++i)
-          enter_lines(sources[i], i, labels, enter);
+          this->enter_lines(sources[i], i, labels, enter);
       };
     else
       return internal::Same_seeds();
