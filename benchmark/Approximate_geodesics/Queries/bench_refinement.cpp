@@ -126,7 +126,7 @@ private:
     const AG::Intrinsic_triangulation triangulation(m_expected.mesh());
     AG::internal::Selective_refinement<Node_counting_queue> refinement(
         triangulation, triangulation.vertex(source.idx()), triangulation.vertex(target.idx()));
-    return refinement.run(AG::Fixed_number_of_points(NUMBER_OF_FIRST_POINTS), tolerance).length;
+    return refinement.run(AG::Fixed_number_of_points(NUMBER_OF_FIRST_POINTS), 0, tolerance).length;
   }
 
   void add_full_graph(const std::size_t m)
