@@ -124,7 +124,7 @@ void expect_paths(const Mesh& mesh, Random& random, const std::size_t number_of_
 TEST(Coincident_vertices, leave_paths_as_long_as_distances)
 {
   for(const std::uint64_t seed : seeds_of_small_soups())
-    for(const std::size_t number : {3, 12})
+    for(const std::size_t number : {std::size_t(3), std::size_t(12)})
     {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << number << " places");
       Random random(seed);
