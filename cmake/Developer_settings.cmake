@@ -15,6 +15,11 @@ endif()
 if(APPROXIMATE_GEODESICS_SANITIZERS)
   set(sanitizers -fsanitize=${APPROXIMATE_GEODESICS_SANITIZERS} -fno-sanitize-recover=all)
   target_compile_options(developer_settings INTERFACE ${sanitizers} -fno-omit-frame-pointer)
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    target_compile_options(
+      developer_settings
+      INTERFACE "-fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/Ignored_by_sanitizers.txt")
+  endif()
   target_compile_definitions(developer_settings INTERFACE _GLIBCXX_ASSERTIONS)
   target_link_options(developer_settings INTERFACE ${sanitizers})
 endif()
