@@ -60,6 +60,7 @@ const std::vector<Wrong_file>& wrong_files()
        "line 3: vertex 1 does not have three finite coordinates"},
       {".off", "OFF\n4 2 0\n0 0 0\n1 0 0\n", "it ends after 2 of 4 vertices"},
       {".off", "OFF\n99999999999 1 0\n0 0 0\n", "it ends after 1 of 99999999999 vertices"},
+      {".off", "OFF\n1 3000000000 0\n0 0 0\n", "it ends after 0 of 3000000000 faces"}, // 72 GB
       {".off", vertices_of_off + "3 0 1 2\n", "it ends after 1 of 2 faces"},
       {".off", vertices_of_off + "3 0 1 2\n3 0 2", "line 8: face 1 has 2 of its 3 vertices"},
       {".off", vertices_of_off + "3 0 1 4\n", "line 7: face 0 has vertex 4; the vertices are"},
@@ -75,6 +76,11 @@ const std::vector<Wrong_file>& wrong_files()
       {".ply", "plain text", "it does not begin with ply"},
       {".ply", header_of_ply.substr(0, 80), "its header does not end"},
       {".ply", "ply\nformat ascii 1.0\nelement face 1\nproperty int a\nend_header\n1\n", "no list"},
+      {".ply",
+       "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty double x\n"
+       "property double y\nproperty double z\nelement face 4000000000\n"
+       "property list uchar int vertex_indices\nend_header\n0 0 0\n",
+       "it ends in vertex 1 of 4000000000"},
       {".ply", header_of_ply + "0 0 0\n1 0", "it ends in vertex 1 of 3"},
       {".ply", header_of_ply + "0 0 0\n1 x 0\n", "invalid number in vertex 1 of 3"},
       {".ply", vertices_of_ply + "3 0 1 2\n3 0 1", "it ends in face 1 of 2"},
@@ -83,6 +89,8 @@ const std::vector<Wrong_file>& wrong_files()
       {".stl", "solid x\n" + face_of_stl + face_of_stl.substr(0, 70), "face 1 or its end is mis"},
       {".stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(60, '\1'),
        "it ends after 1 of 2 faces"},
+      {".stl", std::string(80, ' ') + "\377\377\377\377" + std::string(60, '\1'),
+       "it ends after 1 of 4294967295 faces"},
       {".ts", "GOCAD\n", "CGAL cannot read it, for an unknown reason"}};
   return result;
 }

@@ -92,11 +92,13 @@ void read_soup(const std::string& file,
   const auto fail = [&](const std::string& reason) {
     throw std::invalid_argument("cannot read a mesh from " + file + ": " + reason);
   };
-  if(std::ifstream(file).peek() == std::ifstream::traits_type::eof())
+  std::ifstream in(file, std::ios::binary);
+  if(in.peek() == std::ifstream::traits_type::eof())
     fail("it is empty");
   bool is_read = false;
-  internal::fits_memory(
-      [&] { is_read = IO::read_polygon_soup(file, points, faces, parameters::verbose(false)); });
+  if(internal::ending_of(file) != "off" || internal::is_long_enough_for_off(in))
+    internal::fits_memory(
+        [&] { is_read = IO::read_polygon_soup(file, points, faces, parameters::verbose(false)); });
   if(!is_read)
   {
     std::string reason = "a number in it exceeds the memory";

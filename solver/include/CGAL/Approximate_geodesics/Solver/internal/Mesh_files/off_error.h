@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Solver/internal/Mesh_files/Text_lines.h>
 
 #include <cstddef>
+#include <ios>
 #include <istream>
 #include <optional>
 #include <string>
@@ -41,37 +42,73 @@ inline std::string error_in_off_face(const Text_lines& line,
   return "";
 }
 
+/*
+ * The start of an OFF file.
+ */
+struct Off_header
+{
+  explicit Off_header(Text_lines& line)
+  {
+    if(!line.next() || line.words.front().find("OFF") == std::string::npos)
+    {
+      error = "it does not begin with OFF";
+      return;
+    }
+    line.words.erase(line.words.begin());
+    is_binary = !line.words.empty() && line.words.front() == "BINARY";
+    if(is_binary)
+      return;
+    if(line.words.empty() && !line.next())
+    {
+      error = "it ends after OFF";
+      return;
+    }
+    const std::optional<std::size_t> vertices = to_count(line.words.front());
+    const std::optional<std::size_t> faces =
+        line.words.size() < 2 ? std::nullopt : to_count(line.words[1]);
+    if(!vertices || !faces)
+      error = line.name() + "the numbers of vertices and faces are expected here";
+    number_of_vertices = vertices.value_or(0);
+    number_of_faces = faces.value_or(0);
+  }
+
+  std::string error;
+  bool is_binary = false; // without numbers then
+  std::size_t number_of_vertices = 0, number_of_faces = 0;
+};
+
+// Whether an OFF file announces no more elements than it has bytes. CGAL's reader allocates all of
+// them at once.
+inline bool is_long_enough_for_off(std::istream& in)
+{
+  Text_lines line(in);
+  const Off_header header(line);
+  in.clear();
+  in.seekg(0, std::ios::end);
+  return header.number_of_vertices + header.number_of_faces <= static_cast<std::size_t>(in.tellg());
+}
+
 // Returns why an OFF file cannot be read, or an empty string if the reason is unknown.
 inline std::string error_in_off(std::istream& in)
 {
   Text_lines line(in);
-  if(!line.next() || line.words.front().find("OFF") == std::string::npos)
-    return "it does not begin with OFF";
-  line.words.erase(line.words.begin());
-  if(!line.words.empty() && line.words.front() == "BINARY")
-    return "";
-  if(line.words.empty() && !line.next())
-    return "it ends after OFF";
-  const std::optional<std::size_t> vertices = to_count(line.words.front());
-  const std::optional<std::size_t> faces =
-      line.words.size() < 2 ? std::nullopt : to_count(line.words[1]);
-  if(!vertices || !faces)
-    return line.name() + "the numbers of vertices and faces are expected here";
-
+  const Off_header header(line);
+  if(!header.error.empty() || header.is_binary)
+    return header.error;
   const auto end = [](const std::size_t i, const std::size_t size, const std::string& of) {
     return "it ends after " + std::to_string(i) + " of " + std::to_string(size) + ' ' + of;
   };
-  for(std::size_t i = 0; i < *vertices; ++i)
+  for(std::size_t i = 0; i < header.number_of_vertices; ++i)
     if(!line.next())
-      return end(i, *vertices, "vertices");
+      return end(i, header.number_of_vertices, "vertices");
     else if(!has_coordinates(line.words, 0))
       return line.name() + "vertex " + std::to_string(i) +
              " does not have three finite coordinates";
-  for(std::size_t i = 0; i < *faces; ++i)
+  for(std::size_t i = 0; i < header.number_of_faces; ++i)
   {
     if(!line.next())
-      return end(i, *faces, "faces");
-    const std::string error = error_in_off_face(line, i, *vertices);
+      return end(i, header.number_of_faces, "faces");
+    const std::string error = error_in_off_face(line, i, header.number_of_vertices);
     if(!error.empty())
       return error;
   }
