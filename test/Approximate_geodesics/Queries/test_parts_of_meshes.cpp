@@ -6,25 +6,21 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/search_part_once.h>
 
 #include "checks/expect_message.h"
+#include "checks/parts_of_meshes.h"
 #include "checks/test_recorder.h"
 #include "meshes/hostile_meshes.h"
 #include "meshes/surface_points.h"
-#include "oracles/test_oracles.h"
 
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/iterator.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,108 +36,6 @@ namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using Part = AG::internal::Mesh_part<Mesh>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-
-constexpr double rounding_of_lengths = 1e-12;
-
-// ----- meshes large enough for parts
-
-// A terrain with holes, and with vertices between fans of faces that only they connect.
-Soup perforated_terrain(const std::size_t columns, const std::size_t rows, Random& random)
-{
-  Soup result = terrain(columns, rows, random);
-  std::vector<std::size_t> holes;
-  for(std::size_t f = 0; f < result.triangles.size(); ++f)
-    if(random.below(5) == 0)
-      holes.push_back(f);
-  return without_faces(result, holes);
-}
-
-// As `to_mesh()`, which accepts no vertex between several fans: all their borders are linked.
-Mesh to_mesh_with_fans(const Soup& soup)
-{
-  Mesh result;
-  for(const Point& p : soup.points)
-    result.add_vertex(p);
-  for(const auto& t : soup.triangles)
-  {
-    const auto v = [&](const std::size_t i) { return Vertex(static_cast<Mesh::size_type>(t[i])); };
-    EXPECT_NE(result.add_face(v(0), v(1), v(2)), Mesh::null_face());
-  }
-  return result;
-}
-
-std::vector<Named_mesh> large_meshes()
-{
-  Random random(test_seed());
-  std::vector<Named_mesh> result;
-  result.push_back({"terrain", to_mesh(terrain(60, 50, random))});
-  result.push_back({"perforated", to_mesh_with_fans(perforated_terrain(70, 60, random))});
-  result.push_back({"sphere", to_mesh(sphere(60, 50))});
-  result.push_back({"flat grid", to_mesh(flat_grid(50, 50))});
-  return result;
-}
-
-// A point close to another one, or any one.
-Surface_point random_target(const Mesh& mesh, const Surface_point& source, Random& random)
-{
-  const double radius = random.between(0, 0.15) * size(mesh);
-  for(int i = 0; i < 300; ++i)
-  {
-    const Surface_point result = random_surface_point(mesh, random);
-    if(CGAL::squared_distance(position(mesh, source), position(mesh, result)) < radius * radius)
-      return result;
-  }
-  return random_surface_point(mesh, random);
-}
-
-// ----- functions that read all, or a part
-
-auto without_part(const double epsilon)
-{
-  return parameters::epsilon(epsilon).visitor(AG::Geodesic_visitor_base());
-}
-
-// without a look at the points, where squares of coordinates do not fit a `double`
-template <typename NamedParameters>
-double bare_length(const Mesh& mesh, const Vertex s, const Vertex t, const NamedParameters& np)
-{
-  return CGAL::approximate_geodesic_path(mesh, CGAL::Emptyset_iterator(), s, t, np);
-}
-
-template <typename Source, typename Target, typename NamedParameters>
-double length_of_path(const Mesh& mesh,
-                      const Source& source,
-                      const Target& target,
-                      const NamedParameters& np)
-{
-  std::vector<Point> points;
-  const double result =
-      CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), source, target, np);
-  EXPECT_EQ(points.empty(), std::isinf(result));
-  if(!points.empty())
-  {
-    EXPECT_NEAR(length_of(points), result, rounding_of_lengths * (result + size(mesh)));
-  }
-  return result;
-}
-
-template <typename Source, typename Target, typename NamedParameters>
-std::optional<Part> part_between(const Mesh& mesh,
-                                 const Source& source,
-                                 const Target& target,
-                                 const NamedParameters& np)
-{
-  return AG::internal::Part_to_read(mesh, np).between(source, target);
-}
-
-void expect_near(const double a, const double b, const Mesh& mesh)
-{
-  EXPECT_EQ(std::isinf(a), std::isinf(b));
-  if(std::isfinite(b))
-  {
-    EXPECT_NEAR(a, b, rounding_of_lengths * (b + size(mesh)));
-  }
-}
 
 // ----- the part
 
@@ -187,182 +81,7 @@ TEST(Part_of_mesh, is_a_mesh)
   }
 }
 
-// ----- paths
-
-TEST(Part_of_mesh, has_the_shortest_paths)
-{
-  Random random(test_seed());
-  for(const auto& [name, mesh] : large_meshes())
-  {
-    SCOPED_TRACE(name);
-    for(int i = 0; i < 10; ++i)
-    {
-      const Surface_point source = random_surface_point(mesh, random);
-      const Surface_point target = random_target(mesh, source, random);
-      const double exact = length_of_path(mesh, source, target, without_part(0));
-      const double along_edges = length_of_path(mesh, source, target, parameters::default_values());
-      expect_near(length_of_path(mesh, source, target, parameters::epsilon(0)), exact, mesh);
-      expect_near(length_of_path(mesh, source, target, parameters::epsilon(0).straighten(true)),
-                  exact, mesh);
-      for(const double epsilon : {0.02, 0.5})
-      {
-        const double length = length_of_path(mesh, source, target, parameters::epsilon(epsilon));
-        const double straight =
-            length_of_path(mesh, source, target, parameters::epsilon(epsilon).straighten(true));
-        const double tolerance = rounding_of_lengths * (exact + size(mesh));
-        EXPECT_GE(length, exact - tolerance);
-        EXPECT_LE(length, (1 + epsilon) * exact + tolerance);
-        EXPECT_LE(length, along_edges + tolerance); // so that it ends nowhere but the mesh does
-        EXPECT_GE(straight, exact - tolerance);
-        EXPECT_LE(straight, length + tolerance);
-      }
-    }
-  }
-}
-
-TEST(Part_of_mesh, has_the_shortest_paths_along_edges_and_through_points_on_them)
-{
-  Random random(test_seed());
-  const AG::Geodesic_visitor_base visitor;
-  for(const auto& [name, mesh] : large_meshes())
-  {
-    SCOPED_TRACE(name);
-    for(int i = 0; i < 10; ++i)
-    {
-      const Surface_point source = random_surface_point(mesh, random);
-      const Surface_point target = random_target(mesh, source, random);
-      expect_near(length_of_path(mesh, source, target, parameters::default_values()),
-                  length_of_path(mesh, source, target, parameters::visitor(visitor)), mesh);
-      const auto with_points = parameters::number_of_points_per_edge(2);
-      expect_near(length_of_path(mesh, source, target, with_points),
-                  length_of_path(mesh, source, target, with_points.visitor(visitor)), mesh);
-    }
-  }
-}
-
-TEST(Part_of_mesh, has_the_path_from_the_nearest_of_several_sources)
-{
-  Random random(test_seed());
-  for(const auto& [name, mesh] : large_meshes())
-  {
-    SCOPED_TRACE(name);
-    for(int i = 0; i < 8; ++i)
-    {
-      std::vector<Surface_point> sources = random_surface_points(mesh, 4, random);
-      const Surface_point target = random_target(mesh, sources[2], random);
-      expect_near(length_of_path(mesh, sources, target, parameters::epsilon(0)),
-                  length_of_path(mesh, sources, target, without_part(0)), mesh);
-    }
-  }
-}
-
-TEST(Part_of_mesh, ends_at_the_maximum_distance)
-{
-  Random random(test_seed());
-  for(const auto& [name, mesh] : large_meshes())
-  {
-    SCOPED_TRACE(name);
-    for(int i = 0; i < 10; ++i)
-    {
-      const Surface_point source = random_surface_point(mesh, random);
-      const Surface_point target = random_target(mesh, source, random);
-      const double exact = length_of_path(mesh, source, target, without_part(0));
-      for(const double part : {0.5, 0.999, 1.001})
-      {
-        const auto np = parameters::epsilon(0).maximum_distance(part * exact);
-        const bool is_reached = std::isfinite(exact) && (exact == 0 || part > 1);
-        expect_near(length_of_path(mesh, source, target, np), is_reached ? exact : infinity, mesh);
-      }
-    }
-  }
-}
-
-TEST(Part_of_mesh, has_points_that_are_the_same)
-{
-  Random random(test_seed());
-  for(const auto& [name, mesh] : large_meshes())
-    for(int i = 0; i < 20; ++i)
-    {
-      SCOPED_TRACE(name);
-      const Surface_point p = random_surface_point(mesh, random);
-      for(const double epsilon : {0., 0.1})
-        EXPECT_EQ(length_of_path(mesh, p, p, parameters::epsilon(epsilon)), 0);
-      EXPECT_EQ(length_of_path(mesh, p, p, parameters::default_values()), 0);
-      EXPECT_EQ(length_of_path(mesh, p, p, parameters::maximum_distance(0)), 0);
-    }
-}
-
-TEST(Part_of_mesh, has_points_in_one_face)
-{
-  Random random(test_seed());
-  for(const auto& [name, mesh] : large_meshes())
-    for(int i = 0; i < 20; ++i)
-    {
-      SCOPED_TRACE(name);
-      const Face_location a = random_face_location(mesh, random);
-      const Face_location b(a.first, random_face_location(mesh, random).second);
-      const double expected =
-          std::sqrt(CGAL::squared_distance(position(mesh, a), position(mesh, b)));
-      for(const double epsilon : {0., 0.1})
-        expect_near(length_of_path(mesh, a, b, parameters::epsilon(epsilon)), expected, mesh);
-      expect_near(length_of_path(mesh, a, b, parameters::default_values()), expected, mesh);
-    }
-}
-
-TEST(Part_of_mesh, has_no_path_between_components)
-{
-  Random random(test_seed());
-  Soup soup = terrain(40, 30, random);
-  const std::size_t small = soup.points.size();
-  soup.append(fan(7, 1));
-  const std::size_t isolated = soup.points.size();
-  soup.points.push_back(Point(3, 3, 3));
-  const Mesh mesh = to_mesh(soup);
-  const auto v = [](const std::size_t i) { return Vertex(static_cast<Mesh::size_type>(i)); };
-  ASSERT_TRUE(part_between(mesh, v(small), v(5), parameters::epsilon(0)));
-  ASSERT_TRUE(part_between(mesh, v(isolated), v(5), parameters::epsilon(0)));
-  for(const std::size_t a : {std::size_t(5), small, isolated})
-    for(const std::size_t b : {std::size_t(5), small, isolated})
-    {
-      const double expected = a == b ? 0 : infinity;
-      EXPECT_EQ(length_of_path(mesh, v(a), v(b), parameters::default_values()), expected);
-      EXPECT_EQ(length_of_path(mesh, v(a), v(b), parameters::epsilon(0.1)), expected);
-      EXPECT_EQ(length_of_path(mesh, v(a), v(b), parameters::epsilon(0)), expected);
-    }
-}
-
-// Two sheets that have nothing but a corner in common, so that the only way is through it.
-TEST(Part_of_mesh, has_paths_through_a_vertex_between_fans)
-{
-  const std::size_t n = 60;
-  Soup soup = flat_grid(n, n);
-  const Soup other = soup.transformed([](const Point& p) { return Point(-p.x(), -p.y(), 0); });
-  const std::size_t shift = soup.points.size();
-  soup.append(other);
-  for(auto& t : soup.triangles)
-    for(std::size_t& i : t)
-      i = i == shift ? 0 : i;
-  const Mesh mesh = to_mesh_with_fans(soup);
-  const Vertex a(5 + 4 * n), b(static_cast<Mesh::size_type>(shift + 3 + 6 * n));
-  ASSERT_TRUE(part_between(mesh, a, b, parameters::epsilon(0)));
-  expect_near(length_of_path(mesh, a, b, parameters::epsilon(0)),
-              std::hypot(5, 4) + std::hypot(3, 6), mesh);
-  EXPECT_LE(length_of_path(mesh, b, a, parameters::epsilon(0.1)),
-            1.1 * (std::hypot(5, 4) + std::hypot(3, 6)));
-}
-
 // ----- distances
-
-template <typename Sources, typename NamedParameters>
-std::vector<double>
-distances_from(const Mesh& mesh, const Sources& sources, const NamedParameters& np)
-{
-  std::vector<double> result(mesh.num_vertices(), -1);
-  CGAL::approximate_geodesic_distances(
-      mesh, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh)),
-      sources, np);
-  return result;
-}
 
 // `bound` is where distances may be within or not, by rounding.
 void expect_same_distances(const Mesh& mesh,
@@ -377,7 +96,7 @@ void expect_same_distances(const Mesh& mesh,
                   rounding_of_lengths * (bound + size(mesh)));
     }
     else
-      expect_near(distances[i], expected[i], mesh);
+      expect_same_length(distances[i], expected[i], mesh);
 }
 
 TEST(Part_of_mesh, has_the_distances_within_a_radius)
@@ -434,7 +153,7 @@ TEST(Part_of_mesh, has_all_other_results)
       ++number_of_reached;
       ASSERT_TRUE(source[v.idx()] >= 0 && source[v.idx()] < 3);
       const Vertex from = sources[std::size_t(source[v.idx()])];
-      expect_near(length_of_path(mesh, from, v, without_part(0)), distances[v.idx()], mesh);
+      expect_same_length(length_of_path(mesh, from, v, without_part(0)), distances[v.idx()], mesh);
       EXPECT_LE(distances[before[v.idx()].idx()], distances[v.idx()]);
     }
   EXPECT_GT(number_of_reached, 50u);
