@@ -118,7 +118,7 @@ double smallest_value(const std::function<double(double)>& f, double low, double
 
 // ----- closed forms
 
-TEST(Directional_costs, MovingRiver)
+TEST(Directional_costs, are_those_of_a_moving_river)
 {
   const Mesh mesh = to_mesh(flat_grid(6, 7));
   for(const double epsilon : {0.5, 0.1})
@@ -126,7 +126,7 @@ TEST(Directional_costs, MovingRiver)
       expect_straight_lines(mesh, Wind{Vector(0.8 * drift, -0.6 * drift, 0), 1}, epsilon);
 }
 
-TEST(Directional_costs, SlantedPlane)
+TEST(Directional_costs, are_those_of_a_slanted_plane)
 {
   const Mesh mesh = to_mesh(flat_grid(6, 7).transformed(
       [](const Point& p) { return Point(p.x(), p.y(), p.x() - p.y()); }));
@@ -134,7 +134,7 @@ TEST(Directional_costs, SlantedPlane)
 }
 
 // Costs with flat pieces, which make corners between any two directions.
-TEST(Directional_costs, PolyhedralNorms)
+TEST(Directional_costs, are_those_of_polyhedral_norms)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(flat_grid(4, 5));
@@ -149,7 +149,7 @@ TEST(Directional_costs, PolyhedralNorms)
 
 // Two winds, one on each side of a straight line: where a way crosses it is a problem of one
 // number.
-TEST(Directional_costs, Refraction)
+TEST(Directional_costs, refract_paths_at_a_line)
 {
   const std::size_t columns = 9, rows = 4;
   const Mesh mesh = to_mesh(flat_grid(columns, rows));
@@ -188,7 +188,7 @@ TEST(Directional_costs, Refraction)
 }
 
 // A tensor per face that measures lengths on another surface.
-TEST(Directional_costs, ConeAndTerrainByTensors)
+TEST(Directional_costs, measure_a_cone_and_a_terrain_by_tensors)
 {
   Random random(test_seed());
   const std::vector<std::pair<Soup, Soup>> pairs = {
@@ -244,7 +244,7 @@ void expect_zigzags(const Cost& cost, const double slope, const double sign)
   expect_within(found[sign > 0 ? high : low], per_height * height, epsilon);
 }
 
-TEST(Directional_costs, ZigzagsOnASlope)
+TEST(Directional_costs, make_paths_zigzag_on_a_slope)
 {
   for(const double sign : {1., -1.})
   {
@@ -275,7 +275,7 @@ void expect_close_to_zigzags(const Cost& cost, const double slope, const double 
   expect_within(distances(mesh, along_edges, Vertex(0))[Vertex(2)], expected, epsilon / 10);
 }
 
-TEST(Directional_costs, ZigzagsOnAWall)
+TEST(Directional_costs, make_paths_zigzag_on_a_wall)
 {
   for(const double slope : {1., 3., 1e9})
     for(const double sign : {1., -1.})
@@ -286,7 +286,7 @@ TEST(Directional_costs, ZigzagsOnAWall)
     }
 }
 
-TEST(Directional_costs, ModelsHaveTheirPublishedValues)
+TEST(Directional_costs, have_their_published_values)
 {
   const AG::Hiking_time time;
   EXPECT_NEAR(3600 / 6000., time(0, Vector(1, 0, -0.05)), 1e-12);
@@ -308,7 +308,7 @@ TEST(Directional_costs, ModelsHaveTheirPublishedValues)
 
 // ----- bounds
 
-TEST(Directional_costs, BoundOnTerrain)
+TEST(Directional_costs, have_the_bound_on_terrain)
 {
   Random random(test_seed());
   for(const Soup& soup : {terrain(6, 5, random), flat_grid(5, 5), sphere(6, 4)})
@@ -326,7 +326,7 @@ TEST(Directional_costs, BoundOnTerrain)
   }
 }
 
-TEST(Directional_costs, BoundWithCorners)
+TEST(Directional_costs, have_the_bound_with_corners)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(5, 4, random));
@@ -341,7 +341,7 @@ TEST(Directional_costs, BoundWithCorners)
     EXPECT_LE(found[v], (1 + 1e-9) * (1 + epsilon) * reference[v]);
 }
 
-TEST(Directional_costs, BoundWithPolyhedralNorms)
+TEST(Directional_costs, have_the_bound_with_polyhedral_norms)
 {
   Random random(test_seed());
   for(const Soup& soup : {terrain(5, 4, random), sphere(5, 4)})
@@ -361,7 +361,7 @@ TEST(Directional_costs, BoundWithPolyhedralNorms)
   }
 }
 
-TEST(Directional_costs, SamplingErrorIsAsWanted)
+TEST(Directional_costs, are_sampled_with_the_error_that_is_wanted)
 {
   const Mesh mesh = to_mesh(flat_grid(3, 3));
   for(const double epsilon : {1., 0.1, 0.01})
@@ -375,7 +375,7 @@ TEST(Directional_costs, SamplingErrorIsAsWanted)
 
 // ----- arcs
 
-TEST(Directional_costs, ArcsThatAreLeftOutAreNotNeeded)
+TEST(Directional_costs, do_not_need_the_arcs_that_are_left_out)
 {
   Random random(test_seed());
   for(const Soup& soup : {terrain(5, 4, random), flat_grid(4, 4), fan(7, 1), sphere(5, 3)})
@@ -394,7 +394,7 @@ TEST(Directional_costs, ArcsThatAreLeftOutAreNotNeeded)
   }
 }
 
-TEST(Directional_costs, DirectionsThatDoNotMatter)
+TEST(Directional_costs, are_weights_if_directions_do_not_matter)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(6, 6, random));
@@ -410,7 +410,7 @@ TEST(Directional_costs, DirectionsThatDoNotMatter)
 
 // ----- there and back
 
-TEST(Directional_costs, WayBackIsWayThereReversed)
+TEST(Directional_costs, make_the_way_back_the_way_there_reversed)
 {
   Random random(test_seed());
   for(const Soup& soup : {terrain(7, 6, random), fan(8, 1), sphere(6, 5)})
@@ -429,7 +429,7 @@ TEST(Directional_costs, WayBackIsWayThereReversed)
   }
 }
 
-TEST(Directional_costs, WayBackInZigzags)
+TEST(Directional_costs, make_the_way_back_zigzag)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(7, 6, random));
@@ -445,7 +445,7 @@ TEST(Directional_costs, WayBackInZigzags)
   });
 }
 
-TEST(Directional_costs, DistanceThereIsThatBackFromTheOtherEnd)
+TEST(Directional_costs, are_there_what_they_are_back_from_the_other_end)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(6, 6, random));
@@ -459,7 +459,7 @@ TEST(Directional_costs, DistanceThereIsThatBackFromTheOtherEnd)
 
 // ----- directions that are forbidden or free
 
-TEST(Directional_costs, OneWayFaces)
+TEST(Directional_costs, make_faces_one_way)
 {
   const Mesh mesh = to_mesh(flat_grid(5, 5));
   const auto graph = dense_graph(mesh, AG::One_way(Constant_map<Vector>(Vector(1, 0, 0)), 2.), 6);
@@ -481,7 +481,7 @@ TEST(Directional_costs, OneWayFaces)
 }
 
 // Where a way allows one half of the directions, or nearly all, its length does not matter.
-TEST(Directional_costs, OneWayFacesOfAnyLength)
+TEST(Directional_costs, make_faces_of_any_size_one_way)
 {
   const Face face(0);
   for(const double length : {1e-200, 1e-3, 1., 1e200})
@@ -497,7 +497,7 @@ TEST(Directional_costs, OneWayFacesOfAnyLength)
   EXPECT_EQ(2, everywhere(face, Vector(-1, 0, 0)));
 }
 
-TEST(Directional_costs, NumbersOfFacesThatAreNone)
+TEST(Directional_costs, refuse_values_that_are_not_finite)
 {
   const Mesh mesh = to_mesh(flat_grid(3, 3));
   const auto expect_refused = [&](const auto& cost) {
@@ -520,7 +520,7 @@ TEST(Directional_costs, NumbersOfFacesThatAreNone)
   }
 }
 
-TEST(Directional_costs, ParametersThatCannotBe)
+TEST(Directional_costs, refuse_parameters_out_of_range)
 {
   const Constant_map<Vector> map(Vector(1, 0, 0));
   for(const double value : {not_a_number, infinity, -1.})
@@ -533,7 +533,7 @@ TEST(Directional_costs, ParametersThatCannotBe)
     expect_message<std::invalid_argument>([&] { AG::One_way cost(map, 1, value); }, "cosine");
 }
 
-TEST(Directional_costs, CurrentThatIsTooStrong)
+TEST(Directional_costs, may_be_of_a_current_that_is_too_strong)
 {
   const Mesh mesh = to_mesh(flat_grid(7, 7));
   const AG::Drift_time cost(Constant_map<Vector>(Vector(2, 0, 0)), 1);
@@ -556,7 +556,7 @@ TEST(Directional_costs, CurrentThatIsTooStrong)
   EXPECT_GT(number, 5u);
 }
 
-TEST(Directional_costs, FreeAndForbiddenFaces)
+TEST(Directional_costs, may_be_free_or_infinite_in_faces)
 {
   const Mesh mesh = to_mesh(flat_grid(6, 6));
   const Wind wind{Vector(0.4, 0, 0), 1};
@@ -569,7 +569,7 @@ TEST(Directional_costs, FreeAndForbiddenFaces)
     EXPECT_LE(found[v], (1 + 1e-9) * 1.2 * reference[v]);
 }
 
-TEST(Directional_costs, FreeDirections)
+TEST(Directional_costs, may_be_free_in_some_directions)
 {
   const Mesh mesh = to_mesh(flat_grid(4, 4));
   const auto cost = [](const Face, const Vector& d) { return (std::max)(d.x(), 0.); };

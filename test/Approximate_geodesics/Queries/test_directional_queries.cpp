@@ -88,7 +88,7 @@ protected:
   Distance_map from, to;
 };
 
-TEST_F(Directional_queries, DistancesFromAndTo)
+TEST_F(Directional_queries, find_distances_from_and_to)
 {
   const Vertex source(8);
   CGAL::approximate_geodesic_distances(mesh, from, source, parameters());
@@ -100,7 +100,7 @@ TEST_F(Directional_queries, DistancesFromAndTo)
   }
 }
 
-TEST_F(Directional_queries, SeveralSourcesAndInitialDistances)
+TEST_F(Directional_queries, may_have_several_sources_and_initial_distances)
 {
   const std::vector<Vertex> sources = {Vertex(0), Vertex(29)};
   const std::vector<double> initial = {0, 0.5};
@@ -120,7 +120,7 @@ TEST_F(Directional_queries, SeveralSourcesAndInitialDistances)
   }
 }
 
-TEST_F(Directional_queries, StopsAtADistanceAndAtTargets)
+TEST_F(Directional_queries, stop_at_a_distance_and_at_targets)
 {
   const Vertex source(8), target(9);
   CGAL::approximate_geodesic_distances(mesh, to, source, parameters().direction_to_source(true));
@@ -135,7 +135,7 @@ TEST_F(Directional_queries, StopsAtADistanceAndAtTargets)
   EXPECT_EQ(to[target], from[target]);
 }
 
-TEST_F(Directional_queries, PathsGoFromSourceToTarget)
+TEST_F(Directional_queries, have_paths_from_source_to_target)
 {
   const Vertex a(1), b(22);
   for(const auto& [source, target] : {std::make_pair(a, b), std::make_pair(b, a)})
@@ -152,7 +152,7 @@ TEST_F(Directional_queries, PathsGoFromSourceToTarget)
   }
 }
 
-TEST_F(Directional_queries, PointsInFaces)
+TEST_F(Directional_queries, may_be_of_points_in_faces)
 {
   const Location a(Face(3), {0.2, 0.3, 0.5}), b(Face(30), {0.6, 0.1, 0.3}),
       c(Face(3), {0.5, 0.4, 0.1}), d(Face(3), {0.5, 0.5, 0});
@@ -176,7 +176,7 @@ TEST_F(Directional_queries, PointsInFaces)
   }
 }
 
-TEST_F(Directional_queries, ClassFindsPathsInBothDirections)
+TEST_F(Directional_queries, find_paths_in_both_directions_by_the_class)
 {
   const Vertex a(1), b(22);
   Paths paths(mesh, parameters());
@@ -208,7 +208,7 @@ TEST_F(Directional_queries, ClassFindsPathsInBothDirections)
   }
 }
 
-TEST_F(Directional_queries, Matrices)
+TEST_F(Directional_queries, fill_matrices)
 {
   const std::vector<Vertex> sources = {Vertex(0), Vertex(8), Vertex(29)};
   AG::Dense_rows<double> there, back;
@@ -229,7 +229,7 @@ TEST_F(Directional_queries, Matrices)
       "costs depend on the direction");
 }
 
-TEST_F(Directional_queries, MatricesOfPointsInFaces)
+TEST_F(Directional_queries, fill_matrices_of_points_in_faces)
 {
   const std::vector<Location> points = {{Face(3), {0.2, 0.3, 0.5}}, {Face(30), {0.6, 0.1, 0.3}}};
   AG::Dense_rows<double> rows;
@@ -238,7 +238,7 @@ TEST_F(Directional_queries, MatricesOfPointsInFaces)
   expect_within(rows(1, 0), cost(point(points[1]), point(points[0])));
 }
 
-TEST_F(Directional_queries, BarriersAreNotCrossed)
+TEST_F(Directional_queries, do_not_cross_barriers)
 {
   const auto is_barrier = mesh.add_property_map<Edge, bool>("e:barrier", false).first;
   for(Mesh::size_type row = 0; row < 4; ++row) // all but the last row of squares
@@ -255,7 +255,7 @@ TEST_F(Directional_queries, BarriersAreNotCrossed)
 
 // ----- what is refused
 
-TEST_F(Directional_queries, BadCosts)
+TEST_F(Directional_queries, refuse_negative_costs)
 {
   for(const double bad : {-1., not_a_number, -infinity})
   {
@@ -268,7 +268,7 @@ TEST_F(Directional_queries, BadCosts)
   }
 }
 
-TEST_F(Directional_queries, BoundsThatCannotBeKept)
+TEST_F(Directional_queries, refuse_bounds_that_cannot_be_kept)
 {
   const AG::One_way one_way(boost::static_property_map<Vector, Face>(Vector(1, 0, 0)));
   expect_message<std::invalid_argument>([&] { bounded_graph(mesh, one_way, 0.1); },
@@ -300,7 +300,7 @@ TEST_F(Directional_queries, BoundsThatCannotBeKept)
 }
 
 // Along a corner's way, the cost matters in both directions.
-TEST_F(Directional_queries, CostsToCorners)
+TEST_F(Directional_queries, know_costs_to_corners)
 {
   const Slant steep{2, Vector(0.9, 0.3, 0)};
   const auto np = with_cost(cost_everywhere(steep)).epsilon(0.5);
@@ -330,7 +330,7 @@ TEST_F(Directional_queries, CostsToCorners)
 
 // Going up costs little here, and to all corners much; so a source below the edge between two flat
 // triangles is much nearer to the top than to points on that edge.
-TEST_F(Directional_queries, IntervalsContainTheCosts)
+TEST_F(Directional_queries, find_intervals_that_contain_the_costs)
 {
   const double height = 0.4, epsilon_here = 0.5;
   Mesh kite;
@@ -373,7 +373,7 @@ TEST_F(Directional_queries, IntervalsContainTheCosts)
   EXPECT_GT(number_above_epsilon, 0); // so that points in faces do matter
 }
 
-TEST_F(Directional_queries, GraphsThatKnowNoDirections)
+TEST_F(Directional_queries, refuse_graphs_without_directions)
 {
   const Triangulation triangulation(mesh, parameters());
   expect_message<std::invalid_argument>([&] { Graph graph(triangulation); },
@@ -385,7 +385,7 @@ TEST_F(Directional_queries, GraphsThatKnowNoDirections)
 }
 
 // Costs and lengths of any size, in units that products of them do not overflow in.
-TEST_F(Directional_queries, LargeAndSmallCosts)
+TEST_F(Directional_queries, may_have_large_and_small_costs)
 {
   CGAL::approximate_geodesic_distances(mesh, from, Vertex(8), parameters());
   for(const double factor : {0x1p-900, 0x1p-20, 0x1p900})
@@ -401,7 +401,7 @@ TEST_F(Directional_queries, LargeAndSmallCosts)
       "more than a double");
 }
 
-TEST_F(Directional_queries, HikersGoUpAndDown)
+TEST_F(Directional_queries, let_hikers_go_up_and_down)
 {
   const Mesh slope = to_mesh(flat_grid(5, 9).transformed(
       [](const Point& p) { return Point(100 * p.x(), 100 * p.y(), 20 * p.y()); }));
