@@ -5,6 +5,9 @@
 #include "exact_comparison.h"
 #include "results.h"
 
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -33,6 +36,16 @@ public:
     m_table.add_milliseconds("building the graph", seconds_to_build);
     m_table.add_milliseconds("search", seconds_to_search);
     m_table.add_milliseconds("first answer, both together", seconds_to_build + seconds_to_search);
+  }
+
+  void add_graph(const CGAL::Approximate_geodesics::Discrete_geodesic_graph& /* graph */)
+  {
+    m_table.add("arcs are computed", "in advance");
+  }
+
+  void add_graph(const CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph& /* graph */)
+  {
+    m_table.add("arcs are computed", "by the search");
   }
 
   void add_bound(const double epsilon) { m_table.add("bound that holds, epsilon", epsilon); }

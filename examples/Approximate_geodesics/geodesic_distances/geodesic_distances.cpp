@@ -40,6 +40,7 @@ using CGAL::Approximate_geodesics::Steiner_graph;
 namespace parameters = CGAL::parameters;
 
 const auto no_description = [](const auto& /* graph */, Report&) {};
+const auto describe_arcs = [](const auto& graph, Report& report) { report.add_graph(graph); };
 
 void answer_with_loaded_graph(const Question& question)
 {
@@ -72,14 +73,14 @@ void answer_within_bound(const Question& question)
           return Lazy_discrete_geodesic_graph(Intrinsic_triangulation(question.mesh),
                                               parameters::epsilon(epsilon));
         },
-        no_description);
+        describe_arcs);
   answer(
       question,
       [&] {
         return Discrete_geodesic_graph(Intrinsic_triangulation(question.mesh),
                                        parameters::epsilon(epsilon));
       },
-      no_description,
+      describe_arcs,
       [](const Discrete_geodesic_graph& graph, std::ostream& out) { graph.save(out); });
 }
 

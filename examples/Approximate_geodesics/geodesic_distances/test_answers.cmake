@@ -26,6 +26,9 @@ answer("There is no path to target 4: " two_parts.off -t 1 4 2)
 expect_contents(geodesic_distances.polylines.txt "^2 [^\n]+\ninf\n2 [^\n]+\n$")
 answer("\n2 +none +inf\n" square.off -t 2 -m 0.5)
 
+# one question needs no more arcs than the search meets
+answer("arcs are computed +by the search\n" square.off -e 0.1 --statistics)
+
 # files that had to be repaired, and what was done
 answer("edges cut that had more than two faces: 1; vertices duplicated" fan_of_three.off)
 answer("connected components: 3\\." fan_of_three.off)
@@ -50,7 +53,7 @@ file(WRITE ${folder}/one.txt "1\n")
 answer("bound that holds, epsilon" needle.off -e 0.01 -w one.txt --accept-weaker-bound)
 
 # graphs in files
-answer("Written: .* graph\n" square.off -e 0.1 --save-graph graph)
+answer("arcs are computed +in advance\n.*Written: .* graph\n" square.off -e 0.1 --save-graph graph)
 answer("bound that holds, epsilon +0.1\n.*\n1 +3 +1.4142135" square.off --load-graph graph -s 3 -t 1)
 expect(1 "--load-graph graph: .* 4 vertices, this one has 6" ${PROGRAM} two_parts.off --load-graph graph --force)
 
