@@ -10,14 +10,13 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Vertex_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/search_part_once.h>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Dispatches to the fastest applicable algorithm.
+// Reads as little of the mesh as the query allows.
 template <typename TriangleMesh,
           typename VertexDistanceMap,
           typename Sources,
@@ -27,20 +26,11 @@ void write_distances(const TriangleMesh& tmesh,
                      const Sources& sources,
                      const NamedParameters& np)
 {
-  if(write_distances_of_part(tmesh, vertex_distance_map, sources, np))
-    return;
-  if constexpr(concerns_vertices_only<TriangleMesh, NamedParameters, Sources>())
-    if(search_vertices_once(tmesh, np, [&](auto& search) {
-         if(!search.run_from(sources, np))
-           return false;
-         search.write_results(vertex_distance_map, np);
-         return true;
-       }))
-      return;
-  search_once(tmesh, np, false, [&](auto& search) {
-    search.run_from(sources, np);
-    search.write_results(vertex_distance_map, np);
-  });
+  if(!write_distances_of_part(tmesh, vertex_distance_map, sources, np))
+    search_once<Sources>(tmesh, np, false, [&](auto& search) {
+      search.run_from(sources, np);
+      search.write_results(vertex_distance_map, np);
+    });
 }
 
 } // namespace internal

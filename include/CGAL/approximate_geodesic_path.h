@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Vertex_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/search_part_once.h>
 
 #include <limits>
@@ -40,12 +39,8 @@ double write_path(const TriangleMesh& tmesh,
       *points++ = search.point(*p, np);
     length = path.points.empty() ? length : path.length;
   };
-  if(search_part_between(tmesh, source, target, np, write))
-    return length;
-  if constexpr(concerns_vertices_only<TriangleMesh, NamedParameters, Source, Target>())
-    if(const auto result = write_path_once(tmesh, points, source, target, np))
-      return *result;
-  search_once(tmesh, np, true, write);
+  if(!search_part_between(tmesh, source, target, np, write))
+    search_once<Source, Target>(tmesh, np, true, write);
   return length;
 }
 

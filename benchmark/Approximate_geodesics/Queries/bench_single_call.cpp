@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -97,17 +98,17 @@ private:
   std::size_t m_next = 0;
 };
 
-void take_steps_with_triangulation(const Mesh& mesh,
-                                   const Vertex source,
-                                   Distances distances,
-                                   Steps& steps)
+// `read` returns a triangulation, or only its edges.
+template <typename Read>
+void take_steps(
+    const Mesh& mesh, const Vertex source, Distances distances, const Read& read, Steps& steps)
 {
   std::unique_ptr<AG::Intrinsic_triangulation> triangulation;
   std::unique_ptr<AG::Edge_graph> graph;
   std::unique_ptr<AG::Propagation<AG::Edge_graph>> search;
   const auto node = [&](const Vertex v) { return graph->triangulation().vertex(v); };
   steps.start();
-  steps.time([&] { triangulation = std::make_unique<AG::Intrinsic_triangulation>(mesh); });
+  steps.time([&] { triangulation = std::make_unique<AG::Intrinsic_triangulation>(read()); });
   steps.time([&] { graph = std::make_unique<AG::Edge_graph>(std::move(*triangulation)); });
   steps.time([&] { search = std::make_unique<AG::Propagation<AG::Edge_graph>>(*graph); });
   steps.time([&] { search->run_from(node(source)); });
@@ -117,38 +118,13 @@ void take_steps_with_triangulation(const Mesh& mesh,
   });
 }
 
-void take_steps(const Mesh& mesh, const Vertex source, Distances distances, Steps& steps)
+AG::Intrinsic_triangulation edges_of(const Mesh& mesh)
 {
-  using namespace AG::internal;
   const auto np = CGAL::parameters::default_values();
-  const auto index_map = vertex_index_map(mesh, np);
-  using Numbers = Vertex_numbers<Mesh, std::decay_t<decltype(index_map)>>;
-  std::unique_ptr<Numbers> numbers;
-  using Reader = Adjacency_reader<Numbers, decltype(halfedge_index_map(mesh, np))>;
-  std::unique_ptr<Reader> reader;
-  Edge_lengths lengths;
-  std::unique_ptr<Adjacency_graph> graph;
-  std::unique_ptr<AG::Propagation<Adjacency_graph>> search;
-  steps.start();
-  steps.time([&] {
-    numbers = std::make_unique<Numbers>(mesh, index_map, mesh.num_vertices());
-    numbers->list_vertices();
-  });
-  steps.time([&] {
-    reader = std::make_unique<Reader>(*numbers, halfedge_index_map(mesh, np));
-    reader->read();
-  });
-  steps.time([&] { lengths = reader->lengths(np); });
-  steps.time([&] {
-    graph = std::make_unique<Adjacency_graph>(std::move(reader->adjacency()),
-                                              std::move(lengths.of_halfedge), lengths.unit);
-  });
-  steps.time([&] { search = std::make_unique<AG::Propagation<Adjacency_graph>>(*graph); });
-  steps.time([&] { search->run_from(numbers->node(source)); });
-  steps.time([&] {
-    for(const Vertex v : mesh.vertices())
-      distances[v] = search->distance(numbers->node(v));
-  });
+  AG::Intrinsic_triangulation result;
+  AG::internal::Triangulation_builder<Mesh, std::decay_t<decltype(np)>>(result, mesh, np)
+      .build_edges();
+  return result;
 }
 
 // What the constructor does one after the other, and what it takes as a whole: the rest is for
@@ -157,17 +133,17 @@ void take_steps_of_triangulation(const Mesh& mesh, Steps& steps)
 {
   using namespace AG::internal;
   const auto np = CGAL::parameters::default_values();
-  const auto index_map = vertex_index_map(mesh, np);
-  using Numbers = Vertex_numbers<Mesh, std::decay_t<decltype(index_map)>>;
-  Numbers numbers(mesh, index_map, mesh.num_vertices());
-  Adjacency_reader reader(numbers, halfedge_index_map(mesh, np));
+  Mesh_links links(mesh, vertex_index_map(mesh, np), halfedge_index_map(mesh, np));
+  Connectivity connectivity;
   steps.start();
-  double rest = -steps.time([&] { numbers.list_vertices(); });
-  rest -= steps.time([&] { reader.read_with_faces(); });
+  double rest = -steps.time([&] {
+    links.read();
+    links.write(connectivity);
+  });
   rest -= steps.time([&] {
-    Breadth_first_order order(reader.adjacency());
+    Vertex_order order(connectivity);
     for(const Vertex root : mesh.vertices())
-      order.add_component(numbers.node(root));
+      order.add_component(links.index(root));
     order.finish();
   });
   std::unique_ptr<AG::Intrinsic_triangulation> triangulation;
@@ -180,7 +156,7 @@ void measure_steps_of_triangulation(const Mesh& mesh,
                                     const std::size_t rounds,
                                     Table& table)
 {
-  Steps steps(4);
+  Steps steps(3);
   for(std::size_t round = 0; round < rounds; ++round)
     take_steps_of_triangulation(mesh, steps);
   steps.add_to(table, name);
@@ -216,11 +192,13 @@ void measure_steps(
     Mesh& mesh, const std::string& name, const std::size_t rounds, Table& table, Table& before)
 {
   const auto distances = mesh.add_property_map<Vertex, double>("v:steps").first;
-  Steps steps(7), steps_before(5);
+  Steps steps(5), steps_before(5);
   for(const Vertex source : random_sources(mesh, rounds))
   {
-    take_steps(mesh, source, distances, steps);
-    take_steps_with_triangulation(mesh, source, distances, steps_before);
+    take_steps(
+        mesh, source, distances, [&] { return edges_of(mesh); }, steps);
+    take_steps(
+        mesh, source, distances, [&] { return AG::Intrinsic_triangulation(mesh); }, steps_before);
   }
   steps.add_to(table, name);
   steps_before.add_to(before, name);
@@ -232,10 +210,9 @@ int main(int argc, char* argv[])
     const std::size_t rounds = options.number_of_rounds;
     Table calls({"mesh", "vertices", "free function ms", "with triangulation ms", "Boost ms",
                  "ours : Boost", "with triangulation : Boost"});
-    Table steps({"mesh", "vertices", "halfedges", "lengths", "graph", "workspace", "search",
-                 "results", "sum"});
+    Table steps({"mesh", "edges", "graph", "workspace", "search", "results", "sum"});
     Table before({"mesh", "triangulation", "graph", "workspace", "search", "results", "sum"});
-    Table building({"mesh", "vertices", "halfedges", "order", "lengths", "sum"});
+    Table building({"mesh", "links", "order", "lengths", "sum"});
     Table across({"mesh, threads", "triangulation", "unfolding", "workspace", "search", "sum"});
     for(const std::string& name : options.meshes)
     {

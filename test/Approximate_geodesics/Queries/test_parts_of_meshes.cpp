@@ -42,8 +42,7 @@ using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 // Links that fit each other, and borders where neither the mesh nor the part has a face.
 void expect_mesh_in_mesh(const Part& part)
 {
-  using namespace AG::internal::parts;
-  const Mesh& mesh = part.mesh();
+  const Mesh& mesh = whole(part);
   for(const Halfedge h : halfedges(part))
   {
     ASSERT_EQ(prev(next(h, part), part), h);
@@ -292,6 +291,20 @@ TEST_F(Bad_part, is_refused_if_links_are_broken_where_it_is_read)
   Mesh other_face = m_mesh;
   other_face.set_face(h, Face(0));
   expect_rejection(other_face);
+}
+
+// The message has the numbers of the whole mesh.
+TEST_F(Bad_part, is_refused_if_a_face_of_it_is_too_small)
+{
+  for(const Vertex v : m_mesh.vertices())
+    m_mesh.point(v) = Point(m_mesh.point(v).x() - 10, m_mesh.point(v).y() - 10, 0);
+  m_mesh.point(at(11, 10)) = Point(1e-140, 0, 0);
+  m_mesh.point(at(11, 11)) = Point(0, 1e-140, 0);
+  const auto number = [](const Vertex v) { return std::to_string(v.idx()); };
+  for(const double epsilon : {0., 0.1})
+    expect_message<std::invalid_argument>(
+        [&] { bare_length(m_mesh, near, near_too, parameters::epsilon(epsilon)); }, "too small",
+        number(near), number(at(11, 10)), number(at(11, 11)));
 }
 
 // The walk around a vertex from one border of the part to the next enters a cycle outside of it.

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Queries/internal/Vertex_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 
+#include "checks/expect_message.h"
 #include "checks/test_recorder.h"
 #include "meshes/hostile_meshes.h"
 #include "oracles/test_oracles.h"
@@ -20,12 +21,12 @@
 #include <functional>
 #include <iterator>
 #include <stdexcept>
-#include <tuple>
+#include <string>
 #include <utility>
 #include <vector>
 
-// Searches along edges, from and to vertices, need no triangulation. Those from the same points, of
-// a type that could hold any points, have one.
+// For searches along edges, from and to vertices, only edges are read. For those from the same
+// points, of a type that could hold any points, all is.
 
 namespace {
 
@@ -33,41 +34,59 @@ using namespace geodesics_test;
 namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using Any_point = AG::Surface_point<Mesh>;
-
-// Whether a mesh is read, and not left to the builder of triangulations.
-template <typename... NamedParameters>
-bool is_read(const Mesh& mesh, const NamedParameters&... np)
-{
-  const auto all = std::make_tuple(np..., parameters::default_values());
-  return AG::internal::search_vertices_once(mesh, std::get<0>(all), [](auto&) { return true; });
-}
+using Index = Triangulation::Index;
 
 // ----- reading
 
 template <typename NamedParameters>
+Triangulation edges_of(const Mesh& mesh, const NamedParameters& np)
+{
+  Triangulation result;
+  AG::internal::Triangulation_builder<Mesh, NamedParameters>(result, mesh, np).build_edges();
+  return result;
+}
+
+// Returns the message of a refusal, or nothing if the mesh is accepted.
+template <typename Read>
+std::string refusal(const Read read)
+{
+  try
+  {
+    read();
+  }
+  catch(const std::invalid_argument& e)
+  {
+    return e.what();
+  }
+  return "";
+}
+
+std::string refusal_of_edges(const Mesh& mesh)
+{
+  return refusal([&] { edges_of(mesh, parameters::default_values()); });
+}
+
+std::string refusal_of_all(const Mesh& mesh)
+{
+  return refusal([&] { Triangulation{mesh}; });
+}
+
+template <typename NamedParameters>
 void expect_arcs_of_triangulation(const Mesh& mesh, const NamedParameters& np)
 {
-  using Index_map = decltype(AG::internal::vertex_index_map(mesh, np));
-  using Vertex_numbers = AG::internal::Vertex_numbers<Mesh, Index_map>;
-  Vertex_numbers numbers(mesh, AG::internal::vertex_index_map(mesh, np), mesh.num_vertices());
-  ASSERT_TRUE(numbers.list_vertices());
-  AG::internal::Adjacency_reader reader(numbers, AG::internal::halfedge_index_map(mesh, np));
-  ASSERT_TRUE(reader.read());
-  const auto& adjacency = reader.adjacency();
-  const AG::internal::Edge_lengths lengths = reader.lengths(np);
-  const Triangulation t(mesh, np);
-  EXPECT_EQ(lengths.unit, t.unit());
-  ASSERT_EQ(adjacency.number_of_vertices(), t.number_of_vertices());
-  for(Triangulation::Index v = 0; v < adjacency.number_of_vertices(); ++v)
+  const Triangulation edges = edges_of(mesh, np), all(mesh, np);
+  EXPECT_EQ(edges.unit(), all.unit());
+  ASSERT_EQ(edges.number_of_vertices(), all.number_of_vertices());
+  for(Index v = 0; v < all.number_of_vertices(); ++v)
   {
-    const Triangulation::Index u = t.vertex(v);
-    ASSERT_EQ(adjacency.degree(v), t.degree(u));
-    for(Triangulation::Index i = 0; i < t.degree(u); ++i)
+    const Index u = edges.vertex(all.index(v));
+    ASSERT_EQ(edges.index(u), all.index(v));
+    ASSERT_EQ(edges.degree(u), all.degree(v));
+    for(Index i = 0; i < all.degree(v); ++i)
     {
-      const Triangulation::Index h = adjacency.first_halfedge(v) + i, g = t.first_halfedge(u) + i;
-      ASSERT_EQ(adjacency.source(h), v);
-      ASSERT_EQ(adjacency.target(h), t.index(t.target(g)));
-      ASSERT_EQ(lengths.of_halfedge[h], t.length(g));
+      const Index g = edges.first_halfedge(u) + i, h = all.first_halfedge(v) + i;
+      ASSERT_EQ(edges.index(edges.target(g)), all.index(all.target(h)));
+      ASSERT_EQ(edges.length(g), all.length(h));
     }
   }
 }
@@ -87,55 +106,43 @@ TEST(Vertex_search, has_the_arcs_of_a_triangulation_in_the_same_order)
   }
 }
 
-TEST(Vertex_search, reads_no_mesh_that_is_refused)
+TEST(Vertex_search, refuses_the_same_meshes)
 {
   for(const Hostile_mesh& row : refused_meshes())
-    try
-    {
-      EXPECT_FALSE(is_read(row.mesh)) << row.name;
-    }
-    catch(const std::invalid_argument&) // of a coordinate or a length
-    {
-    }
+  {
+    EXPECT_NE(refusal_of_edges(row.mesh), "") << row.name;
+    EXPECT_EQ(refusal_of_edges(row.mesh), refusal_of_all(row.mesh)) << row.name;
+  }
   for(const Hostile_mesh& row : accepted_meshes())
-    EXPECT_TRUE(is_read(row.mesh) || row.mesh.has_garbage()) << row.name;
-}
-
-bool is_accepted(const Mesh& mesh)
-{
-  try
-  {
-    Triangulation{mesh};
-  }
-  catch(const std::invalid_argument&)
-  {
-    return false;
-  }
-  return true;
+    EXPECT_EQ(refusal_of_edges(row.mesh), "") << row.name;
 }
 
 // Gives every link of a mesh every other value in turn. `set(mesh, i, j)` sets that of the element
 // `i` to `j`.
 template <typename Element>
-void expect_unread_if_linked_otherwise(const std::size_t size,
-                                       const std::function<Element(const Mesh&, std::size_t)>& get,
-                                       const std::function<void(Mesh&, std::size_t, Element)>& set,
-                                       const std::size_t number_of_values)
+void expect_refusal_if_linked_otherwise(const std::size_t size,
+                                        const std::function<Element(const Mesh&, std::size_t)>& get,
+                                        const std::function<void(Mesh&, std::size_t, Element)>& set,
+                                        const std::size_t number_of_values)
 {
   const Mesh good = quiet_mesh();
-  ASSERT_TRUE(is_read(good));
+  ASSERT_EQ(refusal_of_all(good), "");
   for(std::size_t i = 0; i < size; ++i)
     for(std::size_t j = 0; j < number_of_values; ++j)
     {
       const Element bad(static_cast<Mesh::size_type>(j));
       if(bad == get(good, i))
         continue;
+      SCOPED_TRACE(testing::Message() << i << ' ' << j);
       Mesh mesh = good;
       set(mesh, i, bad);
-      const bool is_read_at_once = is_read(mesh), is_triangulated = is_accepted(mesh);
-      mesh.remove_vertex(mesh.add_vertex(Point(0, 0, 0))); // is read step by step from now on
-      EXPECT_EQ(is_triangulated, is_accepted(mesh)) << i << ' ' << j;
-      EXPECT_LE(is_read_at_once, is_triangulated) << i << ' ' << j;
+      const std::string text = refusal_of_all(mesh);
+      EXPECT_LE(text.empty(), mesh.is_valid(false));
+      EXPECT_EQ(text.find("not in faces()"), std::string::npos); // a diagnosis of last resort
+      EXPECT_EQ(text, refusal_of_edges(mesh));
+      mesh.remove_vertex(mesh.add_vertex(Point(0, 0, 0))); // leaves a gap in the indices
+      EXPECT_EQ(text, refusal_of_all(mesh));
+      EXPECT_EQ(text, refusal_of_edges(mesh));
     }
 }
 
@@ -146,34 +153,34 @@ TEST(Vertex_search, finds_every_wrong_link)
 {
   const std::size_t h = quiet_mesh().num_halfedges(), v = quiet_mesh().num_vertices(),
                     f = quiet_mesh().num_faces();
-  expect_unread_if_linked_otherwise<Halfedge>(
+  expect_refusal_if_linked_otherwise<Halfedge>(
       h, [](const Mesh& m, const std::size_t i) { return m.next(halfedge_of(i)); },
       [](Mesh& m, const std::size_t i, const Halfedge g) { m.set_next_only(halfedge_of(i), g); },
       h);
-  expect_unread_if_linked_otherwise<Halfedge>(
+  expect_refusal_if_linked_otherwise<Halfedge>(
       h, [](const Mesh& m, const std::size_t i) { return m.prev(halfedge_of(i)); },
       [](Mesh& m, const std::size_t i, const Halfedge g) { m.set_prev_only(halfedge_of(i), g); },
       h);
-  expect_unread_if_linked_otherwise<Vertex>(
+  expect_refusal_if_linked_otherwise<Vertex>(
       h, [](const Mesh& m, const std::size_t i) { return m.target(halfedge_of(i)); },
       [](Mesh& m, const std::size_t i, const Vertex u) { m.set_target(halfedge_of(i), u); }, v);
-  expect_unread_if_linked_otherwise<Face>(
+  expect_refusal_if_linked_otherwise<Face>(
       h, [](const Mesh& m, const std::size_t i) { return m.face(halfedge_of(i)); },
       [](Mesh& m, const std::size_t i, const Face g) { m.set_face(halfedge_of(i), g); }, f);
-  expect_unread_if_linked_otherwise<Halfedge>(
+  expect_refusal_if_linked_otherwise<Halfedge>(
       v, [](const Mesh& m, const std::size_t i) { return m.halfedge(vertex_of(i)); },
       [](Mesh& m, const std::size_t i, const Halfedge g) { m.set_halfedge(vertex_of(i), g); }, h);
 }
 
-TEST(Vertex_search, reads_no_indices_that_are_given_twice)
+TEST(Vertex_search, refuses_indices_that_are_given_twice)
 {
   const Mesh mesh = quiet_mesh();
   const auto vertices = boost::make_function_property_map<Vertex>(
       [](const Vertex v) { return v.idx() == 11 ? 5 : static_cast<int>(v.idx()); });
-  EXPECT_FALSE(is_read(mesh, parameters::vertex_index_map(vertices)));
+  EXPECT_THROW(edges_of(mesh, parameters::vertex_index_map(vertices)), std::invalid_argument);
   const auto halfedges = boost::make_function_property_map<Halfedge>(
       [](const Halfedge h) { return h.idx() == 11 ? 5 : static_cast<int>(h.idx()); });
-  EXPECT_FALSE(is_read(mesh, parameters::halfedge_index_map(halfedges)));
+  EXPECT_THROW(edges_of(mesh, parameters::halfedge_index_map(halfedges)), std::invalid_argument);
 }
 
 // ----- answers
@@ -267,17 +274,19 @@ TEST(Vertex_search, tells_visitors_the_same)
     EXPECT_EQ(settled(Vertex(33), stop_at), settled(Any_point(Vertex(33)), stop_at));
 }
 
-TEST(Vertex_search, leaves_meshes_with_removed_elements_to_others)
+TEST(Vertex_search, knows_no_removed_elements)
 {
   Mesh mesh = to_mesh(flat_grid(6, 6));
   mesh.remove_vertex(mesh.add_vertex(Point(7, 7, 7)));
-  EXPECT_FALSE(is_read(mesh));
   std::vector<double> distances(mesh.num_vertices(), -5);
-  CGAL::approximate_geodesic_distances(
-      mesh, boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh)),
-      Vertex(0));
+  const auto map =
+      boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh));
+  CGAL::approximate_geodesic_distances(mesh, map, Vertex(0));
   EXPECT_EQ(distances[5], 5);
   EXPECT_EQ(distances[36], -5);
+  expect_message<std::invalid_argument>(
+      [&] { CGAL::approximate_geodesic_distances(mesh, map, Vertex(36)); },
+      "vertex 36 is not in the mesh");
 }
 
 } // namespace

@@ -10,7 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Connectivity_reader.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Mesh_check.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Mesh_links.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Vertex_order.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/read_face_gauges.h>
@@ -18,9 +21,13 @@
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Connectivity.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -29,19 +36,14 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Builds an `Intrinsic_triangulation` from a mesh. `Connectivity_reader` and the functions that
- * read lengths, weights and costs traverse and validate the mesh.
+ * Builds an `Intrinsic_triangulation` from a mesh: reads and validates connectivity, lengths,
+ * weights and barriers.
  */
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder
 {
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Index = Intrinsic_triangulation::Index;
-  using Reader =
-      Connectivity_reader<TriangleMesh,
-                          decltype(vertex_index_map(std::declval<const TriangleMesh&>(),
-                                                    std::declval<const NamedParameters&>())),
-                          decltype(halfedge_index_map(std::declval<const TriangleMesh&>(),
-                                                      std::declval<const NamedParameters&>()))>;
 
   static constexpr bool needs_halfedges = is_any_given<NamedParameters,
                                                        internal_np::edge_length_t,
@@ -52,30 +54,112 @@ public:
   Triangulation_builder(Intrinsic_triangulation& triangulation,
                         const TriangleMesh& tmesh,
                         const NamedParameters& np)
-    : m_result(triangulation),
-      m_mesh(tmesh),
-      m_np(np),
-      m_reader(triangulation, tmesh, vertex_index_map(tmesh, np), halfedge_index_map(tmesh, np))
+    : m_result(triangulation), m_mesh(tmesh), m_np(np)
   {
   }
 
   void build()
   {
-    m_reader.read(needs_halfedges);
+    if(!try_to_build())
+      reject_mesh();
+  }
+
+  // Returns false if the connectivity is invalid. Throws if other data are.
+  bool try_to_build()
+  {
+    if(!read())
+      return false;
+    if(needs_halfedges)
+      m_halfedges = halfedges_in_groups(m_vertices, m_result, m_mesh);
     check_for_interruption();
     copy_lengths();
     check_for_interruption();
     copy_weights();
     copy_barriers();
     CGAL_expensive_postcondition(m_result.is_valid());
+    return true;
+  }
+
+  // Builds what a single search along edges between vertices requires. Such a search is not worth
+  // the time to number the vertices and to link opposite halfedges. Vertices keep the order of the
+  // mesh.
+  void build_edges()
+  {
+    static_assert(!is_any_given<NamedParameters, internal_np::face_weight_t,
+                                internal_np::edge_is_constrained_t>);
+    Vertex_adjacency adjacency;
+    if(!read_adjacency(adjacency))
+      return build();
+    if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
+      m_halfedges = halfedges_in_groups(m_vertices, adjacency, m_mesh);
+    No_corners corners;
+    Edge_lengths lengths =
+        read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, adjacency, corners);
+    m_result.m_length = std::move(lengths.of_halfedge);
+    m_result.m_unit = lengths.unit;
+    m_result.m_first_halfedge = std::move(adjacency.first_of_vertex);
+    m_result.m_target = std::move(adjacency.target_of_halfedge);
+    m_result.m_vertex_of_index.resize(m_vertices.size());
+    std::iota(m_result.m_vertex_of_index.begin(), m_result.m_vertex_of_index.end(), Index(0));
+    m_result.m_index_of_vertex = m_result.m_vertex_of_index;
   }
 
 private:
+  auto mesh_links() const
+  {
+    return Mesh_links(m_mesh, vertex_index_map(m_mesh, m_np), halfedge_index_map(m_mesh, m_np));
+  }
+
+  [[noreturn]] void reject_mesh() const
+  {
+    Mesh_check(m_mesh, vertex_index_map(m_mesh, m_np), halfedge_index_map(m_mesh, m_np))
+        .reject_mesh();
+  }
+
+  // Returns false if the mesh is invalid or has removed vertices.
+  bool read_adjacency(Vertex_adjacency& result)
+  {
+    auto links = mesh_links();
+    if(!links.read() || links.has_removed_vertices() || !links.write_adjacency(result))
+      return false;
+    m_vertices = std::move(links.vertex_list());
+    return true;
+  }
+
+  // Reads the connectivity, and numbers the vertices. Returns false if the mesh is invalid.
+  bool read()
+  {
+    auto links = mesh_links();
+    Connectivity connectivity;
+    if(!links.read() || !links.write(connectivity))
+      return false;
+    Vertex_order order(connectivity);
+    for(const auto root : vertices(m_mesh))
+      order.add_component(links.index(root));
+    order.finish();
+    m_result.m_vertex_of_index = std::move(order.vertex_of_index());
+    m_result.m_index_of_vertex = std::move(order.index_of_vertex());
+    take(order.result());
+    m_vertices.reserve(m_result.m_index_of_vertex.size());
+    for(const Index i : m_result.m_index_of_vertex)
+      m_vertices.push_back(links.vertex_list()[i]);
+    return true;
+  }
+
+  void take(Connectivity& connectivity)
+  {
+    m_result.m_first_halfedge = std::move(connectivity.first_of_vertex);
+    m_result.m_target = std::move(connectivity.target_of_halfedge);
+    m_result.m_is_border = std::move(connectivity.is_border);
+    m_result.m_opposite_rank = std::move(connectivity.opposite_rank);
+    m_result.m_number_of_faces = static_cast<Index>(connectivity.number_of_faces);
+  }
+
   void copy_lengths()
   {
     Sharp_corners corners(m_result);
-    Edge_lengths lengths = read_edge_lengths(m_mesh, m_reader.vertex_list(),
-                                             m_reader.halfedge_list(), m_np, m_result, corners);
+    Edge_lengths lengths =
+        read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, m_result, corners);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
     m_result.m_lines_may_return = is_given<NamedParameters, internal_np::edge_length_t>;
@@ -89,7 +173,7 @@ private:
       copy_directional_costs();
     else if constexpr(is_given<NamedParameters, internal_np::face_weight_t>)
       m_result.set_weights(
-          weights_of_faces(m_mesh, m_reader.halfedge_list(),
+          weights_of_faces(m_mesh, m_halfedges,
                            parameters::get_parameter(m_np, internal_np::face_weight), m_result));
   }
 
@@ -100,8 +184,8 @@ private:
                   "embedding, which is given by the vertex point map");
     const auto& cost = parameters::get_parameter_reference(m_np, internal_np::face_weight);
     const auto point_map = vertex_point_map(m_mesh, m_np);
-    m_result.m_gauges = Gauge_reader(m_mesh, m_reader.halfedge_list(), point_map, cost, m_result)
-                            .read(sampling_tolerance(m_np));
+    m_result.m_gauges =
+        Gauge_reader(m_mesh, m_halfedges, point_map, cost, m_result).read(sampling_tolerance(m_np));
   }
 
   void copy_barriers()
@@ -109,12 +193,11 @@ private:
     if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>)
     {
       const auto is_constrained = parameters::get_parameter(m_np, internal_np::edge_is_constrained);
-      const auto& halfedges = m_reader.halfedge_list();
-      std::vector<bool> is_barrier(halfedges.size());
+      std::vector<bool> is_barrier(m_halfedges.size());
       bool has_any = false;
-      for(Index h = 0; h < halfedges.size(); ++h)
-        if(!is_border(edge(halfedges[h], m_mesh), m_mesh) &&
-           get(is_constrained, edge(halfedges[h], m_mesh)))
+      for(Index h = 0; h < m_halfedges.size(); ++h)
+        if(!is_border(edge(m_halfedges[h], m_mesh), m_mesh) &&
+           get(is_constrained, edge(m_halfedges[h], m_mesh)))
           is_barrier[h] = has_any = true;
       if(has_any)
         m_result.m_is_barrier = std::move(is_barrier);
@@ -124,7 +207,8 @@ private:
   Intrinsic_triangulation& m_result;
   const TriangleMesh& m_mesh;
   const NamedParameters& m_np;
-  Reader m_reader;
+  std::vector<typename Graph_traits::vertex_descriptor> m_vertices;    // as in the triangulation
+  std::vector<typename Graph_traits::halfedge_descriptor> m_halfedges; // likewise, if needed
 };
 
 } // namespace internal

@@ -34,8 +34,6 @@ namespace Approximate_geodesics {
 namespace internal {
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder;
-template <typename TriangleMesh, typename VertexIndexMap, typename HalfedgeIndexMap>
-class Connectivity_reader;
 class Flipped_triangulation;
 } // namespace internal
 
@@ -446,8 +444,6 @@ public:
 private:
   template <typename TriangleMesh, typename NamedParameters>
   friend class internal::Triangulation_builder;
-  template <typename TriangleMesh, typename VertexIndexMap, typename HalfedgeIndexMap>
-  friend class internal::Connectivity_reader;
   friend class internal::Flipped_triangulation;
 
   bool is_valid_halfedge(Index h) const;

@@ -87,6 +87,17 @@ std::size_t number_of_triangles(const TriangleMesh& tmesh, const PlaceOf place_o
   return result;
 }
 
+// Whether the links between a border halfedge and the one before it fit. Precondition: there is
+// one.
+template <typename TriangleMesh>
+bool follows_its_predecessor(
+    const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+    const TriangleMesh& tmesh)
+{
+  const auto before = prev(h, tmesh);
+  return next(before, tmesh) == h && target(before, tmesh) == source(h, tmesh);
+}
+
 template <typename TriangleMesh>
 void check_triangles(const TriangleMesh& tmesh)
 {

@@ -11,8 +11,10 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Descriptor_table.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -20,12 +22,12 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-namespace parts { // separate, so that its graph functions hide no others
 
 /*
  * A submesh: some faces of a mesh and their border, represented by the elements of the mesh. The
- * cost depends on the number of faces, not on the size of the mesh. `part_as_mesh.h` makes it a
- * model of `FaceListGraph` and `HalfedgeListGraph`.
+ * cost depends on the number of faces, not on the size of the mesh, as that of
+ * `CGAL::Face_filtered_graph` does. The class is a model of `FaceListGraph` and
+ * `HalfedgeListGraph`, so the reader of meshes serves it, too.
  *
  * A vertex may have several fans of faces. As in a mesh, its halfedges form a single cycle, in the
  * order of the mesh, with border halfedges in the gaps. So paths can pass through the vertex.
@@ -49,8 +51,6 @@ public:
 
   // The mesh is referred to, not copied.
   explicit Mesh_part(const TriangleMesh& tmesh) : m_mesh(&tmesh) {}
-
-  const TriangleMesh& mesh() const { return *m_mesh; }
 
   // ----- construction
 
@@ -98,40 +98,102 @@ public:
     return true;
   }
 
-  // ----- elements
+  // ----- numbers; null_index if the element is not in the part
 
-  const std::vector<vertex_descriptor>& list_of_vertices() const { return m_vertices; }
-  const std::vector<halfedge_descriptor>& list_of_halfedges() const { return m_halfedges; }
-  const std::vector<face_descriptor>& list_of_faces() const { return m_faces; }
-
-  // null_index if the element is not in the part
   Index number(const vertex_descriptor v) const { return m_number_of_vertex.find(v); }
   Index number(const halfedge_descriptor h) const { return m_number_of_halfedge.find(h); }
 
   bool contains(const halfedge_descriptor h) const { return number(h) != null_index; }
 
-  // ----- connectivity, after close()
+  // ----- model of `FaceListGraph` and `HalfedgeListGraph`, after close()
 
-  halfedge_descriptor halfedge_to(const vertex_descriptor v) const
+  friend const TriangleMesh& whole(const Mesh_part& part) { return *part.m_mesh; }
+
+  friend const auto& vertices(const Mesh_part& part) { return part.m_vertices; }
+  friend const auto& halfedges(const Mesh_part& part) { return part.m_halfedges; }
+  friend const auto& faces(const Mesh_part& part) { return part.m_faces; }
+  friend std::size_t num_vertices(const Mesh_part& part) { return part.m_vertices.size(); }
+  friend std::size_t num_halfedges(const Mesh_part& part) { return part.m_halfedges.size(); }
+  friend std::size_t num_faces(const Mesh_part& part) { return part.m_faces.size(); }
+
+  friend halfedge_descriptor halfedge(const vertex_descriptor v, const Mesh_part& part)
   {
-    return m_halfedge_to[number(v)];
+    return part.m_halfedge_to[part.number(v)];
   }
 
-  face_descriptor face_of(const halfedge_descriptor h) const
+  friend halfedge_descriptor halfedge(const face_descriptor f, const Mesh_part& part)
   {
-    return number(h) < m_number_of_sides ? face(h, *m_mesh) : Graph_traits::null_face();
+    return halfedge(f, *part.m_mesh);
   }
 
-  halfedge_descriptor after(const halfedge_descriptor h) const
+  friend auto edge(const halfedge_descriptor h, const Mesh_part& part)
   {
-    const Index i = number(h);
-    return i < m_number_of_sides ? next(h, *m_mesh) : m_after[i - m_number_of_sides];
+    return edge(h, *part.m_mesh);
   }
 
-  halfedge_descriptor before(const halfedge_descriptor h) const
+  friend face_descriptor face(const halfedge_descriptor h, const Mesh_part& part)
   {
-    const Index i = number(h);
-    return i < m_number_of_sides ? prev(h, *m_mesh) : m_before[i - m_number_of_sides];
+    const bool is_side = part.number(h) < part.m_number_of_sides;
+    return is_side ? face(h, *part.m_mesh) : Graph_traits::null_face();
+  }
+
+  friend vertex_descriptor source(const halfedge_descriptor h, const Mesh_part& part)
+  {
+    return source(h, *part.m_mesh);
+  }
+
+  friend vertex_descriptor target(const halfedge_descriptor h, const Mesh_part& part)
+  {
+    return target(h, *part.m_mesh);
+  }
+
+  friend halfedge_descriptor opposite(const halfedge_descriptor h, const Mesh_part& part)
+  {
+    return opposite(h, *part.m_mesh);
+  }
+
+  friend halfedge_descriptor next(const halfedge_descriptor h, const Mesh_part& part)
+  {
+    const Index i = part.number(h);
+    return i < part.m_number_of_sides ? next(h, *part.m_mesh)
+                                      : part.m_after[i - part.m_number_of_sides];
+  }
+
+  friend halfedge_descriptor prev(const halfedge_descriptor h, const Mesh_part& part)
+  {
+    const Index i = part.number(h);
+    return i < part.m_number_of_sides ? prev(h, *part.m_mesh)
+                                      : part.m_before[i - part.m_number_of_sides];
+  }
+
+  friend auto get(const boost::vertex_point_t tag, const Mesh_part& part)
+  {
+    return get(tag, *part.m_mesh);
+  }
+
+  // Its index maps are its own numbers; those in named parameters refer to the whole mesh, and are
+  // ignored.
+  struct Index_map
+  {
+    template <typename Descriptor>
+    friend Index get(const Index_map& map, const Descriptor d)
+    {
+      return map.part->number(d);
+    }
+
+    const Mesh_part* part;
+  };
+
+  template <typename NamedParameters>
+  friend Index_map vertex_index_map(const Mesh_part& part, const NamedParameters& /* np */)
+  {
+    return {&part};
+  }
+
+  template <typename NamedParameters>
+  friend Index_map halfedge_index_map(const Mesh_part& part, const NamedParameters& /* np */)
+  {
+    return {&part};
   }
 
 private:
@@ -191,12 +253,31 @@ private:
   std::vector<halfedge_descriptor> m_after, m_before; // by border halfedge
 };
 
-} // namespace parts
-
-using parts::Mesh_part;
-
 } // namespace internal
 } // namespace Approximate_geodesics
+
+template <typename TriangleMesh, typename Tag>
+struct graph_has_property<Approximate_geodesics::internal::Mesh_part<TriangleMesh>, Tag>
+  : graph_has_property<TriangleMesh, Tag>
+{
+};
+
 } // namespace CGAL
+
+namespace boost {
+
+template <typename TriangleMesh>
+struct graph_traits<CGAL::Approximate_geodesics::internal::Mesh_part<TriangleMesh>>
+  : graph_traits<TriangleMesh>
+{
+};
+
+template <typename TriangleMesh, typename Tag>
+struct property_map<CGAL::Approximate_geodesics::internal::Mesh_part<TriangleMesh>, Tag>
+  : property_map<TriangleMesh, Tag>
+{
+};
+
+} // namespace boost
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_MESH_PART_H

@@ -17,6 +17,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -87,7 +88,7 @@ public:
               const Detour& detour,
               const std::size_t largest_number_of_faces)
     : m_part(part),
-      m_mesh(part.mesh()),
+      m_mesh(whole(part)),
       m_positions(positions),
       m_detour(detour),
       m_largest_number_of_faces(largest_number_of_faces)
@@ -102,7 +103,7 @@ public:
       m_entries.push_back(place.halfedge);
   }
 
-  // Returns whether the part is complete and valid.
+  // Returns whether the part is complete and valid, and its lengths are certain not to overflow.
   bool run()
   {
     while(!m_entries.empty())
@@ -112,7 +113,7 @@ public:
       if(!m_part.contains(h) && !enter(h))
         return false;
     }
-    return m_part.close();
+    return measure_new_vertices() && m_part.close() && do_lengths_fit();
   }
 
 private:
@@ -124,9 +125,10 @@ private:
 
   bool enter(const halfedge_descriptor h)
   {
-    if(m_part.list_of_faces().size() >= m_largest_number_of_faces || !m_part.add_face(h))
+    if(num_faces(m_part) >= m_largest_number_of_faces || !m_part.add_face(h))
       return false;
-    measure_new_vertices();
+    if(!measure_new_vertices())
+      return false;
     Vertex from = vertex(source(h, m_mesh));
     halfedge_descriptor side = h;
     for(int i = 0; i < 3; ++i, side = next(side, m_mesh))
@@ -167,13 +169,25 @@ private:
 
   const Vertex& vertex(const vertex_descriptor v) const { return m_vertices[m_part.number(v)]; }
 
-  void measure_new_vertices()
+  // Returns false if a position is not finite.
+  bool measure_new_vertices()
   {
-    for(std::size_t i = m_vertices.size(); i < m_part.list_of_vertices().size(); ++i)
+    for(std::size_t i = m_vertices.size(); i < num_vertices(m_part); ++i)
     {
-      const Space_vector p = m_positions(m_part.list_of_vertices()[i]);
-      m_vertices.push_back({p, m_detour.over(p)});
+      const Space_vector p = m_positions(vertices(m_part)[i]);
+      const double detour = m_detour.over(p);
+      if(!std::isfinite(detour))
+        return false;
+      m_vertices.push_back({p, detour});
+      m_largest_detour = (std::max)(m_largest_detour, detour);
     }
+    return true;
+  }
+
+  // An edge is at most as long as the detours of its ends together.
+  bool do_lengths_fit() const
+  {
+    return std::isfinite(2 * m_largest_detour * static_cast<double>(num_halfedges(m_part)));
   }
 
   Mesh_part<TriangleMesh>& m_part;
@@ -183,6 +197,7 @@ private:
   const std::size_t m_largest_number_of_faces;
   std::vector<halfedge_descriptor> m_entries; // whose faces will be added
   std::vector<Vertex> m_vertices;             // by number in the part
+  double m_largest_detour = 0;
 };
 
 } // namespace internal

@@ -10,9 +10,12 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/intrinsic_points.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -24,6 +27,7 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
@@ -173,22 +177,61 @@ Vertex_positions positions_for_one_run(const MeshSearch& search, const NamedPara
     return Vertex_positions();
 }
 
+// Calls `f` with a search of a graph built on `tmesh`, for a single run.
+template <typename Graph, typename TriangleMesh, typename NamedParameters, typename F>
+auto search_graph(const Graph& graph,
+                  const TriangleMesh& tmesh,
+                  const NamedParameters& np,
+                  const bool finds_path,
+                  F f)
+{
+  Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
+  if(finds_path ||
+     is_any_given<NamedParameters, internal_np::visitor_t, internal_np::geodesic_predecessor_t>)
+    translation.list_vertices();
+  auto point_map = vertex_point_map(tmesh, np);
+  Mesh_search<Graph, Adaptive_bucket_queue, decltype(translation), decltype(point_map)> search(
+      graph, translation, std::move(point_map));
+  return f(search);
+}
+
+// Whether a search runs along edges, and all `Points` and targets are given as vertices.
+template <typename TriangleMesh, typename NamedParameters, typename... Points>
+constexpr bool concerns_vertices_only()
+{
+  constexpr bool needs_faces =
+      is_any_given<NamedParameters, internal_np::epsilon_t,
+                   internal_np::number_of_points_per_edge_t, internal_np::face_weight_t,
+                   internal_np::edge_is_constrained_t, internal_np::straighten_t>;
+  if constexpr(needs_faces || !(are_vertices<TriangleMesh, Points> && ...))
+    return false;
+  else if constexpr(is_given<NamedParameters, internal_np::targets_t>)
+  {
+    using Targets = decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                                       internal_np::targets));
+    return are_vertices<TriangleMesh, std::decay_t<Targets>>;
+  }
+  else
+    return true;
+}
+
 // Reads a mesh, builds the graph that the named parameters select, and calls `f` with a search of
-// it, for a single run.
-template <typename TriangleMesh, typename NamedParameters, typename F>
+// it, for a single run. Only edges are read if all `Points`, the types of sources and targets, are
+// vertices.
+template <typename... Points, typename TriangleMesh, typename NamedParameters, typename F>
 auto search_once(const TriangleMesh& tmesh, const NamedParameters& np, const bool finds_path, F f)
 {
-  return with_graph<Lazy_discrete_geodesic_graph>(tmesh, np, [&](const auto& graph) {
-    Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
-    if(finds_path ||
-       is_any_given<NamedParameters, internal_np::visitor_t, internal_np::geodesic_predecessor_t>)
-      translation.list_vertices();
-    auto point_map = vertex_point_map(tmesh, np);
-    Mesh_search<std::decay_t<decltype(graph)>, Adaptive_bucket_queue, decltype(translation),
-                decltype(point_map)>
-        search(graph, translation, std::move(point_map));
-    return f(search);
-  });
+  const auto search = [&](const auto& graph) {
+    return search_graph(graph, tmesh, np, finds_path, f);
+  };
+  if constexpr(concerns_vertices_only<TriangleMesh, NamedParameters, Points...>())
+  {
+    Intrinsic_triangulation edges;
+    Triangulation_builder<TriangleMesh, NamedParameters>(edges, tmesh, np).build_edges();
+    return search(Edge_graph(std::move(edges), np));
+  }
+  else
+    return with_graph<Lazy_discrete_geodesic_graph>(tmesh, np, search);
 }
 
 } // namespace internal

@@ -9,40 +9,39 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
-#include <CGAL/Approximate_geodesics/Parts/internal/part_as_mesh.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Part_to_read.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Vertex_results.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
-#include <stdexcept>
+#include <utility>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Calls `f` with a search of a part, as `search_once()` does. Returns false if the part or the
-// parameters are invalid; reading the whole mesh then diagnoses the error.
+// Calls `f` with a search of a part, as `search_once()` does. Returns false if the part is invalid;
+// reading the whole mesh then diagnoses the error.
 template <typename TriangleMesh, typename NamedParameters, typename F>
 bool search_part_once(const Mesh_part<TriangleMesh>& part,
                       const NamedParameters& np,
                       const bool finds_path,
                       F f)
 {
-  bool is_read = false;
-  try
-  {
-    search_once(part, np, finds_path, [&](auto& search) {
-      is_read = true;
-      f(search);
-    });
-  }
-  catch(const std::invalid_argument&)
-  {
-    if(is_read)
-      throw;
-  }
-  return is_read;
+  Intrinsic_triangulation triangulation;
+  Triangulation_builder<Mesh_part<TriangleMesh>, NamedParameters> builder(triangulation, part, np);
+  if(!builder.try_to_build() ||
+     triangulation.face_without_shape() != Intrinsic_triangulation::null_index)
+    return false;
+  with_graph_on<Lazy_discrete_geodesic_graph, Saddle_vertex_graph>(
+      std::move(triangulation), np,
+      [&](const auto& graph) { search_graph(graph, part, np, finds_path, f); });
+  return true;
 }
 
 /*
@@ -60,7 +59,7 @@ public:
 
   explicit Whole_translation(const Translation& translation) : m_translation(translation) {}
 
-  const Triangle_mesh& mesh() const { return m_translation.mesh().mesh(); }
+  const Triangle_mesh& mesh() const { return whole(m_translation.mesh()); }
 
   Index node(const vertex_descriptor v) const
   {

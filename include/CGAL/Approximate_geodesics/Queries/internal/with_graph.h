@@ -53,12 +53,8 @@ auto directional_graph(Intrinsic_triangulation triangulation, const NamedParamet
 // Calls `f` with the graph that the named parameters select: a graph with weights and barriers if
 // there are any; otherwise, if `epsilon` is given, a graph of one of the given types; otherwise the
 // edge graph. Returns the result of `f`.
-template <typename GraphWithBound,
-          typename ExactGraph = Saddle_vertex_graph,
-          typename TriangleMesh,
-          typename NamedParameters,
-          typename F>
-auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
+template <typename GraphWithBound, typename ExactGraph, typename NamedParameters, typename F>
+auto with_graph_on(Intrinsic_triangulation triangulation, const NamedParameters& np, F f)
 {
   constexpr bool has_epsilon = is_given<NamedParameters, internal_np::epsilon_t>;
   constexpr bool has_number = is_given<NamedParameters, internal_np::number_of_points_per_edge_t>;
@@ -74,7 +70,6 @@ auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
                 "maximum_number_of_points: it is for number_of_points_per_edge, and for epsilon "
                 "with weights or barriers; other graphs have no points on edges");
 
-  Intrinsic_triangulation triangulation(tmesh, np);
   if constexpr(has_directional_cost<NamedParameters>)
     return f(directional_graph(std::move(triangulation), np));
   else if constexpr(has_number)
@@ -92,6 +87,17 @@ auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
   }
   else
     return f(Edge_graph(std::move(triangulation), np));
+}
+
+// Reads a mesh, and calls `f` with the graph that the named parameters select.
+template <typename GraphWithBound,
+          typename ExactGraph = Saddle_vertex_graph,
+          typename TriangleMesh,
+          typename NamedParameters,
+          typename F>
+auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
+{
+  return with_graph_on<GraphWithBound, ExactGraph>(Intrinsic_triangulation(tmesh, np), np, f);
 }
 
 } // namespace internal

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_BREADTH_FIRST_ORDER_H
-#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_BREADTH_FIRST_ORDER_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_VERTEX_ORDER_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_VERTEX_ORDER_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -20,22 +20,19 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// The number of vertices that are numbered breadth first as one patch. Smaller patches slow down
-// searches on small meshes.
-constexpr std::size_t SIZE_OF_PATCH = 32768;
-
 /*
- * Numbers the vertices of a mesh as described at `Connectivity_reader`, by permuting arrays from
- * the order of the mesh to the new order. The halfedge group of a vertex is contiguous in memory,
- * and is prefetched.
+ * Numbers the vertices of a mesh so that nearby vertices have close numbers, which makes searches
+ * cache-friendly: breadth first, on large meshes by patches of the surface. The arrays of the
+ * connectivity are permuted from the order of the mesh. The halfedge group of a vertex is
+ * contiguous in memory, and is prefetched.
  */
-class Breadth_first_order
+class Vertex_order
 {
 public:
   using Index = Connectivity::Index;
 
   // `before` has the order of the mesh; it is referred to, not copied.
-  explicit Breadth_first_order(const Connectivity& before) : m_before(before)
+  explicit Vertex_order(const Connectivity& before) : m_before(before)
   {
     const std::size_t v = before.number_of_vertices(), h = before.number_of_halfedges();
     m_vertex_of_index.assign(v, null_index);
@@ -57,10 +54,11 @@ public:
       add_patch(m_result.target_of_halfedge[m_beyond[next]]);
   }
 
-  // Must be called after all components were added.
+  // Must be called after all components were added. Indices of removed vertices remain without a
+  // number.
   void finish()
   {
-    m_index_of_vertex.pop_back();
+    m_index_of_vertex.resize(m_number);
     m_index_of_vertex.shrink_to_fit();
     for(const Index h : m_beyond)
     {
@@ -75,6 +73,9 @@ public:
 
 private:
   static constexpr Index null_index = (std::numeric_limits<Index>::max)();
+
+  // Smaller patches slow down searches on small meshes.
+  static constexpr std::size_t SIZE_OF_PATCH = 32768; // vertices
 
   // Numbers a patch of vertices around `center`.
   void add_patch(const Index center)
@@ -169,4 +170,4 @@ private:
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_BREADTH_FIRST_ORDER_H
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_VERTEX_ORDER_H

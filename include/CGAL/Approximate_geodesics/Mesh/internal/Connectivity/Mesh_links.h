@@ -1,0 +1,294 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_MESH_LINKS_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_MESH_LINKS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Connectivity.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * Reads and validates the connectivity of a mesh, in the order of the mesh's own indices. This is
+ * the only reader; it serves whole meshes and parts, with any index maps. It reports success or
+ * failure; `Mesh_check` diagnoses failures.
+ *
+ * Links are copied to a compact array. Rotating around vertices on the mesh itself would cause a
+ * cache miss per step; sequential copying is prefetched by the hardware. Faces are checked in
+ * memory order for the same reason. Indices of removed elements are gaps in the array.
+ *
+ * The class does not depend on named parameters, so it is instantiated once per mesh type and index
+ * maps.
+ */
+template <typename TriangleMesh, typename VertexIndexMap, typename HalfedgeIndexMap>
+class Mesh_links
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+
+public:
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using Index = Connectivity::Index;
+
+  // The mesh is referred to, not copied. Throws `std::length_error` if it is too large.
+  Mesh_links(const TriangleMesh& tmesh,
+             VertexIndexMap vertex_index_map,
+             HalfedgeIndexMap halfedge_index_map)
+    : m_mesh(tmesh),
+      m_number_of_vertices(num_vertices(tmesh)),
+      m_number_of_halfedges(num_halfedges(tmesh)),
+      m_vertex_index_map(std::move(vertex_index_map)),
+      m_halfedge_index_map(std::move(halfedge_index_map))
+  {
+    if(m_number_of_halfedges >= null_index || m_number_of_vertices >= null_index)
+      throw std::length_error("Approximate_geodesics: the mesh has " +
+                              std::to_string(m_number_of_vertices) + " vertices and " +
+                              std::to_string(m_number_of_halfedges) +
+                              " halfedges, too many for 32-bit indices");
+  }
+
+  // Reads all links. Returns whether they are valid, all faces are triangles, and indices are
+  // unique.
+  bool read()
+  {
+    return list_vertices() && link_halfedges() && are_links_complete() && are_faces_right();
+  }
+
+  // By index; null vertices where the mesh has removed vertices.
+  std::vector<vertex_descriptor>& vertex_list() { return m_vertices; }
+
+  bool has_removed_vertices() const { return m_has_removed_vertices; }
+
+  // Returns the index of a vertex of the mesh.
+  Index index(const vertex_descriptor v) const
+  {
+    return static_cast<Index>(get(m_vertex_index_map, v));
+  }
+
+  // The following functions return whether the halfedges from each vertex form a single cycle. One
+  // of them may be called, once, after read().
+
+  // Writes what a search along edges requires.
+  bool write_adjacency(Vertex_adjacency& result) { return write_groups<false>(result); }
+
+  bool write(Connectivity& result)
+  {
+    result.number_of_faces = m_number_of_faces;
+    if(!write_groups<true>(result))
+      return false;
+    write_sides(result);
+    m_links = std::vector<Link>(); // frees its memory
+    return true;
+  }
+
+private:
+  // The target of a halfedge, and the next halfedge counterclockwise around its source.
+  struct Link
+  {
+    Index target;
+    Index counterclockwise;
+  };
+
+  static constexpr Index null_index = (std::numeric_limits<Index>::max)();
+
+  // Returns an invalid index, which is not less than the size, for a null vertex.
+  std::size_t checked_index(const vertex_descriptor v) const
+  {
+    return v == Graph_traits::null_vertex() ? std::size_t(null_index)
+                                            : static_cast<std::size_t>(get(m_vertex_index_map, v));
+  }
+
+  std::size_t index(const halfedge_descriptor h) const // unchecked
+  {
+    return static_cast<std::size_t>(get(m_halfedge_index_map, h));
+  }
+
+  // Returns false if an index is out of range, or a duplicate.
+  bool list_vertices()
+  {
+    m_vertices.assign(m_number_of_vertices, Graph_traits::null_vertex());
+    std::size_t number = 0;
+    for(const vertex_descriptor v : vertices(m_mesh))
+    {
+      const std::size_t i = checked_index(v);
+      if(i >= m_number_of_vertices || m_vertices[i] != Graph_traits::null_vertex())
+        return false;
+      m_vertices[i] = v;
+      ++number;
+    }
+    m_has_removed_vertices = number < m_number_of_vertices;
+    return true;
+  }
+
+  bool link_halfedges()
+  {
+    m_links.assign(m_number_of_halfedges, {null_index, null_index});
+    m_first_of_vertex.assign(m_number_of_vertices + 1, 0);
+    std::size_t number = 0, number_of_sides = 0;
+    for(const halfedge_descriptor h : halfedges(m_mesh))
+    {
+      if(!link(h) || (is_border(h, m_mesh) && !follows_its_predecessor(h, m_mesh)))
+        return false;
+      ++number;
+      number_of_sides += is_border(h, m_mesh) ? 0 : 1;
+    }
+    m_has_removed_halfedges = number < m_number_of_halfedges;
+    m_number_of_sides = number_of_sides;
+    std::partial_sum(m_first_of_vertex.begin(), m_first_of_vertex.end(), m_first_of_vertex.begin());
+    return true;
+  }
+
+  // Returns false if the index is a duplicate, that is, its link already has a target.
+  bool link(const halfedge_descriptor h)
+  {
+    const halfedge_descriptor before = prev(h, m_mesh);
+    if(before == Graph_traits::null_halfedge())
+      return false;
+    const std::size_t i = index(h), counterclockwise = index(opposite(before, m_mesh));
+    const std::size_t v = checked_index(target(h, m_mesh));
+    if(i >= m_number_of_halfedges || counterclockwise >= m_number_of_halfedges ||
+       v >= m_number_of_vertices || opposite(opposite(h, m_mesh), m_mesh) != h ||
+       m_links[i].target != null_index)
+      return false;
+    m_links[i] = {static_cast<Index>(v), static_cast<Index>(counterclockwise)};
+    ++m_first_of_vertex[v + 1]; // in-degree equals out-degree
+    return true;
+  }
+
+  // Whether links lead to no removed halfedges.
+  bool are_links_complete() const
+  {
+    if(m_has_removed_halfedges)
+      for(const halfedge_descriptor h : halfedges(m_mesh))
+      {
+        const std::size_t across = index(opposite(h, m_mesh));
+        if(across >= m_number_of_halfedges || m_links[across].target == null_index ||
+           m_links[m_links[index(h)].counterclockwise].target == null_index)
+          return false;
+      }
+    return true;
+  }
+
+  // Whether all faces are triangles, and include all halfedges that refer to a face.
+  bool are_faces_right()
+  {
+    for(const face_descriptor f : faces(m_mesh))
+    {
+      const halfedge_descriptor h = halfedge(f, m_mesh);
+      if(h == Graph_traits::null_halfedge() || !is_linked_triangle(f, m_mesh))
+        return false;
+      const halfedge_descriptor g = next(h, m_mesh), k = next(g, m_mesh);
+      if(target(h, m_mesh) != source(g, m_mesh) || target(g, m_mesh) != source(k, m_mesh) ||
+         target(k, m_mesh) != source(h, m_mesh))
+        return false;
+      ++m_number_of_faces;
+    }
+    return 3 * m_number_of_faces == m_number_of_sides;
+  }
+
+  // Returns the index of the first halfedge from a vertex, or `null_index` if there is none or it
+  // is invalid.
+  Index first_halfedge(const Index v) const
+  {
+    const bool is_removed = m_vertices[v] == Graph_traits::null_vertex();
+    const halfedge_descriptor toward =
+        is_removed ? Graph_traits::null_halfedge() : halfedge(m_vertices[v], m_mesh);
+    if(toward == Graph_traits::null_halfedge())
+      return null_index;
+    const std::size_t i = index(toward), result = index(opposite(toward, m_mesh));
+    const bool is_right = i < m_links.size() && result < m_links.size() && m_links[i].target == v;
+    return is_right ? static_cast<Index>(result) : null_index;
+  }
+
+  // If `keeps_ranks`, replaces each counterclockwise link by the rank of the halfedge around its
+  // source.
+  template <bool keeps_ranks>
+  bool write_groups(Vertex_adjacency& result)
+  {
+    result.first_of_vertex = std::move(m_first_of_vertex);
+    result.target_of_halfedge.resize(result.number_of_halfedges());
+    for(Index v = 0; v < result.number_of_vertices(); ++v)
+    {
+      const Index first = first_halfedge(v);
+      if((first == null_index) != (result.degree(v) == 0) ||
+         !write_cycle<keeps_ranks>(m_links.data(), first, v, result))
+        return false;
+    }
+    return true;
+  }
+
+  // Returns whether all halfedges from `v` form a single cycle. The halfedges of a cycle share
+  // their source.
+  template <bool keeps_ranks>
+  static bool
+  write_cycle(Link* const links, const Index first, const Index v, Vertex_adjacency& result)
+  {
+    Index* const target = result.target_of_halfedge.data(); // stays in a register
+    const Index begin = result.first_halfedge(v), degree = result.degree(v);
+    Index h = first;
+    for(Index rank = 0; rank < degree; ++rank)
+    {
+      Link& link = links[h];
+      target[begin + rank] = link.target;
+      h = link.counterclockwise;
+      if constexpr(keeps_ranks)
+        link.counterclockwise = rank;
+      if((h == first) != (rank + 1 == degree))
+        return false;
+    }
+    return true;
+  }
+
+  void write_sides(Connectivity& result) const
+  {
+    result.opposite_rank.resize(result.number_of_halfedges());
+    if(result.has_border())
+      result.is_border.resize(result.number_of_halfedges());
+    for(const halfedge_descriptor h : halfedges(m_mesh))
+    {
+      const Link link = m_links[index(h)], across = m_links[index(opposite(h, m_mesh))];
+      const Index number = result.first_halfedge(across.target) + link.counterclockwise;
+      result.opposite_rank.set(number, across.counterclockwise);
+      if(is_border(h, m_mesh))
+        result.is_border[number] = true;
+    }
+  }
+
+  const TriangleMesh& m_mesh;
+  const std::size_t m_number_of_vertices; // cached: num_vertices() may be linear
+  const std::size_t m_number_of_halfedges;
+  const VertexIndexMap m_vertex_index_map;
+  const HalfedgeIndexMap m_halfedge_index_map;
+  std::vector<vertex_descriptor> m_vertices;
+  std::vector<Link> m_links;            // by index; without a target if the halfedge was removed
+  std::vector<Index> m_first_of_vertex; // prefix sums of degrees
+  std::size_t m_number_of_faces = 0;
+  std::size_t m_number_of_sides = 0; // halfedges that refer to a face
+  bool m_has_removed_vertices = false;
+  bool m_has_removed_halfedges = false;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_MESH_LINKS_H
