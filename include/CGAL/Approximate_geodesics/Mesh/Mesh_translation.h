@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/halfedge_groups.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/intrinsic_points.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -22,7 +23,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -158,13 +158,15 @@ public:
   /// returns the point at the parameter `t` along `h`: `0` is its source, `1` is its target.
   Intrinsic_point intrinsic_point(const halfedge_descriptor h, const double t) const
   {
-    if(h == Graph_traits::null_halfedge() || !is_in_range(h, num_halfedges(mesh_of_numbers())))
+    if(h == Graph_traits::null_halfedge() ||
+       !internal::may_be_element(h, num_halfedges(mesh_of_numbers()), mesh_of_numbers()))
       reject_foreign("halfedge", h, Graph_traits::null_halfedge());
-    if(!(t >= 0 && t <= 1))
+    if(!internal::is_parameter(t))
       internal::reject("the parameter along a halfedge is " + internal::text_of(t) +
                        "; it must be a number from 0 to 1");
-    if(t < rounding || 1 - t < rounding)
-      return intrinsic_point(t < rounding ? source(h, *m_mesh) : target(h, *m_mesh));
+    if(t < internal::rounding_of_weights || 1 - t < internal::rounding_of_weights)
+      return intrinsic_point(t < internal::rounding_of_weights ? source(h, *m_mesh)
+                                                               : target(h, *m_mesh));
     return Intrinsic_point::on_edge(number(h), t);
   }
 
@@ -324,8 +326,6 @@ public:
   /// @}
 
 private:
-  static constexpr double rounding = 1e-15; // of barycentric coordinates
-
   const auto& mesh_of_numbers() const
   {
     using internal::whole;
@@ -335,7 +335,8 @@ private:
   void check(const face_descriptor f) const
   {
     const bool may_be_face =
-        f != Graph_traits::null_face() && is_in_range(f, num_faces(mesh_of_numbers()));
+        f != Graph_traits::null_face() &&
+        internal::may_be_element(f, num_faces(mesh_of_numbers()), mesh_of_numbers());
     const halfedge_descriptor h =
         may_be_face ? halfedge(f, *m_mesh) : Graph_traits::null_halfedge();
     if(h == Graph_traits::null_halfedge() || face(h, *m_mesh) != f) // or `f` was removed
@@ -354,36 +355,19 @@ private:
     internal::reject(name + " is not in the mesh");
   }
 
-  // Whether a descriptor is in range, if descriptors are integers.
-  template <typename Descriptor, typename Size>
-  static bool is_in_range([[maybe_unused]] const Descriptor d, [[maybe_unused]] const Size size)
-  {
-    if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
-      return static_cast<std::size_t>(d) < static_cast<std::size_t>(size);
-    else
-      return true;
-  }
-
-  // Validates barycentric coordinates, and snaps values within rounding errors to zero.
   template <typename FT>
   static std::array<double, 3> checked(const std::array<FT, 3>& coordinates)
   {
-    constexpr double tolerance = 1e-9;
-    std::array<double, 3> result{CGAL::to_double(coordinates[0]), CGAL::to_double(coordinates[1]),
-                                 CGAL::to_double(coordinates[2])};
-    const bool are_valid = result[0] >= -tolerance && result[1] >= -tolerance &&
-                           result[2] >= -tolerance &&
-                           std::abs(result[0] + result[1] + result[2] - 1) <= tolerance;
-    if(!are_valid)
-      internal::reject("barycentric coordinates are " + internal::text_of(result[0]) + ", " +
-                       internal::text_of(result[1]) + ", " + internal::text_of(result[2]) +
+    const auto result = internal::barycentric_weights(coordinates);
+    if(!result)
+    {
+      const auto text = [&](const std::size_t i) {
+        return internal::text_of(CGAL::to_double(coordinates[i]));
+      };
+      internal::reject("barycentric coordinates are " + text(0) + ", " + text(1) + ", " + text(2) +
                        "; they must not be negative, and their sum must be 1");
-    for(double& weight : result)
-      weight = weight < rounding ? 0 : weight;
-    const double sum = result[0] + result[1] + result[2];
-    for(double& weight : result)
-      weight /= sum;
-    return result;
+    }
+    return *result;
   }
 
   // Returns the index of a halfedge in the triangulation, by rotating around the vertex of its face

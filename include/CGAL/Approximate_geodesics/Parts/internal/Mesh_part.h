@@ -25,9 +25,9 @@ namespace internal {
 
 /*
  * A submesh: some faces of a mesh and their border, represented by the elements of the mesh. The
- * cost depends on the number of faces, not on the size of the mesh, as that of
- * `CGAL::Face_filtered_graph` does. The class is a model of `FaceListGraph` and
- * `HalfedgeListGraph`, so the reader of meshes serves it, too.
+ * cost depends on the number of faces; that of `CGAL::Face_filtered_graph` depends on the size of
+ * the mesh. The class is a model of `FaceListGraph` and `HalfedgeListGraph`, so parts are read like
+ * meshes.
  *
  * A vertex may have several fans of faces. As in a mesh, its halfedges form a single cycle, in the
  * order of the mesh, with border halfedges in the gaps. So paths can pass through the vertex.

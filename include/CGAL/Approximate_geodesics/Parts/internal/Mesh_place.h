@@ -8,17 +8,21 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/intrinsic_points.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -43,29 +47,6 @@ struct Mesh_place
   // A halfedge whose face contains the point; null for an isolated vertex.
   typename Graph_traits::halfedge_descriptor halfedge = Graph_traits::null_halfedge();
 };
-
-template <typename TriangleMesh, typename Descriptor, typename = void>
-constexpr bool tells_what_is_removed = false;
-
-template <typename TriangleMesh, typename Descriptor>
-constexpr bool
-    tells_what_is_removed<TriangleMesh,
-                          Descriptor,
-                          std::void_t<decltype(std::declval<const TriangleMesh&>().is_removed(
-                              std::declval<Descriptor>()))>> = true;
-
-// Whether a descriptor is in range and not marked as removed, as far as the mesh type can tell.
-template <typename TriangleMesh, typename Descriptor, typename Size>
-bool may_be_element(const Descriptor d, const Size size, const TriangleMesh& tmesh)
-{
-  if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
-    if(static_cast<std::size_t>(d) >= static_cast<std::size_t>(size))
-      return false;
-  if constexpr(tells_what_is_removed<TriangleMesh, Descriptor>)
-    return !tmesh.is_removed(d);
-  else
-    return true;
-}
 
 // Returns a halfedge of the edge of `h` with a face to its left, or a null halfedge.
 template <typename TriangleMesh>
@@ -108,7 +89,7 @@ std::optional<Mesh_place<TriangleMesh>> mesh_place(
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   const auto [h, t] = point;
   if(h == Graph_traits::null_halfedge() || !may_be_element(h, num_halfedges(tmesh), tmesh) ||
-     !(t >= 0 && t <= 1))
+     !is_parameter(t))
     return std::nullopt;
   Mesh_place<TriangleMesh> result;
   result.halfedge = side_of_edge(h, tmesh);
@@ -130,27 +111,13 @@ mesh_place(const TriangleMesh& tmesh,
   const auto f = location.first;
   if(f == Graph_traits::null_face() || !may_be_element(f, num_faces(tmesh), tmesh))
     return std::nullopt;
-  auto h = halfedge(f, tmesh);
-  if(h == Graph_traits::null_halfedge() || face(h, tmesh) != f)
+  const auto weights = barycentric_weights(location.second);
+  const auto h = halfedge(f, tmesh);
+  if(!weights || h == Graph_traits::null_halfedge() || !is_linked_triangle(f, tmesh))
     return std::nullopt;
-  Mesh_place<TriangleMesh> result;
-  result.halfedge = h;
-  result.number_of_corners = 3;
-  double sum = 0;
-  for(std::size_t i = 0; i < 3; ++i, h = next(h, tmesh))
-  {
-    result.corner[i] = source(h, tmesh);
-    result.weight[i] = CGAL::to_double(location.second[i]);
-    sum += result.weight[i];
-    if(!(result.weight[i] >= 0))
-      return std::nullopt;
-  }
-  constexpr double tolerance = 1e-9;
-  if(!(std::abs(sum - 1) <= tolerance))
-    return std::nullopt;
-  for(double& weight : result.weight)
-    weight /= sum;
-  return result;
+  const auto g = next(h, tmesh);
+  return Mesh_place<TriangleMesh>{
+      {source(h, tmesh), source(g, tmesh), source(next(g, tmesh), tmesh)}, *weights, 3, h};
 }
 
 template <typename TriangleMesh>
@@ -159,6 +126,50 @@ std::optional<Mesh_place<TriangleMesh>> mesh_place(const TriangleMesh& tmesh,
 {
   return std::visit([&](const auto& p) { return mesh_place(tmesh, p); }, point);
 }
+
+/*
+ * Positions of vertices and other points of a mesh, relative to one of the vertices, which avoids
+ * cancellation if the origin is far away.
+ */
+template <typename TriangleMesh, typename NamedParameters>
+class Mesh_positions
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Point_map = decltype(vertex_point_map(std::declval<const TriangleMesh&>(),
+                                              std::declval<const NamedParameters&>()));
+  using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+
+public:
+  Mesh_positions(const TriangleMesh& tmesh,
+                 const NamedParameters& np,
+                 const vertex_descriptor origin)
+    : m_point_map(vertex_point_map(tmesh, np)),
+      m_traits(parameters::choose_parameter<Traits>(
+          parameters::get_parameter(np, internal_np::geom_traits))),
+      m_origin(double_point(get(m_point_map, origin), m_traits))
+  {
+  }
+
+  Space_vector operator()(const vertex_descriptor v) const
+  {
+    return difference(double_point(get(m_point_map, v), m_traits), m_origin);
+  }
+
+  Space_vector operator()(const Mesh_place<TriangleMesh>& place) const
+  {
+    const Space_vector first = (*this)(place.corner[0]);
+    Space_vector result = first;
+    for(std::size_t i = 1; i < place.number_of_corners; ++i)
+      result =
+          linear_combination(result, place.weight[i], difference((*this)(place.corner[i]), first));
+    return result;
+  }
+
+private:
+  Point_map m_point_map;
+  Traits m_traits;
+  Space_vector m_origin;
+};
 
 } // namespace internal
 } // namespace Approximate_geodesics

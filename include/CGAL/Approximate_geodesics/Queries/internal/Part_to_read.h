@@ -12,7 +12,6 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_place.h>
-#include <CGAL/Approximate_geodesics/Parts/internal/Mesh_positions.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Part_growth.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Way_along_edges.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
