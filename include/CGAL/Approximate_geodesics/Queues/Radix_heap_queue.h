@@ -10,8 +10,9 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Queues/internal/Ordered_queue_base.h>
-#include <CGAL/Approximate_geodesics/Queues/internal/bit_width.h>
 #include <CGAL/assertions.h>
+
+#include <boost/integer/integer_log2.hpp>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +23,22 @@
 
 namespace CGAL {
 namespace Approximate_geodesics {
+
+namespace internal {
+
+// std::bit_width() of C++20.
+inline std::size_t bit_width(const std::uint64_t i)
+{
+  if(i == 0)
+    return 0;
+#if defined(__GNUC__)
+  return 64 - static_cast<std::size_t>(__builtin_clzll(i));
+#else
+  return 1 + static_cast<std::size_t>(boost::integer_log2(i));
+#endif
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsQueues

@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/Double_double.h>
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -16,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -25,6 +25,47 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
+
+/*
+ * A double-double number, with about 32 digits: the unevaluated sum of two `double`s, where `low`
+ * is at most half an ulp of `high` (T. J. Dekker, A floating-point technique for extending the
+ * available precision, 1971). Without overflow and underflow, sums and products have errors of
+ * about 2^-104 relative to their largest term.
+ */
+struct Double_double
+{
+  double high, low;
+};
+
+// a + b, exactly
+inline Double_double exact_sum(const double a, const double b)
+{
+  const double sum = a + b, part_of_b = sum - a;
+  return {sum, (a - (sum - part_of_b)) + (b - part_of_b)};
+}
+
+// a * b, exactly
+inline Double_double exact_product(const double a, const double b)
+{
+  const double product = a * b;
+  return {product, std::fma(a, b, -product)};
+}
+
+inline Double_double operator-(const Double_double a) { return {-a.high, -a.low}; }
+
+inline Double_double operator+(const Double_double a, const Double_double b)
+{
+  const Double_double sum = exact_sum(a.high, b.high);
+  return exact_sum(sum.high, sum.low + (a.low + b.low));
+}
+
+inline Double_double operator-(const Double_double a, const Double_double b) { return a + -b; }
+
+inline Double_double operator*(const Double_double a, const Double_double b)
+{
+  const Double_double product = exact_product(a.high, b.high);
+  return exact_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
+}
 
 using Accurate_vector = std::array<Double_double, 3>;
 

@@ -22,16 +22,17 @@
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Vertex_results.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Vertex_visitor.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -40,6 +41,66 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
+
+/*
+ * Adapts a visitor of vertices to a visitor of nodes.
+ */
+template <typename Visitor, typename Vertices>
+class Vertex_visitor
+{
+public:
+  Vertex_visitor(Visitor& visitor, const Vertices& vertices)
+    : m_visitor(visitor), m_vertices(vertices)
+  {
+  }
+
+  template <typename Node>
+  void on_settled(const Node node, const double distance)
+  {
+    if(m_vertices.is_vertex(node))
+      m_visitor.on_settled(m_vertices.vertex(node), distance);
+  }
+
+  void on_progress(const std::size_t number_of_settled_nodes, const std::size_t number_of_nodes)
+  {
+    m_visitor.on_progress(number_of_settled_nodes, number_of_nodes);
+  }
+
+  bool go_further() { return m_visitor.go_further(); }
+
+private:
+  Visitor& m_visitor;
+  const Vertices& m_vertices;
+};
+
+template <typename Visitor, typename Vertices>
+Vertex_visitor<Visitor, Vertices> make_vertex_visitor(Visitor& visitor, const Vertices& vertices)
+{
+  return {visitor, vertices};
+}
+
+// Overload for a visitor given by reference.
+template <typename Visitor, typename Vertices>
+Vertex_visitor<Visitor, Vertices> make_vertex_visitor(std::reference_wrapper<Visitor>& visitor,
+                                                      const Vertices& vertices)
+{
+  return {visitor.get(), vertices};
+}
+
+// Calls `run` with the visitor of the named parameters, adapted to nodes, or with an idle visitor.
+template <typename NamedParameters, typename Vertices, typename Run>
+void run_with_visitor([[maybe_unused]] const NamedParameters& np,
+                      [[maybe_unused]] const Vertices& vertices,
+                      Run run)
+{
+  if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
+  {
+    auto visitor = parameters::get_parameter(np, internal_np::visitor);
+    run(make_vertex_visitor(visitor, vertices));
+  }
+  else
+    run(Geodesic_visitor_base());
+}
 
 /*
  * A search of a graph in terms of a mesh: the common implementation of the class and of the free
