@@ -79,6 +79,16 @@ TEST(Bad_mesh, faces_that_cannot_be_laid_out)
       Triangulation(mesh, parameters::edge_length_map(map)).check_triangle_inequality());
 }
 
+TEST(Bad_mesh, border_that_is_linked_in_one_direction)
+{
+  Mesh mesh = quiet_mesh();
+  const Halfedge h = mesh.opposite(mesh.halfedge(Vertex(0), Vertex(1)));
+  ASSERT_TRUE(mesh.is_border(h));
+  mesh.set_next_only(mesh.prev(h), mesh.next(h));
+  expect_message<std::invalid_argument>([&] { Triangulation{mesh}; },
+                                        "the halfedge from vertex 1 to vertex 0 is on the border");
+}
+
 TEST(Good_mesh, can_be_laid_out)
 {
   for(const auto& [name, mesh] : generated_meshes(test_seed()))
