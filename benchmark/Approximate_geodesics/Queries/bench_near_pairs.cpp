@@ -78,7 +78,7 @@ struct Counts
   void add_part(const Mesh& mesh, const Part& part)
   {
     number_of_parts += part ? 1 : 0;
-    number_of_read += part ? part->list_of_vertices().size() : mesh.number_of_vertices();
+    number_of_read += part ? num_vertices(*part) : mesh.number_of_vertices();
   }
 };
 
