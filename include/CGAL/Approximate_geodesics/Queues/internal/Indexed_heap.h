@@ -23,7 +23,8 @@ namespace internal {
 
 /*
  * An implicit 4-ary heap with at most one entry per node, which supports decreasing keys. The array
- * of entry positions is allocated at the first push.
+ * of entry positions is allocated at the first push. Unlike `boost::d_ary_heap_indirect`, it lists
+ * its entries, and clear() takes time in proportion to their number.
  */
 class Indexed_heap
 {

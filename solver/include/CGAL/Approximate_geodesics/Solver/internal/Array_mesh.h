@@ -35,6 +35,8 @@ using Array_mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
 /*
  * Builds a mesh from arrays of coordinates and face indices, keeping the numbering. Faces are
  * matched by sorting their sides. A non-manifold element is rejected with a message that names it.
+ * `PMP::polygon_soup_to_polygon_mesh()` names none, cannot be interrupted, and does not keep the
+ * first corner of a face, to which barycentric coordinates refer.
  */
 class Array_mesh_builder
 {
