@@ -67,10 +67,11 @@ public:
   }
 
   // Reads all links. Returns whether they are valid, all faces are triangles, and indices are
-  // unique.
+  // unique. Polygon meshes fail before memory is allocated.
   bool read()
   {
-    return list_vertices() && link_halfedges() && are_links_complete() && are_faces_right();
+    return read_faces() && list_vertices() && link_halfedges() && are_links_complete() &&
+           3 * m_number_of_faces == m_number_of_sides;
   }
 
   // By index; null vertices where the mesh has removed vertices.
@@ -120,6 +121,23 @@ private:
   std::size_t index(const halfedge_descriptor h) const // unchecked
   {
     return static_cast<std::size_t>(get(m_halfedge_index_map, h));
+  }
+
+  // Counts the faces. Returns whether all are triangles.
+  bool read_faces()
+  {
+    for(const face_descriptor f : faces(m_mesh))
+    {
+      const halfedge_descriptor h = halfedge(f, m_mesh);
+      if(h == Graph_traits::null_halfedge() || !is_linked_triangle(f, m_mesh))
+        return false;
+      const halfedge_descriptor g = next(h, m_mesh), k = next(g, m_mesh);
+      if(target(h, m_mesh) != source(g, m_mesh) || target(g, m_mesh) != source(k, m_mesh) ||
+         target(k, m_mesh) != source(h, m_mesh))
+        return false;
+      ++m_number_of_faces;
+    }
+    return true;
   }
 
   // Returns false if an index is out of range, or a duplicate.
@@ -186,23 +204,6 @@ private:
           return false;
       }
     return true;
-  }
-
-  // Whether all faces are triangles, and include all halfedges that refer to a face.
-  bool are_faces_right()
-  {
-    for(const face_descriptor f : faces(m_mesh))
-    {
-      const halfedge_descriptor h = halfedge(f, m_mesh);
-      if(h == Graph_traits::null_halfedge() || !is_linked_triangle(f, m_mesh))
-        return false;
-      const halfedge_descriptor g = next(h, m_mesh), k = next(g, m_mesh);
-      if(target(h, m_mesh) != source(g, m_mesh) || target(g, m_mesh) != source(k, m_mesh) ||
-         target(k, m_mesh) != source(h, m_mesh))
-        return false;
-      ++m_number_of_faces;
-    }
-    return 3 * m_number_of_faces == m_number_of_sides;
   }
 
   // Returns the index of the first halfedge from a vertex, or `null_index` if there is none or it
