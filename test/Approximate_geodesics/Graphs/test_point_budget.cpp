@@ -161,6 +161,49 @@ TEST(Budget_of_points, is_kept_by_a_weaker_bound)
       "maximum_number_of_points is 3");
 }
 
+// What a weaker bound was accepted for is not advised again, nor what a placement does not read.
+TEST(Budget_of_points, gives_advice_only_if_it_helps)
+{
+  const Mesh mesh = strip(30, 0.02);
+  const Weights weights = alternating_weights(mesh);
+  const Triangulation t(mesh, with_weights(weights));
+  const Triangulation directional(mesh, with_cost(cost_everywhere(Slant{1, Vector(0.3, 0.2, 0)})));
+  const auto np = parameters::epsilon(0.5).maximum_number_of_points(3);
+  const auto weak = np.accept_weaker_bound(true);
+  const auto advises = [](const auto& build) {
+    try
+    {
+      build();
+    }
+    catch(const std::length_error& error)
+    {
+      return std::string(error.what()).find("accept_weaker_bound") != std::string::npos;
+    }
+    ADD_FAILURE() << "points were not refused";
+    return false;
+  };
+  EXPECT_TRUE(advises([&] { Steiner_graph<>(t, np); }));
+  EXPECT_TRUE(advises([&] { Directional_graph<>(directional, np); }));
+  EXPECT_FALSE(advises([&] { Steiner_graph<>(t, weak); }));
+  EXPECT_FALSE(advises([&] { Directional_graph<>(directional, weak); }));
+  EXPECT_FALSE(advises(
+      [&] { Steiner_graph<Fixed_number_of_points>(t, Fixed_number_of_points(7), 3); }));
+}
+
+// A placement that had to give up edges for one triangulation starts afresh for the next.
+TEST(Budget_of_points, does_not_remember_another_triangulation)
+{
+  const Triangulation t(strip(300, 4e-3),
+                        with_cost(cost_everywhere(Slant{1, Vector(0.3, 0.2, 0)})));
+  const auto np = parameters::epsilon(0.5).accept_weaker_bound(true);
+  AG::Directional_points used(np), fresh(np);
+  used.prepare(t, 2000);
+  used.prepare(t, 1000000);
+  fresh.prepare(t, 1000000);
+  for(Triangulation::Index h = 0; h < t.number_of_halfedges(); ++h)
+    ASSERT_EQ(fresh.number_of_points(t, h), used.number_of_points(t, h)) << "halfedge " << h;
+}
+
 TEST(Budget_of_points, is_one_of_functions)
 {
   const Mesh mesh = to_mesh(flat_grid(5, 5));

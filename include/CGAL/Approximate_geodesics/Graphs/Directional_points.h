@@ -133,14 +133,15 @@ public:
       give_up("costs were asked for in too few directions, and may be too high by " +
               internal::text_of(sampling_error) +
               ": epsilon has to be given to the triangulation, too, or a larger one");
-    while(m_limit.is_soft && m_limit.number > 1 &&
+    m_largest_number = m_limit.number;
+    while(m_limit.is_soft && m_largest_number > 1 &&
           internal::has_more_points(triangulation, *this, maximum_number_of_points))
-      m_limit.number /= 2;
+      m_largest_number /= 2;
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(triangulation.is_crossable(h) && triangulation.length(h) > 0 &&
-         progressions(triangulation, h).number_of_points() > m_limit.number)
+         progressions(triangulation, h).number_of_points() > m_largest_number)
         give_up(triangulation.name_of_face(h) + " takes more points on an edge than " +
-                std::to_string(m_limit.number) + ", the maximum_number_of_points_per_edge");
+                std::to_string(m_largest_number) + ", the maximum_number_of_points_per_edge");
   }
 
   /// returns the number of points on the edge of `h`.
@@ -149,7 +150,7 @@ public:
     if(!triangulation.is_crossable(h))
       return 0;
     const std::size_t result = progressions(triangulation, h).number_of_points();
-    return result <= m_limit.number ? result : number_if_given_up();
+    return result <= m_largest_number ? result : number_if_given_up();
   }
 
   /// writes the positions of these points to `positions`.
@@ -170,6 +171,9 @@ public:
 
   /// returns the bound; infinity if there is none, which was accepted.
   double epsilon(const Intrinsic_triangulation& /* triangulation */) const { return m_bound; }
+
+  /// returns whether `accept_weaker_bound` was given.
+  bool accepts_weaker_bound() const { return m_limit.is_soft; }
 
   /// returns the number of bytes that are stored per element of the mesh.
   std::size_t memory() const { return sizeof(double) * (m_start.capacity() + m_spread.capacity()); }
@@ -199,7 +203,7 @@ private:
   std::size_t number_if_given_up() const
   {
     constexpr double largest = 20;
-    return (std::min)(m_limit.number, static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
+    return (std::min)(m_largest_number, static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
   }
 
   // The expected square of the shift of a point, in proportion to that of its distance from the
@@ -309,9 +313,10 @@ private:
 
   double m_epsilon;
   internal::Limit_of_points m_limit{MAXIMUM_NUMBER_OF_POINTS_PER_EDGE, false};
-  double m_bound = 0;           // what can be kept
-  std::vector<double> m_start;  // of the progressions at a vertex: the distance from it
-  std::vector<double> m_spread; // per face
+  std::size_t m_largest_number = 0; // of points on an edge: the limit, or less to keep the budget
+  double m_bound = 0;               // what can be kept
+  std::vector<double> m_start;      // of the progressions at a vertex: the distance from it
+  std::vector<double> m_spread;     // per face
 };
 
 } // namespace Approximate_geodesics

@@ -215,6 +215,9 @@ public:
     return result <= m_epsilon * (1 + tolerance) ? m_epsilon : result;
   }
 
+  /// returns whether `accept_weaker_bound` was given.
+  bool accepts_weaker_bound() const { return m_limit.is_soft; }
+
   /// returns the number of bytes that are stored per element of the mesh.
   std::size_t memory() const { return m_progressions.memory(); }
 

@@ -179,7 +179,8 @@ private:
       m_first_point[e + 1] = m_first_point[e] + static_cast<Index>(number_on_edge); // if it fits
     });
     if(number.is_above(limit))
-      refuse_points(triangulation, number, halfedge_with_most, largest, limit);
+      refuse_points(triangulation, number, halfedge_with_most, largest, limit,
+                    advice_on_points(placement, 0));
     if(number.is_above(largest_number))
       throw std::length_error("Approximate_geodesics: the graph would have more than " +
                               std::to_string(largest_number) +

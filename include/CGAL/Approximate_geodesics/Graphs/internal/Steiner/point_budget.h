@@ -68,12 +68,29 @@ bool has_more_points(const Intrinsic_triangulation& triangulation,
   return sum.is_above(limit);
 }
 
+// What makes a placement take fewer points, for a message; nothing if it has no bound, or has
+// accepted a weaker one.
+template <typename Placement>
+auto advice_on_points(const Placement& placement, int)
+    -> decltype(placement.accepts_weaker_bound(), std::string())
+{
+  return placement.accepts_weaker_bound()
+             ? ""
+             : "; fewer are enough for a larger epsilon, or with accept_weaker_bound(true)";
+}
+template <typename Placement>
+std::string advice_on_points(const Placement& /* placement */, long)
+{
+  return "";
+}
+
 // Says how many points there would be, and on which edge most of them.
 [[noreturn]] inline void refuse_points(const Intrinsic_triangulation& triangulation,
                                        const Number_of_points& number,
                                        const Intrinsic_triangulation::Index halfedge_with_most,
                                        const std::size_t number_there,
-                                       const std::size_t limit)
+                                       const std::size_t limit,
+                                       const std::string& advice)
 {
   Number_of_points on_edge;
   on_edge.add(number_there);
@@ -84,8 +101,7 @@ bool has_more_points(const Intrinsic_triangulation& triangulation,
       "Approximate_geodesics: the graph takes " + to_string(number) + " points on edges, " +
       to_string(on_edge) + " of them between vertices " +
       index(triangulation.opposite(halfedge_with_most)) + " and " + index(halfedge_with_most) +
-      ", and maximum_number_of_points is " + std::to_string(limit) +
-      "; fewer are enough for a larger epsilon, or with accept_weaker_bound(true)");
+      ", and maximum_number_of_points is " + std::to_string(limit) + advice);
 }
 
 } // namespace internal
