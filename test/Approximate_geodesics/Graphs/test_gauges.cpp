@@ -42,8 +42,8 @@ Plane_cost cost_in_plane(const Half_planes& norm)
 struct Sampled_gauge
 {
   Sampled_gauge(const Plane_cost& cost, const double tolerance, const double second = 2)
-    : samples(sides(second), tolerance, cost)
   {
+    samples.sample(sides(second), tolerance, cost);
     gauges.reserve(3, 1);
     gauges.add(std::array<Face_gauges::Index, 3>{0, 1, 2}, sides(second), samples);
   }

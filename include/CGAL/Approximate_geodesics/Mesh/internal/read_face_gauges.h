@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -102,6 +103,7 @@ public:
   Face_gauges read(const double tolerance) const
   {
     Face_gauges result;
+    Gauge_samples samples; // whose memory serves all faces
     result.reserve(m_halfedges.size(), m_triangulation.number_of_faces());
     for(Index h = 0; h < m_halfedges.size(); ++h)
     {
@@ -109,7 +111,7 @@ public:
         continue;
       const auto sides = m_triangulation.halfedges_of_face(h);
       if(h == *std::min_element(sides.begin(), sides.end()))
-        add_face(h, tolerance, result);
+        add_face(h, tolerance, samples, result);
     }
     result.normalize(m_triangulation.unit());
     check_sum(result);
@@ -117,7 +119,8 @@ public:
   }
 
 private:
-  void add_face(Index h, const double tolerance, Face_gauges& result) const
+  void
+  add_face(Index h, const double tolerance, Gauge_samples& samples, Face_gauges& result) const
   {
     for(const Index side : m_triangulation.halfedges_of_face(h))
       if(m_triangulation.length(side) > m_triangulation.length(h))
@@ -133,7 +136,7 @@ private:
     const auto halfedges = m_triangulation.halfedges_of_face(h);
     const Face_frame frame(vector_along(halfedges[0]), backward(vector_along(halfedges[2])));
     const auto f = face(m_halfedges[h], m_mesh);
-    const Gauge_samples samples(sides, tolerance, [&](const Plane_vector v) {
+    samples.sample(sides, tolerance, [&](const Plane_vector v) {
       const Space_vector d = frame(v);
       const double cost = m_cost(f, Vector_3(FT(d[0]), FT(d[1]), FT(d[2])));
       if(!(cost >= 0))
@@ -162,18 +165,15 @@ private:
   // Throws if the cost of a path could overflow.
   void check_sum(const Face_gauges& gauges) const
   {
-    double sum = 0;
-    for(Index h = 0; h < m_halfedges.size(); ++h)
-    {
-      if(m_triangulation.is_border(h))
-        continue;
-      const Index f = gauges.face(h);
-      double largest = 0;
+    std::vector<double> largest(gauges.number_of_faces(), 0);
+    for(Index f = 0; f < gauges.number_of_faces(); ++f)
       for(auto s = gauges.first_sector(f); s != gauges.beyond_sector(f); ++s)
         if(s->is_finite())
-          largest = (std::max)(largest, length(s->functional));
-      sum += largest * m_triangulation.length(h);
-    }
+          largest[f] = (std::max)(largest[f], length(s->functional));
+    double sum = 0;
+    for(Index h = 0; h < m_halfedges.size(); ++h)
+      if(!m_triangulation.is_border(h))
+        sum += largest[gauges.face(h)] * m_triangulation.length(h);
     if(!(sum * (m_triangulation.unit() * gauges.unit()) < Face_gauges::infinity))
       reject(
           "the costs and the lengths of the mesh are too large: the cost of a path would be more "

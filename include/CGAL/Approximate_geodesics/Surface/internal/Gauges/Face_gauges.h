@@ -110,14 +110,12 @@ public:
       m_corner_of_halfedge[halfedges[i]] = static_cast<Index>(m_side.size());
       m_side.push_back(sides[i]);
     }
-    const Gauge_hull hull(samples.directions(), samples.costs());
     constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-    for(std::size_t s = 0; s < hull.corners().size(); ++s)
+    for(const Gauge_hull::Sector& s : samples.hull().sectors())
     {
-      m_sectors.push_back(
-          {samples.directions()[hull.corners()[s]],
-           hull.is_finite(s) ? hull.functional(s) : Plane_vector{no_number, no_number}});
-      m_sampling_error = (std::max)(m_sampling_error, hull.error(s));
+      m_sectors.push_back({samples.directions()[s.corner],
+                           s.is_finite ? s.functional : Plane_vector{no_number, no_number}});
+      m_sampling_error = (std::max)(m_sampling_error, s.error());
     }
     m_first_sector.push_back(m_sectors.size());
     const Sector* const first = first_sector(number_of_faces());
@@ -142,8 +140,10 @@ public:
     const int exponent =
         (std::max)(std::ilogb(largest), smallest_of_costs - std::ilogb(unit_of_lengths));
     m_unit = std::ldexp(1., exponent);
+    const double root = std::ldexp(1., -(exponent / 2)); // powers of two, which a double can hold
+    const double rest = std::ldexp(1., exponent / 2 - exponent);
     for(Sector& s : m_sectors)
-      s.functional = {std::ldexp(s.functional.x, -exponent), std::ldexp(s.functional.y, -exponent)};
+      s.functional = rest * (root * s.functional);
   }
 
 private:

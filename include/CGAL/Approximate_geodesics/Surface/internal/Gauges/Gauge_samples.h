@@ -33,10 +33,20 @@ public:
   // there are no more directions than so
   static constexpr std::size_t LARGEST_NUMBER = 2048;
 
+  Gauge_samples()
+  {
+    constexpr double half_circle = 3.14159265358979323846;
+    for(int i = 1; i < FIRST_NUMBER; ++i)
+    {
+      const double angle = half_circle * i / FIRST_NUMBER;
+      m_equal_parts.push_back({std::cos(angle), std::sin(angle)});
+    }
+  }
+
   // Starts with the directions of the sides of the face, the first of which is the x axis. `cost`
-  // is called with a unit vector.
+  // is called with a unit vector. What was sampled before is forgotten.
   template <typename Cost>
-  Gauge_samples(const std::array<Plane_vector, 3>& sides, const double tolerance, const Cost& cost)
+  void sample(const std::array<Plane_vector, 3>& sides, const double tolerance, const Cost& cost)
   {
     set_first_directions(sides);
     ask(cost);
@@ -46,14 +56,17 @@ public:
 
   // all around, counterclockwise
   const std::vector<Plane_vector>& directions() const { return m_directions; }
-  const std::vector<double>& costs() const { return m_costs; }
+
+  // the hull of the costs in these directions
+  const Gauge_hull& hull() const { return m_hull; }
 
 private:
   struct Sample
   {
     Plane_vector direction;
-    bool is_known;
     double cost, cost_back;
+    bool is_known;
+    bool is_wide; // whether to ask in between it and the next one
   };
 
   static constexpr int FIRST_NUMBER = 8;        // of directions in half a circle
@@ -63,7 +76,8 @@ private:
   // Those of the sides take the places of others that are near.
   void set_first_directions(const std::array<Plane_vector, 3>& sides)
   {
-    constexpr double near = 0.02, same = 1e-6, half_circle = 3.14159265358979323846;
+    constexpr double near = 0.02, same = 1e-6;
+    m_half.clear();
     add({1, 0});
     for(Plane_vector side : {sides[1], sides[2]})
     {
@@ -71,13 +85,9 @@ private:
       if(is_apart(side, same))
         add(side);
     }
-    for(int i = 1; i < FIRST_NUMBER; ++i)
-    {
-      const double angle = half_circle * i / FIRST_NUMBER;
-      const Plane_vector d{std::cos(angle), std::sin(angle)};
+    for(const Plane_vector d : m_equal_parts)
       if(is_apart(d, near))
         add(d);
-    }
     std::sort(m_half.begin(), m_half.end(),
               [](const Sample& a, const Sample& b) { return cross(a.direction, b.direction) > 0; });
   }
@@ -88,84 +98,84 @@ private:
                        [&](const Sample& s) { return std::abs(cross(s.direction, d)) > angle; });
   }
 
-  void add(const Plane_vector d) { m_half.push_back({d, false, 0, 0}); }
+  void add(const Plane_vector d) { m_half.push_back({d, 0, 0, false, false}); }
 
   template <typename Cost>
   void ask(const Cost& cost)
   {
     const std::size_t number = m_half.size();
     m_directions.resize(2 * number);
+    m_sines.resize(2 * number);
     m_costs.resize(2 * number);
     for(std::size_t i = 0; i < number; ++i)
     {
       Sample& s = m_half[i];
       const Plane_vector back = -1 * s.direction;
       if(!s.is_known)
-        s = {s.direction, true, cost(s.direction), cost(back)};
+        s = {s.direction, cost(s.direction), cost(back), true, false};
       m_directions[i] = s.direction;
       m_directions[number + i] = back;
       m_costs[i] = s.cost;
       m_costs[number + i] = s.cost_back;
     }
+    for(std::size_t i = 0; i < number; ++i)
+      m_sines[i] = m_sines[number + i] = cross(m_directions[i], m_directions[i + 1]);
+    m_hull.compute(m_directions, m_sines, m_costs);
   }
 
   // Adds directions between those that are too far apart. Returns whether there are any.
   bool refine(const double tolerance)
   {
-    const std::size_t number = m_half.size();
-    std::vector<bool> is_wide(number); // between the direction and the next one, or opposite to it
-    const Gauge_hull hull(m_directions, m_costs);
-    for(std::size_t s = 0; s < hull.corners().size(); ++s)
+    const std::vector<Gauge_hull::Sector>& sectors = m_hull.sectors();
+    for(std::size_t s = 0; s < sectors.size(); ++s)
     {
-      const std::size_t i = hull.corners()[s], k = hull.before(hull.corners()[hull.next(s)]);
-      const bool is_bridge = hull.is_bridge(s);
-      if((is_bridge ? hull.error_at_start(s) : hull.error(s)) > tolerance)
-        is_wide[i % number] = sine_to_next(i) > SMALLEST_SINE || is_wide[i % number];
-      if(is_bridge && hull.error_at_end(s) > tolerance)
-        is_wide[k % number] = sine_to_next(k) > SMALLEST_SINE || is_wide[k % number];
+      if(sectors[s].error_at_start > tolerance)
+        widen(sectors[s].corner, SMALLEST_SINE);
+      if(sectors[s].error_at_end > tolerance)
+        widen(m_hull.previous(sectors[m_hull.next_sector(s)].corner), SMALLEST_SINE);
+      if(!sectors[s].is_finite)
+        find_ends(sectors[s].corner, sectors[m_hull.next_sector(s)].corner);
     }
-    find_ends(hull, is_wide);
 
-    std::vector<Sample> refined;
-    for(std::size_t i = 0; i < number; ++i)
+    m_refined.clear();
+    for(std::size_t i = 0; i < m_half.size(); ++i)
     {
-      refined.push_back(m_half[i]);
-      if(!is_wide[i])
+      m_refined.push_back(m_half[i]);
+      if(!m_half[i].is_wide)
         continue;
+      m_refined.back().is_wide = false;
       const Plane_vector sum = m_directions[i] + m_directions[i + 1];
-      refined.push_back({1 / length(sum) * sum, false, 0, 0});
+      m_refined.push_back({1 / length(sum) * sum, 0, 0, false, false});
     }
-    m_half.swap(refined);
-    return m_half.size() > number;
+    m_half.swap(m_refined);
+    return m_half.size() > m_refined.size();
+  }
+
+  // Marks the gap between a direction and the next one, if it is not too small.
+  void widen(const std::size_t i, const double smallest)
+  {
+    Sample& s = m_half[i < m_half.size() ? i : i - m_half.size()];
+    s.is_wide = s.is_wide || m_sines[i] > smallest;
   }
 
   // Where directions with finite costs end is somewhere between the last one and the next.
-  void find_ends(const Gauge_hull& hull, std::vector<bool>& is_wide) const
+  void find_ends(const std::size_t last, const std::size_t first)
   {
-    const std::size_t number = m_half.size();
-    const auto look = [&](const std::size_t i, const std::size_t k, const std::size_t first) {
-      if(std::isinf(m_costs[i]) != std::isinf(m_costs[k]) && sine_to_next(first) > SMALLEST_GAP)
-        is_wide[first % number] = true;
+    const auto look = [this](const std::size_t i) {
+      if(std::isinf(m_costs[i]) != std::isinf(m_costs[m_hull.next(i)]))
+        widen(i, SMALLEST_GAP);
     };
-    for(std::size_t s = 0; s < hull.corners().size(); ++s)
-    {
-      const std::size_t last = hull.corners()[s], first = hull.corners()[hull.next(s)];
-      if(hull.is_finite(s))
-        continue;
-      look(last, (last + 1) % (2 * number), last);
-      const std::size_t before = (first == 0 ? 2 * number : first) - 1;
-      look(before, first, before);
-    }
+    look(last);
+    look(m_hull.previous(first));
   }
 
-  double sine_to_next(const std::size_t i) const
-  {
-    return cross(m_directions[i], m_directions[(i + 1) % m_directions.size()]);
-  }
-
-  std::vector<Sample> m_half; // from the x axis on, by angle
+  std::vector<Plane_vector> m_equal_parts; // directions that divide half a circle
+  std::vector<Sample> m_half;              // from the x axis on, by angle
+  std::vector<Sample> m_refined;           // to be swapped with these
   std::vector<Plane_vector> m_directions;
+  std::vector<double> m_sines; // between each direction and the next one
   std::vector<double> m_costs;
+  Gauge_hull m_hull;
 };
 
 } // namespace internal
