@@ -186,8 +186,8 @@ TEST(Budget_of_points, gives_advice_only_if_it_helps)
   EXPECT_TRUE(advises([&] { Directional_graph<>(directional, np); }));
   EXPECT_FALSE(advises([&] { Steiner_graph<>(t, weak); }));
   EXPECT_FALSE(advises([&] { Directional_graph<>(directional, weak); }));
-  EXPECT_FALSE(advises(
-      [&] { Steiner_graph<Fixed_number_of_points>(t, Fixed_number_of_points(7), 3); }));
+  EXPECT_FALSE(
+      advises([&] { Steiner_graph<Fixed_number_of_points>(t, Fixed_number_of_points(7), 3); }));
 }
 
 // A placement that had to give up edges for one triangulation starts afresh for the next.

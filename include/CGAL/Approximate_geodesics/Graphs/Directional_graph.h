@@ -12,14 +12,10 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Directional_arcs.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Directional_attachment.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Edge_costs.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Travel_costs.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Gauge_costs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_attachment.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/maximum_degree.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -124,14 +120,8 @@ public:
       m_edges(m_triangulation),
       m_leads_to_sources(direction_to_source)
   {
-    const std::size_t limit =
-        internal::maximum_number_of_points(m_triangulation, maximum_number_of_points);
-    m_placement.prepare(m_triangulation, limit);
-    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement, limit);
-    if(number_of_points() > 0) // there are arcs across faces
-      m_triangulation.check_triangle_inequality();
-    m_maximum_degree = internal::maximum_degree(m_triangulation, points());
-    summarize_arcs();
+    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement, maximum_number_of_points);
+    m_arc_lengths = arcs().along_edges();
   }
 
   /// returns a copy for the other question.
@@ -188,7 +178,7 @@ public:
   std::size_t number_of_nodes() const { return m_nodes.size(); }
 
   /// returns the number of points on edges. On barriers, those of both sides count.
-  std::size_t number_of_points() const { return points().number_of_points(); }
+  std::size_t number_of_points() const { return m_nodes.points().number_of_points(); }
 
   /// returns the unit of costs, in the unit of the mesh times that of the costs per unit of length.
   double unit() const { return m_triangulation.unit() * m_triangulation.gauges().unit(); }
@@ -198,7 +188,7 @@ public:
   const Arc_lengths& arc_lengths() const { return m_arc_lengths; }
 
   /// returns an upper bound of the number of arcs that start from a node.
-  std::size_t maximum_degree() const { return m_maximum_degree; }
+  std::size_t maximum_degree() const { return m_nodes.maximum_degree(); }
 
   /// returns where a node is, which may be one of the vertices.
   Intrinsic_point position(const Node node) const { return m_nodes.position(node); }
@@ -208,7 +198,7 @@ public:
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    internal::Directional_arcs(m_triangulation, m_nodes, costs()).for_each(node, labels, f);
+    arcs().for_each(node, labels, f);
   }
 
   /// returns `cost`, as no arc crosses an edge between its ends.
@@ -220,25 +210,20 @@ public:
 
   /// attaches a point that a search starts from by straight lines to the nodes on the sides of its
   /// face, or of both faces if it lies on an edge.
-  internal::Directional_attachment attach(const Intrinsic_point& point) const
+  internal::Steiner_attachment<internal::Gauge_costs> attach(const Intrinsic_point& point) const
   {
-    return {m_triangulation, m_nodes, costs(), point};
+    return {m_triangulation, m_nodes, costs(m_leads_to_sources), point};
   }
 
   /// attaches a point that a search arrives at.
-  internal::Directional_attachment attach_target(const Intrinsic_point& point) const
+  internal::Steiner_attachment<internal::Gauge_costs>
+  attach_target(const Intrinsic_point& point) const
   {
-    return {m_triangulation, m_nodes, costs().reversed(), point};
+    return {m_triangulation, m_nodes, costs(!m_leads_to_sources), point};
   }
 
   /// prefetches what it takes to find the arcs of `node`.
-  void prefetch(const Node node) const
-  {
-    if(m_nodes.is_vertex(node))
-      m_triangulation.prefetch(m_triangulation.first_halfedge(node));
-    else if(m_nodes.is_point(node))
-      points().prefetch(m_nodes.point(node));
-  }
+  void prefetch(const Node node) const { m_nodes.prefetch(m_triangulation, node); }
 
   /// returns the number of bytes that the graph takes, its triangulation included.
   std::size_t memory() const
@@ -252,8 +237,6 @@ public:
   /// @}
 
 private:
-  using Index = Node;
-
   static Intrinsic_triangulation checked(Intrinsic_triangulation triangulation)
   {
     if(!triangulation.has_directional_costs())
@@ -263,23 +246,14 @@ private:
     return triangulation;
   }
 
-  const internal::Points_on_edges& points() const { return m_nodes.points(); }
-
-  internal::Travel_costs costs() const { return {m_triangulation, m_edges, m_leads_to_sources}; }
-
-  void summarize_arcs()
+  internal::Gauge_costs costs(const bool is_backward) const
   {
-    internal::Arc_length_summary summary;
-    points().for_each_first_halfedge([&](const Index h, const Index e) {
-      for(const double weight : {costs().along(h), costs().against(h)})
-        if(weight < std::numeric_limits<double>::infinity())
-        {
-          const double cost = weight * m_triangulation.length(h);
-          const std::size_t number = points().number_of_points(e) + std::size_t(1);
-          summary.add(cost / double(number), cost, cost, number);
-        }
-    });
-    m_arc_lengths = summary.result();
+    return {m_triangulation, m_nodes, m_edges, is_backward};
+  }
+
+  internal::Steiner_arcs<internal::Gauge_costs> arcs() const
+  {
+    return {m_triangulation, m_nodes, costs(m_leads_to_sources)};
   }
 
   Intrinsic_triangulation m_triangulation;
@@ -287,7 +261,6 @@ private:
   internal::Edge_costs m_edges;
   internal::Steiner_nodes m_nodes;
   Arc_lengths m_arc_lengths;
-  std::size_t m_maximum_degree = 0;
   bool m_leads_to_sources = false;
 };
 

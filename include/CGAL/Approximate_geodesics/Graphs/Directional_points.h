@@ -203,7 +203,8 @@ private:
   std::size_t number_if_given_up() const
   {
     constexpr double largest = 20;
-    return (std::min)(m_largest_number, static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
+    return (std::min)(m_largest_number,
+                      static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
   }
 
   // The expected square of the shift of a point, in proportion to that of its distance from the

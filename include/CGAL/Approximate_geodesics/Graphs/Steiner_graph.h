@@ -10,12 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_attachment.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/maximum_degree.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Weighted_costs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -122,14 +120,8 @@ public:
     : m_triangulation(std::move(triangulation)), m_placement(std::move(placement))
   {
     internal::reject_directional_costs(m_triangulation, "Steiner_graph");
-    const std::size_t limit =
-        internal::maximum_number_of_points(m_triangulation, maximum_number_of_points);
-    m_placement.prepare(m_triangulation, limit);
-    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement, limit);
-    if(number_of_points() > 0) // there are arcs across faces
-      m_triangulation.check_triangle_inequality();
-    m_maximum_degree = internal::maximum_degree(m_triangulation, points());
-    summarize_arcs();
+    m_nodes = internal::Steiner_nodes(m_triangulation, m_placement, maximum_number_of_points);
+    m_arc_lengths = arcs().along_edges();
   }
 
   /// @}
@@ -179,7 +171,7 @@ public:
   const Arc_lengths& arc_lengths() const { return m_arc_lengths; }
 
   /// returns an upper bound of the number of arcs that start from a node.
-  std::size_t maximum_degree() const { return m_maximum_degree; }
+  std::size_t maximum_degree() const { return m_nodes.maximum_degree(); }
 
   /// returns where a node is, which may be one of the vertices.
   Intrinsic_point position(const Node node) const { return m_nodes.position(node); }
@@ -189,7 +181,7 @@ public:
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    internal::Steiner_arcs(m_triangulation, m_nodes).for_each(node, labels, f);
+    arcs().for_each(node, labels, f);
   }
 
   /// returns `length`, as no arc crosses an edge between its ends.
@@ -202,19 +194,13 @@ public:
   /// attaches a point of the surface by straight lines to the nodes on the sides of its face, or of
   /// both faces if it lies on an edge. A vertex is attached to what stands for it: to more than one
   /// node, if barriers divide its faces.
-  internal::Steiner_attachment attach(const Intrinsic_point& point) const
+  internal::Steiner_attachment<internal::Weighted_costs> attach(const Intrinsic_point& point) const
   {
-    return {m_triangulation, m_nodes, point};
+    return {m_triangulation, m_nodes, costs(), point};
   }
 
   /// prefetches what it takes to find the arcs of `node`.
-  void prefetch(const Node node) const
-  {
-    if(m_nodes.is_vertex(node))
-      m_triangulation.prefetch(m_triangulation.first_halfedge(node));
-    else if(m_nodes.is_point(node))
-      m_nodes.points().prefetch(m_nodes.point(node));
-  }
+  void prefetch(const Node node) const { m_nodes.prefetch(m_triangulation, node); }
 
   /// returns the number of bytes that the graph takes, its triangulation included.
   std::size_t memory() const
@@ -244,34 +230,23 @@ public:
   void set_weights(Face_weights weights)
   {
     m_triangulation.set_weights(std::move(weights));
-    summarize_arcs();
+    m_arc_lengths = arcs().along_edges();
   }
 
   /// @}
 
 private:
-  using Index = Node;
+  internal::Weighted_costs costs() const { return {m_triangulation, m_nodes}; }
 
-  const internal::Points_on_edges& points() const { return m_nodes.points(); }
-
-  void summarize_arcs()
+  internal::Steiner_arcs<internal::Weighted_costs> arcs() const
   {
-    internal::Arc_length_summary summary;
-    points().for_each_first_halfedge([&](const Index h, const Index e) {
-      const double cost = m_triangulation.weight_of_edge(h) * m_triangulation.length(h);
-      if(!(cost < std::numeric_limits<double>::infinity())) // nor a forbidden edge of length zero
-        return;
-      const std::size_t number = points().number_of_points(e) + std::size_t(1);
-      summary.add(cost / double(number), cost, cost, number);
-    });
-    m_arc_lengths = summary.result();
+    return {m_triangulation, m_nodes, costs()};
   }
 
   Intrinsic_triangulation m_triangulation;
   Placement m_placement;
   internal::Steiner_nodes m_nodes;
   Arc_lengths m_arc_lengths;
-  std::size_t m_maximum_degree = 0;
 };
 
 } // namespace Approximate_geodesics

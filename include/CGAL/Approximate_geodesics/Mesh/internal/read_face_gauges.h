@@ -119,8 +119,7 @@ public:
   }
 
 private:
-  void
-  add_face(Index h, const double tolerance, Gauge_samples& samples, Face_gauges& result) const
+  void add_face(Index h, const double tolerance, Gauge_samples& samples, Face_gauges& result) const
   {
     for(const Index side : m_triangulation.halfedges_of_face(h))
       if(m_triangulation.length(side) > m_triangulation.length(h))

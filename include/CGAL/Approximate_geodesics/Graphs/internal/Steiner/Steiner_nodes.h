@@ -10,9 +10,12 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Sectors.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -21,36 +24,46 @@ namespace internal {
 
 /*
  * The nodes of a Steiner graph: the vertices, then the points on edges, then the sectors of divided
- * vertices.
+ * vertices. The triangulation is that of the constructor in all member functions.
  */
 class Steiner_nodes
 {
 public:
   using Node = Intrinsic_triangulation::Index;
+  using Index = Node;
 
   Steiner_nodes() = default;
 
-  // Throws std::length_error if there are more points than `limit` says, or more nodes than 32-bit
-  // numbers can tell apart.
+  // Prepares the placement, and puts its points on the edges. `0` stands for the default of
+  // `maximum_number_of_points`. Throws std::length_error if there are more points, or more nodes
+  // than 32-bit numbers can tell apart, and std::invalid_argument if there are points, and a face
+  // breaks the triangle inequality.
   template <typename Placement>
   Steiner_nodes(const Intrinsic_triangulation& triangulation,
-                const Placement& placement,
-                const std::size_t limit)
-    : m_sectors(triangulation),
-      m_points(triangulation,
-               placement,
-               limit,
-               Intrinsic_triangulation::null_index - std::size_t(m_sectors.number_of_sectors()) -
-                   triangulation.number_of_vertices()),
-      m_first_point(triangulation.number_of_vertices()),
-      m_first_sector(m_first_point + m_points.number_of_points())
+                Placement& placement,
+                const std::size_t maximum_number_of_points)
+    : m_sectors(triangulation), m_first_point(triangulation.number_of_vertices())
   {
+    const std::size_t limit =
+        internal::maximum_number_of_points(triangulation, maximum_number_of_points);
+    placement.prepare(triangulation, limit);
+    m_points = Points_on_edges(triangulation, placement, limit,
+                               Intrinsic_triangulation::null_index -
+                                   std::size_t(number_of_sectors()) - m_first_point);
+    m_first_sector = m_first_point + m_points.number_of_points();
+    if(m_points.number_of_points() > 0) // there are arcs across faces
+      triangulation.check_triangle_inequality();
+    m_maximum_degree = (std::max)(maximum_degree_of_vertices(triangulation),
+                                  maximum_degree_of_points(triangulation));
   }
 
   const Points_on_edges& points() const { return m_points; }
   const Sectors& sectors() const { return m_sectors; }
 
   std::size_t size() const { return std::size_t(m_first_sector) + m_sectors.number_of_sectors(); }
+
+  // An upper bound of the number of arcs that start from a node.
+  std::size_t maximum_degree() const { return m_maximum_degree; }
 
   // False for numbers that no node has, such as `null_index`.
   bool is_vertex(const Node node) const { return node < m_first_point; }
@@ -73,16 +86,126 @@ public:
     return Intrinsic_point::on_edge(h, m_points.part_before(m_points.edge(h), p));
   }
 
+  // ----- nodes at the corners of faces: the vertices, unless these are divided
+
+  bool is_divided(const Node v) const
+  {
+    return !m_sectors.is_empty() && m_sectors.first_sector(v) != m_sectors.beyond_sector(v);
+  }
+
+  // Calls `f(node)` for the sectors of a divided vertex.
+  template <typename F>
+  void for_each_sector(const Node v, F f) const
+  {
+    for(Index s = m_sectors.first_sector(v); s < m_sectors.beyond_sector(v); ++s)
+      f(node_of_sector(s));
+  }
+
+  // The node at the vertex `v` in the face to the left of `h`, which starts there.
+  Node at_corner(const Node v, const Index h) const
+  {
+    if(m_sectors.is_empty())
+      return v;
+    const Index sector = m_sectors.sector(v, h);
+    return sector == Sectors::null_index ? v : node_of_sector(sector);
+  }
+
+  // The nodes at the ends of the edge of `h`, or of its left side.
+  Node at_source(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    const Index opposite = triangulation.opposite(h);
+    const Node v = triangulation.target(opposite);
+    if(m_sectors.is_empty() || (triangulation.is_border(h) && triangulation.is_border(opposite)))
+      return v;
+    return at_corner(v, triangulation.is_border(h) ? triangulation.next(opposite) : h);
+  }
+  Node at_target(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    const Node v = triangulation.target(h);
+    if(m_sectors.is_empty())
+      return v;
+    return triangulation.is_border(h) ? at_source(triangulation, triangulation.opposite(h))
+                                      : at_corner(v, triangulation.next(h));
+  }
+
+  // Prefetches what it takes to find the arcs of a node.
+  void prefetch(const Intrinsic_triangulation& triangulation, const Node node) const
+  {
+    if(is_vertex(node))
+      triangulation.prefetch(triangulation.first_halfedge(node));
+    else if(is_point(node))
+      m_points.prefetch(point(node));
+  }
+
   std::size_t memory() const { return m_points.memory() + m_sectors.memory(); }
 
 private:
   Node number_of_points() const { return m_first_sector - m_first_point; }
   Node number_of_sectors() const { return m_sectors.number_of_sectors(); }
 
+  std::size_t maximum_degree_of_vertices(const Intrinsic_triangulation& triangulation) const
+  {
+    std::size_t result = 0;
+    for(Node v = 0; v < triangulation.number_of_vertices(); ++v)
+    {
+      std::size_t degree = 1; // to the vertex, from one of its sectors
+      for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+        degree += 2 + number_of_opposite_points(triangulation, h); // a barrier is two edges
+      result = (std::max)(result, degree);
+    }
+    return result;
+  }
+
+  std::size_t maximum_degree_of_points(const Intrinsic_triangulation& triangulation) const
+  {
+    std::size_t result = 0;
+    m_points.for_each_first_halfedge([&](const Index h, const Index /* edge */) {
+      std::size_t degree = 4; // along the edge, and to the third vertices of both faces
+      for(const Index side : {h, triangulation.opposite(h)})
+        if(!triangulation.is_border(side))
+          degree += number_of_opposite_points(triangulation, side) +
+                    number_of_opposite_points(triangulation, triangulation.next(side));
+      result = (std::max)(result, degree);
+    });
+    return result;
+  }
+
+  // on the edge opposite to the source of `h`, in the face to the left of `h`
+  std::size_t number_of_opposite_points(const Intrinsic_triangulation& triangulation,
+                                        const Index h) const
+  {
+    return triangulation.is_border(h)
+               ? 0
+               : m_points.number_of_points(m_points.edge(triangulation.next(h)));
+  }
+
   Sectors m_sectors;
   Points_on_edges m_points;
   Node m_first_point = 0;
   Node m_first_sector = 0;
+  std::size_t m_maximum_degree = 0;
+};
+
+/*
+ * A node on an edge, seen from the face to the left of a halfedge of that.
+ */
+struct Viewpoint
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Node = Steiner_nodes::Node;
+  using Face = std::array<Index, 3>; // its halfedges, from that of the viewpoint on
+
+  Viewpoint reversed(const Index opposite) const
+  {
+    return {opposite,      node,          from_target,    from_source,
+            toward_target, toward_source, cost_to_target, cost_to_source};
+  }
+
+  Index halfedge;
+  Node node;
+  double from_source, from_target;       // distances
+  Node toward_source, toward_target;     // neighbors
+  double cost_to_source, cost_to_target; // of arcs to these
 };
 
 } // namespace internal

@@ -97,11 +97,11 @@ std::string advice_on_points(const Placement& /* placement */, long)
   const auto index = [&](const Intrinsic_triangulation::Index h) {
     return std::to_string(triangulation.index(triangulation.target(h)));
   };
-  throw std::length_error(
-      "Approximate_geodesics: the graph takes " + to_string(number) + " points on edges, " +
-      to_string(on_edge) + " of them between vertices " +
-      index(triangulation.opposite(halfedge_with_most)) + " and " + index(halfedge_with_most) +
-      ", and maximum_number_of_points is " + std::to_string(limit) + advice);
+  throw std::length_error("Approximate_geodesics: the graph takes " + to_string(number) +
+                          " points on edges, " + to_string(on_edge) + " of them between vertices " +
+                          index(triangulation.opposite(halfedge_with_most)) + " and " +
+                          index(halfedge_with_most) + ", and maximum_number_of_points is " +
+                          std::to_string(limit) + advice);
 }
 
 } // namespace internal

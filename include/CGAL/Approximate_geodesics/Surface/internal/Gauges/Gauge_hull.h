@@ -41,7 +41,8 @@ public:
   {
     std::size_t corner; // the number of the direction that it starts from
     bool is_finite;
-    bool is_bridge; // whether directions were given inside, where zigzags between the ends cost less
+    bool
+        is_bridge; // whether directions were given inside, where zigzags between the ends cost less
     Plane_vector functional; // the gauge, as a vector to be multiplied by, if it is finite
     double error_at_start;   // how much too large the gauge can be, relatively, before the first
     double error_at_end;     // direction inside and behind the last one; the same if there is none
@@ -67,7 +68,10 @@ public:
   // Ascending; none if all costs are infinite.
   const std::vector<Sector>& sectors() const { return m_sectors; }
 
-  std::size_t next_sector(const std::size_t s) const { return s + 1 == m_sectors.size() ? 0 : s + 1; }
+  std::size_t next_sector(const std::size_t s) const
+  {
+    return s + 1 == m_sectors.size() ? 0 : s + 1;
+  }
   std::size_t previous_sector(const std::size_t s) const
   {
     return (s == 0 ? m_sectors.size() : s) - 1;
@@ -164,8 +168,8 @@ private:
   // If costs are those of a convex gauge, they are not below what the neighboring sectors continue
   // to, and a bridge is a flat piece that they share with the gauge. If not, nothing follows from
   // bridges: costs beside and below their ends may continue as they come from outside. What is
-  // assumed is always the larger error of these, so that it is valid in the first case. The gauge is
-  // taken to be right beside directions without end.
+  // assumed is always the larger error of these, so that it is valid in the first case. The gauge
+  // is taken to be right beside directions without end.
   void estimate_errors()
   {
     for(std::size_t s = 0; s < m_sectors.size(); ++s)

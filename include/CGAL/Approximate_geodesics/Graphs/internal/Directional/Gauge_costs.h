@@ -1,0 +1,310 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_DIRECTIONAL_GAUGE_COSTS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_DIRECTIONAL_GAUGE_COSTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * What paths along edges cost per unit of length, in either direction, where costs depend on it:
+ * the smaller of what both faces say. A barrier is an edge on either side, which has one face.
+ */
+class Edge_costs
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  Edge_costs() = default;
+
+  explicit Edge_costs(const Intrinsic_triangulation& triangulation)
+    : m_cost(triangulation.number_of_halfedges()),
+      m_cost_back(triangulation.has_barriers() ? m_cost.size() : 0)
+  {
+    for(Index h = 0; h < m_cost.size(); ++h)
+    {
+      const double there = in_face(triangulation, h, 1);
+      if(triangulation.is_barrier(h))
+      {
+        m_cost[h] = there;
+        m_cost_back[h] = in_face(triangulation, h, -1);
+      }
+      else
+        m_cost[h] = (std::min)(there, in_face(triangulation, triangulation.opposite(h), -1));
+    }
+  }
+
+  // in the direction of `h`
+  double along(const Index h) const { return m_cost[h]; }
+
+  // against the direction of `h`, on its left side
+  double against(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    return triangulation.is_barrier(h) ? m_cost_back[h] : m_cost[triangulation.opposite(h)];
+  }
+
+  std::size_t memory() const
+  {
+    return sizeof(double) * (m_cost.capacity() + m_cost_back.capacity());
+  }
+
+private:
+  // what the face to the left of `h` says of its direction, or of the opposite one
+  static double
+  in_face(const Intrinsic_triangulation& triangulation, const Index h, const double sign)
+  {
+    if(triangulation.is_border(h))
+      return std::numeric_limits<double>::infinity();
+    const auto& gauges = triangulation.gauges();
+    return gauges.cost(gauges.face(h), sign * gauges.side(h));
+  }
+
+  std::vector<double> m_cost;      // per halfedge
+  std::vector<double> m_cost_back; // likewise, if there are barriers
+};
+
+/*
+ * Costs in a Steiner graph that depend on the direction: those of straight lines in faces with
+ * gauges. A line starts where the search comes from. The traveler goes the same way, or, to a
+ * source that the search has started from, the opposite one.
+ */
+class Gauge_costs
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Node = Steiner_nodes::Node;
+  using Face = Viewpoint::Face;
+
+public:
+  static constexpr bool are_symmetric = false;
+
+  Gauge_costs(const Intrinsic_triangulation& triangulation,
+              const Steiner_nodes& nodes,
+              const Edge_costs& edges,
+              const bool is_backward)
+    : m_triangulation(triangulation),
+      m_nodes(nodes),
+      m_points(nodes.points()),
+      m_edges(edges),
+      m_is_backward(is_backward)
+  {
+  }
+
+  // Whether paths may enter the face to the left of `h`.
+  bool is_open(const Index h) const
+  {
+    const Face_gauges& gauges = m_triangulation.gauges();
+    return !m_triangulation.is_border(h) && !gauges.is_forbidden(gauges.face(h));
+  }
+
+  // Along `h`, or against it on its left side, per unit of length.
+  double along(const Index h, const bool is_forward) const
+  {
+    return is_forward == m_is_backward ? m_edges.against(m_triangulation, h) : m_edges.along(h);
+  }
+
+  // ----- straight lines in the face to the left of `h`
+
+  // Where its corners are, from the source of `h` on, in the frame of the gauge.
+  std::array<Plane_vector, 3> corners(const Index h) const
+  {
+    const auto halfedges = m_triangulation.halfedges_of_face(h);
+    const auto way = [&](const Index g) {
+      return m_triangulation.length(g) * m_triangulation.gauges().side(g);
+    };
+    return {Plane_vector{0, 0}, way(halfedges[0]), -1 * way(halfedges[2])};
+  }
+
+  double across(const Index h, const Plane_vector step) const
+  {
+    const Face_gauges& gauges = m_triangulation.gauges();
+    return gauges.cost(gauges.face(h), m_is_backward ? -1 * step : step);
+  }
+
+  double between(const Index h, const Face_point& p, const Face_point& q) const
+  {
+    const auto corners = this->corners(h);
+    return across(h, q.seen_from(m_triangulation, h).position(corners) -
+                         p.seen_from(m_triangulation, h).position(corners));
+  }
+
+  // ----- arcs across faces, for `f(target, cost)`
+
+  // From the source of `h` across the face to the left of `h`.
+  template <typename F>
+  void expand_corner(const Node /* source */, const Index h, F& f) const
+  {
+    const Row opposite = row(m_triangulation.next(h), true,
+                             m_triangulation.length(h) * m_triangulation.gauges().side(h));
+    visit(h, opposite, {0, opposite.size}, f);
+  }
+
+  // From a viewpoint across a face, whose first halfedge is that of the viewpoint.
+  template <typename Labels, typename F>
+  void expand_face(const Viewpoint& view, const Face& face, const Labels& labels, F& f) const
+  {
+    const Index h = view.halfedge;
+    const Plane_vector side = m_triangulation.gauges().side(h);
+    const Row at_target = row(face[1], true, view.from_target * side);
+    const Row at_source = row(face[2], false, -view.from_source * side);
+    const Plane_vector third = at_target.start + at_target.length * at_target.direction;
+    offer(m_nodes.at_corner(m_triangulation.target(face[1]), face[2]), across(h, third), f);
+
+    const Rival self{labels.distance(view.node), {0, 0}};
+    const Rival source = neighbor(view, false, side, labels);
+    const Rival target = neighbor(view, true, side, labels);
+    visit(h, at_target, worthwhile(h, at_target, self, target, source), f);
+    visit(h, at_source, worthwhile(h, at_source, self, source, target), f);
+  }
+
+private:
+  // From so many points on, it pays to search for those that are worth looking at.
+  static constexpr Index LONG_ROW = 8;
+
+  // The points of an edge, ranked from the corner of a face on, with their places relative to where
+  // arcs start: `start` is the place of the corner, and points are in the given direction.
+  struct Row
+  {
+    Index edge, first, size;
+    bool starts_at_first_end;
+    double length;
+    Plane_vector start, direction;
+  };
+
+  // A node that arcs start from, its label, and its place relative to another one.
+  struct Rival
+  {
+    double label;
+    Plane_vector offset;
+  };
+
+  // The points of the edge of `h`, which is a side of a face, from its source or its target on.
+  Row row(const Index h, const bool is_from_source, const Plane_vector start) const
+  {
+    const Index e = m_points.edge(h);
+    const Plane_vector side = m_triangulation.gauges().side(h);
+    return {e,
+            m_points.first_point(e),
+            m_points.number_of_points(e),
+            m_points.is_first(h) == is_from_source,
+            m_triangulation.length(h),
+            start,
+            is_from_source ? side : -1 * side};
+  }
+
+  Index point(const Row& row, const Index rank) const
+  {
+    return row.first + (row.starts_at_first_end ? rank : row.size - 1 - rank);
+  }
+
+  Plane_vector step_to(const Row& row, const Index p) const
+  {
+    const double part = row.starts_at_first_end ? m_points.part_before(row.edge, p)
+                                                : m_points.part_behind(row.edge, p);
+    return row.start + (part * row.length) * row.direction;
+  }
+
+  template <typename F>
+  void visit(const Index h, const Row& row, const std::pair<Index, Index> ranks, F& f) const
+  {
+    for(Index rank = ranks.first; rank < ranks.second; ++rank)
+    {
+      const Index p = point(row, rank);
+      offer(m_nodes.node_of_point(p), across(h, step_to(row, p)), f);
+    }
+  }
+
+  template <typename F>
+  static void offer(const Node node, const double cost, F& f)
+  {
+    if(cost < std::numeric_limits<double>::infinity())
+      f(node, cost);
+  }
+
+  // The neighbor on the edge of the viewpoint toward the target of its halfedge, or the source.
+  template <typename Labels>
+  Rival neighbor(const Viewpoint& view,
+                 const bool is_toward_target,
+                 const Plane_vector side,
+                 const Labels& labels) const
+  {
+    const Node node = is_toward_target ? view.toward_target : view.toward_source;
+    double distance = is_toward_target ? view.from_target : view.from_source;
+    if(m_nodes.is_point(node))
+    {
+      const Index e = m_points.edge(view.halfedge);
+      const Index p = m_nodes.point(node), q = m_nodes.point(view.node);
+      distance = m_triangulation.length(view.halfedge) * m_points.part_between(e, p < q ? p : q);
+    }
+    return {labels.distance(node), (is_toward_target ? distance : -distance) * side};
+  }
+
+  // The ranks of the points of a row that a path over a node may be the cheapest one to, given its
+  // neighbors on the edge, of which one is nearer to the corner that the row starts from: as a
+  // first one and one beyond. Straight arcs from two points of a side to two points of another need
+  // not cross, as exchanging their ends does not make them dearer, by the triangle inequality at
+  // the crossing. So what a neighbor reaches at less cost lies at its own end of the row. Where
+  // both costs are infinite the search may miss some of that, which does no harm.
+  std::pair<Index, Index> worthwhile(const Index h,
+                                     const Row& row,
+                                     const Rival& self,
+                                     const Rival& nearer,
+                                     const Rival& farther) const
+  {
+    if(row.size < LONG_ROW)
+      return {0, row.size};
+    const Index first = search(h, row, self, nearer, 0, true);
+    return {first, search(h, row, self, farther, first, false)};
+  }
+
+  // The first rank from `low` on that the rival does not reach at less cost, or that it does.
+  Index search(const Index h,
+               const Row& row,
+               const Rival& self,
+               const Rival& rival,
+               const Index low,
+               const bool is_nearer) const
+  {
+    // If costs are the same but for rounding, the one with the smaller label wins, or neither.
+    constexpr double tolerance = 1e-12;
+    const double factor =
+        rival.label < (1 - tolerance) * self.label ? 1 - tolerance : 1 + tolerance;
+    using Rank = boost::counting_iterator<Index>;
+    return *std::partition_point(Rank(low), Rank(row.size), [&](const Index rank) {
+      const Plane_vector step = step_to(row, point(row, rank));
+      const double cost = rival.label + across(h, step - rival.offset);
+      return (factor * cost < self.label + across(h, step)) == is_nearer;
+    });
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Steiner_nodes& m_nodes;
+  const Points_on_edges& m_points;
+  const Edge_costs& m_edges;
+  bool m_is_backward;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_DIRECTIONAL_GAUGE_COSTS_H
