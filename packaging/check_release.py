@@ -48,7 +48,7 @@ def check_conan():
     data = yaml.safe_load((release / "conan/conandata.yml").read_text())["sources"][VERSION]
     expect(re.fullmatch("[0-9a-f]{64}", data["sha256"]), "conandata.yml: no checksum")
     wanted = {
-        "conanfile.py": {"name", "version", "license", "requirements", "source", "package", "package_info"},
+        "conanfile.py": {"name", "version", "license", "requirements", "source", "build", "package", "package_info"},
         "test_package/conanfile.py": {"settings", "generators", "requirements", "build", "test"},
     }
     for name, members in wanted.items():

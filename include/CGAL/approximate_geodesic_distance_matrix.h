@@ -34,8 +34,8 @@ namespace CGAL {
  * - `Approximate_geodesics::Radius_rows` stores distances up to `maximum_distance` in memory,
  * - `Approximate_geodesics::Nearest_rows` stores the smallest distances of each row in memory,
  * - `Approximate_geodesics::Npy_file` writes all distances to a file for NumPy,
- * - `Approximate_geodesics::Npz_file` writes distances up to `maximum_distance`, or the smallest
- *   ones of each row, to a file for SciPy,
+ * - `Approximate_geodesics::Csr_file` writes distances up to `maximum_distance`, or the smallest
+ *   ones of each row, to a folder of files for NumPy and SciPy,
  * - a function object receives the rows in order.
  *
  * Distances are bitwise identical to those of `Approximate_geodesics::Surface_mesh_shortest_path`

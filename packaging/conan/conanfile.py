@@ -2,8 +2,8 @@ import os
 
 from conan import ConanFile
 from conan.tools.build import check_min_cppstd
-from conan.tools.files import copy, get
-from conan.tools.layout import basic_layout
+from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain, cmake_layout
+from conan.tools.files import copy, get, rmdir
 
 required_conan_version = ">=2.0"
 
@@ -15,19 +15,15 @@ class ApproximateGeodesicsConan(ConanFile):
     license = "GPL-3.0-or-later"
     homepage = "@HOMEPAGE@"
     url = "@HOMEPAGE@"
-    topics = ("cgal", "geodesic", "geometry", "mesh", "shortest-path", "header-only")
-    package_type = "header-library"
+    topics = ("cgal", "geodesic", "geometry", "mesh", "shortest-path")
+    package_type = "static-library"
     settings = "os", "arch", "compiler", "build_type"
-    no_copy_source = True
 
     def layout(self):
-        basic_layout(self, src_folder="src")
+        cmake_layout(self, src_folder="src")
 
     def requirements(self):
         self.requires("cgal/[>=5.5]", transitive_headers=True)
-
-    def package_id(self):
-        self.info.clear()
 
     def validate(self):
         if self.settings.compiler.get_safe("cppstd"):
@@ -36,18 +32,30 @@ class ApproximateGeodesicsConan(ConanFile):
     def source(self):
         get(self, **self.conan_data["sources"][self.version], strip_root=True)
 
+    def generate(self):
+        toolchain = CMakeToolchain(self)
+        toolchain.cache_variables["APPROXIMATE_GEODESICS_EXAMPLES"] = False
+        toolchain.cache_variables["APPROXIMATE_GEODESICS_TESTS"] = False
+        toolchain.generate()
+        CMakeDeps(self).generate()
+
+    def build(self):
+        cmake = CMake(self)
+        cmake.configure()
+        cmake.build()
+
     def package(self):
         licenses = os.path.join(self.package_folder, "licenses")
         copy(self, "LICENSE", self.source_folder, licenses)
-        for folder in ("", "matrix_files", "solver"):
-            headers = os.path.join(self.source_folder, folder, "include")
-            copy(self, "*.h", headers, os.path.join(self.package_folder, "include"))
+        CMake(self).install()
+        rmdir(self, os.path.join(self.package_folder, "lib", "cmake"))  # Conan writes its own
+        rmdir(self, os.path.join(self.package_folder, "share"))
 
     def package_info(self):
         self.cpp_info.set_property("cmake_file_name", "Approximate_geodesics")
         for name in ("Approximate_geodesics", "Matrix_files", "Solver"):
             component = self.cpp_info.components[name.lower()]
             component.bindirs = []
-            component.libdirs = []
             component.requires = ["cgal::cgal"]
             component.set_property("cmake_target_name", f"Approximate_geodesics::{name}")
+        self.cpp_info.components["matrix_files"].libs = ["Approximate_geodesics_matrix_files"]

@@ -1,5 +1,3 @@
-set(VCPKG_BUILD_TYPE release) # headers only
-
 vcpkg_download_distfile(
   archive
   URLS "@URL@"
@@ -12,7 +10,8 @@ vcpkg_cmake_configure(
   OPTIONS -DAPPROXIMATE_GEODESICS_EXAMPLES=OFF -DAPPROXIMATE_GEODESICS_TESTS=OFF)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME approximate_geodesics
-                         CONFIG_PATH share/cmake/Approximate_geodesics)
+                         CONFIG_PATH lib/cmake/Approximate_geodesics)
+file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share")
 
 file(INSTALL "${CMAKE_CURRENT_LIST_DIR}/usage" DESTINATION "${CURRENT_PACKAGES_DIR}/share/${PORT}")
 vcpkg_install_copyright(FILE_LIST "${source}/LICENSE")

@@ -13,7 +13,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
-#include <CGAL/Approximate_geodesics/Matrix_files/internal/Csr_writer.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 
@@ -22,14 +21,26 @@
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace AG = CGAL::Approximate_geodesics;
 
-// The edges of the mesh with their lengths, as a matrix with a row and a column per vertex.
-static void write_edges(const Mesh& mesh, const std::string& file)
+template <typename T>
+static void write(const std::vector<T>& numbers, const std::string& file)
+{
+  std::ofstream out(file, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(numbers.data()),
+            std::streamsize(numbers.size() * sizeof(T)));
+  if(!out.flush())
+    throw std::runtime_error("cannot write " + file);
+}
+
+// The edges of the mesh with their lengths, as a sparse matrix with a row and a column per vertex.
+static void write_edges(const Mesh& mesh, const std::string& prefix)
 {
   std::vector<std::uint32_t> degrees, columns;
   std::vector<double> lengths;
@@ -42,14 +53,9 @@ static void write_edges(const Mesh& mesh, const std::string& file)
       lengths.push_back(std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))));
     }
   }
-  AG::internal::Csr_writer writer(file, {degrees.size(), degrees.size(), columns.size()});
-  writer.begin_rows();
-  writer.append_rows(degrees.data(), degrees.size());
-  writer.begin_columns();
-  writer.append_columns(columns.data(), columns.size());
-  writer.begin_values<double>();
-  writer.append_values(lengths.data(), lengths.size());
-  writer.finish();
+  write(degrees, prefix + "degrees");
+  write(columns, prefix + "columns");
+  write(lengths, prefix + "lengths");
 }
 
 static void answer(const std::string& name, const std::size_t number, const std::string& prefix)
@@ -59,7 +65,7 @@ static void answer(const std::string& name, const std::size_t number, const std:
   const auto vertices = random_sources(mesh, number);
   const std::vector<std::size_t> sources(vertices.begin(), vertices.end());
   const AG::Edge_graph graph{AG::Intrinsic_triangulation(mesh)};
-  write_edges(mesh, prefix + "edges.npz");
+  write_edges(mesh, prefix);
   CGAL::approximate_geodesic_distance_matrix(graph, AG::Npy_file<double>(prefix + "rows.npy"),
                                              sources);
   for(const std::size_t source : sources)

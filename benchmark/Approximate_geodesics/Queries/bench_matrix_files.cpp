@@ -17,8 +17,8 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Csr_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
-#include <CGAL/Approximate_geodesics/Matrix_files/Npz_file.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
@@ -51,6 +51,17 @@ struct Job_costs
   double peak;    // of memory beside the mesh, in bytes
 };
 
+// The bytes of a file, or of the files of a folder.
+static double length_on_disk(const std::filesystem::path& file)
+{
+  if(!std::filesystem::is_directory(file))
+    return double(std::filesystem::file_size(file));
+  double result = 0;
+  for(const auto& entry : std::filesystem::directory_iterator(file))
+    result += double(entry.file_size());
+  return result;
+}
+
 // Files in a folder that are gone when they were measured.
 class Job_runner
 {
@@ -64,7 +75,7 @@ public:
   Job_costs run(Job job) const
   {
     const std::filesystem::path file = m_folder / "bench_matrix_files.out";
-    std::filesystem::remove(file);
+    std::filesystem::remove_all(file);
     release_free_memory();
     const std::vector<double> numbers =
         numbers_from_child(3, SECONDS_AT_MOST, [&](double* const result) {
@@ -74,8 +85,8 @@ public:
           result[1] = double(graph.memory());
           result[2] = peak_memory() - before;
         });
-    const auto length = double(std::filesystem::file_size(file));
-    std::filesystem::remove(file);
+    const double length = length_on_disk(file);
+    std::filesystem::remove_all(file);
     return {numbers[0], length, numbers[1], numbers[2]};
   }
 
@@ -160,7 +171,7 @@ private:
     std::cerr << name << " ...\n";
     const Numbers sources = all_vertices(m_runner.mesh());
     const Job_costs costs = m_runner.run([&](const Graph& graph, const std::string& name_of_file) {
-      AG::Npz_file<float> file(name_of_file);
+      AG::Csr_file<float> file(name_of_file);
       prepare(file);
       CGAL::approximate_geodesic_distance_matrix(graph, file, sources, np);
     });

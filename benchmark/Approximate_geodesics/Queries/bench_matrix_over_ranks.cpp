@@ -131,8 +131,8 @@ private:
     if(!ranks.is_one())
       return;
     AG::Mpi_team team(ranks.communicator());
-    CGAL::approximate_geodesic_distance_matrix(
-        m_graph, AG::Npy_file<float, AG::Mpi_team>(m_file.string(), team), m_sources);
+    CGAL::approximate_geodesic_distance_matrix(m_graph, AG::Npy_file<float>(m_file.string(), team),
+                                               m_sources);
   }
 
   // for the first process

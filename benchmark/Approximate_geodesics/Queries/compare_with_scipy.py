@@ -34,12 +34,19 @@ def largest_difference(ours, theirs):
     return numpy.max(numpy.abs(ours - theirs) / numpy.where(theirs > 0, theirs, 1))
 
 
+def edges_in(folder):
+    """The sparse matrix of the lengths of edges."""
+    columns = numpy.fromfile(folder + "/columns", numpy.int32)
+    starts = numpy.append(0, numpy.cumsum(numpy.fromfile(folder + "/degrees", numpy.int32)))
+    return scipy.sparse.csr_matrix((numpy.fromfile(folder + "/lengths"), columns, starts))
+
+
 def compare(program, mesh, number_of_sources, rounds, folder):
     """A row of the table."""
     with subprocess.Popen([program, mesh, str(number_of_sources), folder + "/"], text=True,
                           stdin=subprocess.PIPE, stdout=subprocess.PIPE) as ours:
         sources = [int(number) for number in ours.stdout.readline().split()]
-        edges = scipy.sparse.load_npz(folder + "/edges.npz")
+        edges = edges_in(folder)
         our_seconds, their_seconds = [], []
         for _ in range(rounds):
             ours.stdin.write("again\n")

@@ -17,7 +17,7 @@ Who needs less writes a function object instead, which gets one row after the ot
 \cgalHasModels{CGAL::Approximate_geodesics::Radius_rows}
 \cgalHasModels{CGAL::Approximate_geodesics::Nearest_rows}
 \cgalHasModels{CGAL::Approximate_geodesics::Npy_file}
-\cgalHasModels{CGAL::Approximate_geodesics::Npz_file}
+\cgalHasModels{CGAL::Approximate_geodesics::Csr_file}
 \cgalHasModelsEnd
 */
 class DistanceRowSink

@@ -63,10 +63,11 @@ inline boost::program_options::options_description describe_options(Options& opt
   add("symmetric", po::bool_switch(&options.is_symmetric),
       "replace each distance by the smaller one of both directions");
   add("output,o", po::value(&options.output)->value_name("FILE"),
-      "the file: .npy, or .npz if --radius or --nearest is given (default: distances.npy or .npz)");
+      "the file, .npy; or, if --radius or --nearest is given, a folder of files, .csr (default: "
+      "distances.npy or distances.csr)");
   add("threads", text("N"), "threads of each process (default: one per core that it may use)");
   add("resume", po::value<std::string>()->default_value("yes")->value_name("yes|no"),
-      "whether to go on with what an earlier run of the same command has computed");
+      "whether to resume an earlier run of the same command");
   add("estimate", po::bool_switch(&options.only_estimates),
       "only tell how long the file would be, and how much memory and time it would take, which "
       "takes about a second; nothing is written");
@@ -79,11 +80,13 @@ inline void print_help(const boost::program_options::options_description& descri
       << "Usage: geodesic_matrix MESH [options]\n\n"
          "Computes distances between many vertices of a triangle mesh, on all cores, and writes\n"
          "them to a file for NumPy: numpy.load(FILE, mmap_mode=\"r\"), with a row per source and\n"
-         "a column per target; or, if only some of each row are kept, for SciPy:\n"
-         "scipy.sparse.load_npz(FILE).\n\n"
-         "A run that ends early, by Ctrl-C, an error or a kill, loses a second of work, and the\n"
-         "64 rows or fewer that each thread is at: the same command goes on with it. Until the\n"
-         "file is complete, FILE.part and FILE.journal are beside it.\n\n"
+         "a column per target. If only some of each row are kept, they are the arrays of a sparse\n"
+         "matrix, FOLDER/data.npy, indices.npy, indptr.npy and shape.npy, for\n"
+         "scipy.sparse.csr_matrix((data, indices, indptr), shape=shape).\n\n"
+         "If a run ends early, by Ctrl-C, an error or a kill, the same command resumes it. Only\n"
+         "the rows are lost that each thread is computing, 64 or fewer. Until all is complete, "
+         "the\n"
+         "finished rows are in the folder FILE.part.\n\n"
          "If the program was built with MPI, several processes compute one file. Best is one on\n"
          "each machine, with all of its cores as threads, which share the graph in memory:\n"
          "  mpirun --map-by ppr:1:node --bind-to none geodesic_matrix MESH [options]\n"
@@ -93,7 +96,7 @@ inline void print_help(const boost::program_options::options_description& descri
          "something was refused or failed; and 128 and the number of a signal that ended the run.\n"
          "\nExamples:\n"
          "  geodesic_matrix cortex.ply --epsilon 0.1 --output cortex.npy\n"
-         "  geodesic_matrix cortex.ply --epsilon 0.1 --radius 15 --output patches.npz\n"
+         "  geodesic_matrix cortex.ply --epsilon 0.1 --radius 15 --output patches.csr\n"
          "  geodesic_matrix cortex.ply --sources farthest:1000 --symmetric --output samples.npy\n"
          "  geodesic_matrix cortex.ply --epsilon 0 --estimate\n";
 }
@@ -121,17 +124,19 @@ inline void read_numbers(const boost::program_options::variables_map& values, Op
 inline void check_output(Options& options)
 {
   namespace fs = std::filesystem;
-  const std::string extension = options.is_sparse() ? ".npz" : ".npy";
+  const std::string extension = options.is_sparse() ? ".csr" : ".npy";
   if(options.output.empty())
     options.output = "distances" + extension;
-  const fs::path path(options.output);
+  fs::path path(options.output);
+  if(!path.has_filename() && path.has_parent_path()) // a slash behind the name of a folder
+    options.output = (path = path.parent_path()).string();
   if(path.has_filename() && path.filename() == extension)
     reject_option("output", options.output + " has only an ending; a name must come before it");
   if(path.extension() != extension)
     reject_option("output", options.output + " must end with " + extension +
                                 (options.is_sparse() ? ", as --radius and --nearest make the matrix"
                                                        " sparse; without them, it is .npy"
-                                                     : "; with --radius or --nearest, it is .npz"));
+                                                     : "; with --radius or --nearest, it is .csr"));
   if(path.has_parent_path() && !fs::is_directory(path.parent_path()))
     reject_option("output", "there is no folder " + path.parent_path().string());
 }

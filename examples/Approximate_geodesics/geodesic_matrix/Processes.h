@@ -1,7 +1,7 @@
 #ifndef GEODESIC_MATRIX_PROCESSES_H
 #define GEODESIC_MATRIX_PROCESSES_H
 
-#include <CGAL/Approximate_geodesics/Matrix_files/Single_process.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Process_team.h>
 
 #ifdef GEODESIC_MATRIX_WITH_MPI
 #include <CGAL/Approximate_geodesics/Matrix_files/Mpi_team.h>
@@ -57,14 +57,12 @@ public:
   double sum(const double value) const { return reduced(value, MPI_SUM); }
   double maximum(const double value) const { return reduced(value, MPI_MAX); }
 
-  // Calls `f` with the team that computes a file. One process needs no MPI for it.
-  template <typename F>
-  auto with_team(F f)
+  // Returns the team that computes a file. A single process does not need MPI for it.
+  CGAL::Approximate_geodesics::Process_team& team()
   {
     if(size() > 1)
-      return f(*m_team);
-    CGAL::Approximate_geodesics::Single_process alone;
-    return f(alone);
+      return *m_team;
+    return m_single;
   }
 
   // Ends all processes: the others would wait for this one.
@@ -83,6 +81,7 @@ private:
   }
 
   std::unique_ptr<Team> m_team;
+  CGAL::Approximate_geodesics::Single_process m_single;
 };
 
 #else
@@ -99,14 +98,12 @@ public:
   double sum(const double value) const { return value; }
   double maximum(const double value) const { return value; }
 
-  template <typename F>
-  auto with_team(F f)
-  {
-    CGAL::Approximate_geodesics::Single_process alone;
-    return f(alone);
-  }
+  CGAL::Approximate_geodesics::Process_team& team() { return m_single; }
 
   [[noreturn]] static void abort() { std::exit(EXIT_FAILURE); }
+
+private:
+  CGAL::Approximate_geodesics::Single_process m_single;
 };
 
 #endif

@@ -66,7 +66,7 @@ void print_estimate(const Options& options,
   const double search = double(memory_of_search(graph, vertices.sources.front(), options.radius));
   const double rows = memory_of_rows(sample, options.is_sparse());
   const double length = length_of_file(sample, options.is_sparse());
-  const double on_disk = options.is_sparse() ? 2 * length : length; // parts, then the file
+  const double on_disk = options.is_sparse() ? 2 * length : length; // blocks, then the arrays
   const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
   const double room = double(std::filesystem::space(folder.empty() ? "." : folder).available);
 

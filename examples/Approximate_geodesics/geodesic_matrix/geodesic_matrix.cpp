@@ -43,12 +43,11 @@ struct Job
 // Checks early what would otherwise fail after the graph was built.
 void check_files(const Options& options)
 {
-  const bool has_journal = std::filesystem::exists(options.output + ".journal");
-  if(has_journal && !options.may_resume)
+  const bool is_begun = std::filesystem::exists(options.output + ".part");
+  if(is_begun && !options.may_resume)
     throw std::invalid_argument("--resume no: " + options.output +
-                                ".journal belongs to an unfinished run; remove "
-                                "the .journal and .part files of this matrix to restart");
-  if(!has_journal && std::filesystem::exists(options.output))
+                                ".part belongs to an unfinished run; delete it to restart");
+  if(!is_begun && std::filesystem::exists(options.output))
     throw std::invalid_argument(options.output +
                                 " already exists; remove it, or choose another name");
 }
@@ -89,7 +88,7 @@ int compute(const Job& job, const Graph& graph, const Matrix_vertices& vertices,
     return EXIT_SUCCESS;
   }
   std::clog << "Stopped after about " << number_done << " of " << vertices.sources.size()
-            << " rows; the same command goes on with them.\n";
+            << " rows; the same command resumes the run.\n";
   const int signal = Interruption::signal();
   return signal != 0 ? 128 + signal : EXIT_FAILURE; // as shells do
 }

@@ -5,12 +5,11 @@
 #include "Processes.h"
 #include "Vertex_choice.h"
 
+#include <CGAL/Approximate_geodesics/Matrix_files/Csr_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
-#include <CGAL/Approximate_geodesics/Matrix_files/Npz_file.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 
 #include <functional>
-#include <type_traits>
 
 // The vertices of rows and columns.
 struct Matrix_vertices
@@ -28,7 +27,7 @@ auto matrix_parameters(const Options& options, const Matrix_vertices& vertices, 
       .visitor(std::ref(visitor));
 }
 
-// Computes the file, or goes on with it. Returns whether it is complete.
+// Computes the file, or resumes it. Returns whether it is complete.
 template <typename T, typename Graph, typename Visitor>
 bool write_matrix(const Options& options,
                   const Graph& graph,
@@ -37,20 +36,17 @@ bool write_matrix(const Options& options,
                   Visitor& visitor)
 {
   namespace AG = CGAL::Approximate_geodesics;
-  return processes.with_team([&](auto& team) {
-    using Team = std::decay_t<decltype(team)>;
-    const auto np = matrix_parameters(options, vertices, visitor);
-    if(!options.is_sparse())
-    {
-      AG::Npy_file<T, Team> file(options.output, team);
-      return CGAL::approximate_geodesic_distance_matrix(graph, file, vertices.sources,
-                                                        np.symmetric(options.is_symmetric));
-    }
-    AG::Npz_file<T, Team> file(options.output, team);
-    if(options.nearest > 0)
-      file.keep_nearest(options.nearest);
-    return CGAL::approximate_geodesic_distance_matrix(graph, file, vertices.sources, np);
-  });
+  const auto np = matrix_parameters(options, vertices, visitor);
+  if(!options.is_sparse())
+  {
+    AG::Npy_file<T> file(options.output, processes.team());
+    return CGAL::approximate_geodesic_distance_matrix(graph, file, vertices.sources,
+                                                      np.symmetric(options.is_symmetric));
+  }
+  AG::Csr_file<T> file(options.output, processes.team());
+  if(options.nearest > 0)
+    file.keep_nearest(options.nearest);
+  return CGAL::approximate_geodesic_distance_matrix(graph, file, vertices.sources, np);
 }
 
 #endif // GEODESIC_MATRIX_MATRIX_H

@@ -15,5 +15,5 @@ expect(0 "rows +6\n.*columns +2\n" ${PROGRAM} ${mesh} --sources 7 file:vertices.
        --output mixed.npy)
 expect(0 "rows +30\n.*columns +30\n" ${PROGRAM} ${mesh} --sources random:30 --epsilon 0 --symmetric
        --output symmetric.npy)
-expect(0 "microseconds a row" ${PROGRAM} ${mesh} --radius 0.5 --nearest 9 --output near.npz)
-expect_files(all.npy mixed.npy near.npz one.npy some.npy symmetric.npy vertices.txt)
+expect(0 "microseconds a row" ${PROGRAM} ${mesh} --radius 0.5 --nearest 9 --output near.csr/)
+expect_files(all.npy mixed.npy near.csr one.npy some.npy symmetric.npy vertices.txt)

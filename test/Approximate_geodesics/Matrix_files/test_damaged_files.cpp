@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_journal.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_file.h>
 
 #include "checks/expect_message.h"
 #include "files/Temporary_folder.h"
@@ -13,54 +13,60 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 
-// What is beside an incomplete file is damaged: the file is right in the end, or there is an error
-// that names what is damaged, and never a wrong file.
+// The part folder of an incomplete file is damaged: the file is right in the end, or there is an
+// error that names what is damaged, and never a wrong file.
 
 namespace {
 
 using namespace geodesics_test;
-using Journal = AG::internal::Matrix_journal;
-using AG::internal::Block_record;
 using Contents = Temporary_folder::Contents;
 
 class Damaged_file : public testing::TestWithParam<std::string>
 {
 protected:
-  static constexpr std::size_t number_of_rows = 9;
-  static constexpr const char *file = "distances", *part = "distances.part",
-                              *journal = "distances.journal";
+  static constexpr std::size_t number_of_rows = 9; // and blocks
+  const std::string part = "distances.part/", identity = part + "identity",
+                    result = part + "result"; // a file if the matrix is dense
 
   const Matrix_job job{3};
   const Temporary_folder folder;
-  const Matrix_file_job run{GetParam(), folder.file(file), 1, 1e9};
-  std::string expected; // the complete file
+  const Matrix_file_job run{GetParam(), folder.file("distances")};
+  Contents expected; // the complete file
 
   Damaged_file()
   {
     EXPECT_TRUE(run.compute(job));
-    expected = folder.bytes(file);
+    expected = folder.contents();
   }
+
+  std::string marker(const std::size_t block) const { return part + std::to_string(block); }
 
   // What is there when so many rows are done.
   Contents contents_after(const std::size_t rows) const
   {
-    Contents result;
+    Contents contents;
     folder.fill({});
-    Matrix_file_job with_commits = run;
-    with_commits.seconds_between_commits = 0;
     Matrix_watcher watcher([&](const std::size_t number_done) {
       if(number_done == rows)
-        result = folder.contents();
+        contents = folder.contents();
       return true;
     });
-    EXPECT_TRUE(with_commits.compute(job, watcher));
-    result.erase("distances.lock"); // goes with the program
-    EXPECT_EQ(result.size(), 2u);
-    return result;
+    EXPECT_TRUE(run.compute(job, watcher));
+    contents.erase("distances.lock"); // goes with the program
+    EXPECT_EQ(contents.size(), 2 + rows);
+    return contents;
+  }
+
+  // The part folder without `result`, which was moved.
+  Contents contents_after_move() const
+  {
+    Contents contents = contents_after(number_of_rows);
+    contents.erase(is_dense() ? result : result + '/');
+    contents.insert(expected.begin(), expected.end());
+    return contents;
   }
 
   // Returns the number of rows that were computed.
@@ -69,9 +75,7 @@ protected:
     folder.fill(contents);
     Matrix_watcher watcher;
     EXPECT_TRUE(run.compute(job, watcher));
-    const Contents found = folder.contents();
-    EXPECT_EQ(found.size(), 1u);
-    EXPECT_TRUE(found.at(file) == expected);
+    EXPECT_TRUE(folder.contents() == expected);
     return watcher.numbers_done.size();
   }
 
@@ -102,20 +106,13 @@ protected:
     return changed(contents, name, [&](std::string& bytes) { bytes.resize(to); });
   }
 
-  // `contents` with another record in the journal
-  Contents with_record(const Contents& contents, const Block_record& record) const
+  // `contents` with other bytes in place of all data
+  Contents with_other_data(Contents contents) const
   {
-    folder.fill(contents);
-    const std::string name = folder.file(journal);
-    const Journal::Contents read = Journal::read(name);
-    Journal(name, *read.identity, read).append({record});
-    return folder.contents();
-  }
-
-  // The journal says that the work is being finished.
-  Contents with_all_noted(const Contents& contents) const
-  {
-    return with_record(contents, {~std::uint64_t(0), 0, 0, 0});
+    for(auto& [name, bytes] : contents)
+      if(name != identity)
+        bytes.assign(bytes.size(), 'x');
+    return contents;
   }
 
   bool is_dense() const { return GetParam() == "npy" || GetParam() == "symmetric"; }
@@ -123,185 +120,189 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(, Damaged_file, testing::ValuesIn(kinds_of_matrix_files()));
 
-TEST_P(Damaged_file, has_a_journal_that_ends_anywhere)
-{
-  const Contents contents = contents_after(number_of_rows - 2);
-  const std::size_t size = contents.at(journal).size();
-  ASSERT_EQ(size, Journal::LENGTH_OF_HEADER + (number_of_rows - 2) * Journal::LENGTH_OF_RECORD);
-  for(std::size_t length = 0; length < size; ++length)
-  {
-    const Contents damaged = shortened(contents, journal, length);
-    if(length < Journal::LENGTH_OF_HEADER)
-      expect_error(damaged, folder.file(part) + " exists without a journal");
-    else
-      EXPECT_EQ(expect_right_file(damaged),
-                number_of_rows - (length - Journal::LENGTH_OF_HEADER) / Journal::LENGTH_OF_RECORD);
-  }
-}
-
-// as they are before the first row
-TEST_P(Damaged_file, has_a_journal_that_has_just_begun)
-{
-  const Contents contents = contents_after(1);
-  for(std::size_t length = 0; length <= Journal::LENGTH_OF_HEADER; ++length)
-    EXPECT_EQ(expect_right_file({{journal, contents.at(journal).substr(0, length)}}),
-              number_of_rows);
-}
-
-TEST_P(Damaged_file, has_a_journal_with_a_wrong_bit)
-{
-  const Contents contents = contents_after(number_of_rows - 2);
-  for(std::size_t at = 0; at < contents.at(journal).size(); ++at)
-    expect_error(flipped(contents, journal, at), folder.file(journal));
-}
-
-TEST_P(Damaged_file, has_a_journal_with_zeros_behind_it)
+// All of its numbers are zero, or some digits are missing.
+TEST_P(Damaged_file, has_an_identity_that_ends_anywhere)
 {
   const Contents contents = contents_after(4);
-  for(const std::size_t number : {1u, 35u, 36u, 37u, 5000u})
-  {
-    const auto append = [&](std::string& bytes) { bytes.append(number, '\0'); };
-    EXPECT_EQ(expect_right_file(changed(contents, journal, append)), number_of_rows - 4);
-  }
+  for(std::size_t length = 0; length < contents.at(identity).size(); ++length)
+    expect_error(shortened(contents, identity, length), "delete " + folder.file("distances.part"));
+  Contents without = contents;
+  without.erase(identity);
+  expect_error(without, folder.file("distances.part") + " exists, but is not an unfinished");
 }
 
-TEST_P(Damaged_file, has_a_journal_with_something_else_behind_it)
+TEST_P(Damaged_file, has_an_identity_with_a_wrong_bit)
 {
   const Contents contents = contents_after(4);
-  const auto append = [](std::string& bytes) { bytes.append(36, 'x'); };
-  expect_error(changed(contents, journal, append), folder.file(journal) + " is damaged at byte " +
-                                                       std::to_string(contents.at(journal).size()));
+  for(std::size_t at = 0; at < contents.at(identity).size(); ++at)
+    expect_error(flipped(contents, identity, at), "delete " + folder.file("distances.part"));
 }
 
-TEST_P(Damaged_file, has_a_journal_of_another_version)
+TEST_P(Damaged_file, has_an_identity_with_something_behind_it)
 {
-  const auto change = [](std::string& bytes) { bytes[8] = 7; };
-  expect_error(changed(contents_after(4), journal, change),
-               folder.file(journal) + " has version 7; this program reads version 2");
+  const auto append = [](std::string& bytes) { bytes += '\n'; };
+  expect_error(changed(contents_after(4), identity, append),
+               folder.file(identity) + " is damaged; delete ");
 }
 
-TEST_P(Damaged_file, has_a_journal_that_is_none)
+TEST_P(Damaged_file, is_of_another_version)
 {
-  const auto change = [](std::string& bytes) { bytes.assign(200, 'x'); };
-  expect_error(changed(contents_after(4), journal, change),
-               folder.file(journal) + " is not the journal of a distance matrix");
+  const auto change = [](std::string& bytes) { bytes[bytes.find('\n') - 1] = '7'; };
+  expect_error(changed(contents_after(4), identity, change),
+               folder.file(identity) + " was not written by this version of the program; delete ");
 }
 
-TEST_P(Damaged_file, has_records_of_blocks_that_do_not_exist)
+TEST_P(Damaged_file, has_markers_of_blocks_that_do_not_exist)
 {
-  for(const std::uint64_t block : {std::uint64_t(number_of_rows), std::uint64_t(1) << 40})
+  for(const char* const name : {"9", "1099511627776", "99999999999999999999999", "x", "-1", "04"})
   {
-    const Contents contents = with_record(contents_after(4), {block, 0, 4, 0});
+    Contents contents = contents_after(4);
+    contents[part + name] = contents.at(marker(0));
     EXPECT_EQ(expect_right_file(contents), number_of_rows - 4);
   }
 }
 
-// A record that is sound by itself, of a block that is not there, whichever record comes first.
-TEST_P(Damaged_file, has_records_that_are_not_true)
+// A marker that is sound by itself, of a block that is not there.
+TEST_P(Damaged_file, has_markers_that_are_not_true)
 {
-  for(const std::uint64_t block : {0u, 5u})
+  for(const std::size_t block : {3u, 5u})
   {
-    const Contents contents = with_record(contents_after(4), {block, 0, 40, 1});
-    EXPECT_EQ(expect_right_file(contents), number_of_rows - 4);
+    Contents contents = contents_after(4);
+    contents[marker(block)] = contents.at(marker(0));
+    EXPECT_EQ(expect_right_file(contents), number_of_rows - (block == 3 ? 3 : 4));
   }
 }
 
-// One block is not as its record says.
+TEST_P(Damaged_file, has_a_marker_with_a_wrong_bit)
+{
+  const Contents contents = contents_after(4);
+  for(std::size_t at = 0; at < contents.at(marker(2)).size(); ++at)
+    EXPECT_EQ(expect_right_file(flipped(contents, marker(2), at)), number_of_rows - 3);
+}
+
+TEST_P(Damaged_file, has_a_marker_that_ends_anywhere)
+{
+  const Contents contents = contents_after(4);
+  for(std::size_t length = 0; length < contents.at(marker(2)).size(); ++length)
+  {
+    EXPECT_EQ(expect_right_file(shortened(contents, marker(2), length)), number_of_rows - 3);
+    // as a crash leaves a file whose length has reached the disk, and whose data has not
+    const auto fill = [&](std::string& bytes) {
+      std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(length), bytes.end(), '\0');
+    };
+    const Contents filled = changed(contents, marker(2), fill);
+    EXPECT_EQ(expect_right_file(filled), number_of_rows - (filled == contents ? 4 : 3));
+  }
+}
+
+// One block is not as its marker says.
 TEST_P(Damaged_file, has_data_with_a_wrong_bit)
 {
+  if(!is_dense())
+    GTEST_SKIP() << "its data is in the markers";
   for(const std::size_t rows : {number_of_rows - 2, number_of_rows})
   {
     const Contents contents = contents_after(rows);
-    for(std::size_t at = 0; at < contents.at(part).size(); at += 11)
-      EXPECT_LE(expect_right_file(flipped(contents, part, at)), number_of_rows - rows + 1);
+    for(std::size_t at = 0; at < contents.at(result).size(); at += 11)
+      EXPECT_LE(expect_right_file(flipped(contents, result, at)), number_of_rows - rows + 1);
   }
 }
 
 TEST_P(Damaged_file, has_data_that_end_anywhere)
 {
+  if(!is_dense())
+    GTEST_SKIP() << "its data is in the markers";
   for(const std::size_t rows : {number_of_rows - 2, number_of_rows})
   {
     const Contents contents = contents_after(rows);
     std::size_t fewest = number_of_rows;
-    for(std::size_t length = 0; length < contents.at(part).size(); length += 11)
-      fewest = std::min(fewest, expect_right_file(shortened(contents, part, length)));
+    for(std::size_t length = 0; length < contents.at(result).size(); length += 11)
+      fewest = std::min(fewest, expect_right_file(shortened(contents, result, length)));
     EXPECT_LE(fewest, number_of_rows - rows + 1);
+    const auto append = [](std::string& bytes) { bytes += "something"; };
+    EXPECT_EQ(expect_right_file(changed(contents, result, append)), number_of_rows - rows);
   }
 }
 
 TEST_P(Damaged_file, has_other_data)
 {
   Contents contents = contents_after(number_of_rows);
-  const auto fill = [](std::string& bytes) { bytes.assign(bytes.size(), 'x'); };
-  EXPECT_EQ(expect_right_file(changed(contents, part, fill)), number_of_rows);
-  contents.erase(part);
-  EXPECT_EQ(expect_right_file(contents), number_of_rows);
+  EXPECT_EQ(expect_right_file(with_other_data(contents)), number_of_rows);
+  contents.erase(is_dense() ? result : result + '/');
+  EXPECT_EQ(expect_right_file(contents), is_dense() ? number_of_rows : 0);
 }
 
 // and the run that sees it is ended before it has computed all of that again
 TEST_P(Damaged_file, is_not_complete_before_all_is_right)
 {
-  folder.fill(changed(contents_after(number_of_rows), part,
-                      [](std::string& bytes) { bytes.assign(bytes.size(), 'x'); }));
+  folder.fill(with_other_data(contents_after(number_of_rows)));
   for(std::size_t rows = 1; rows < number_of_rows; ++rows)
   {
     Matrix_watcher watcher = that_stops_at(rows);
     EXPECT_FALSE(run.compute(job, watcher));
     EXPECT_EQ(watcher.numbers_done.size(), 1u);
-    EXPECT_FALSE(folder.has(file));
+    EXPECT_FALSE(folder.has("distances"));
   }
   EXPECT_EQ(expect_right_file(folder.contents()), 1u);
 }
 
-// What another process has done is damaged, and this one does it again.
-TEST_P(Damaged_file, has_a_journal_of_another_process)
-{
-  Contents contents = contents_after(4);
-  contents["distances.journal.3"] = contents.at(journal);
-  contents.erase(journal);
-  if(!is_dense())
-  {
-    contents["distances.part.3"] = contents.at(part);
-    contents.erase(part);
-  }
-  const std::string part_3 = is_dense() ? part : "distances.part.3";
-  EXPECT_EQ(expect_right_file(contents), number_of_rows - 4);
-  for(std::size_t at = 0; at < contents.at(part_3).size(); at += 11)
-    EXPECT_LE(expect_right_file(flipped(contents, part_3, at)), number_of_rows - 4 + 1);
-  contents[part_3].clear();
-  EXPECT_EQ(expect_right_file(contents), number_of_rows);
-}
-
-// The new file is there, and what was beside it is not yet gone.
+// The new file is there, and the folder is not yet gone, whatever is left in it.
 TEST_P(Damaged_file, has_traces_beside_it)
 {
-  Contents contents = with_all_noted(contents_after(number_of_rows));
-  contents[file] = expected;
+  Contents contents = contents_after_move();
+  for(std::size_t block = 0; block < number_of_rows; ++block)
+  {
+    EXPECT_EQ(expect_right_file(contents), 0u);
+    contents.erase(marker(block));
+  }
   EXPECT_EQ(expect_right_file(contents), 0u);
-  contents.erase(part);
-  EXPECT_EQ(expect_right_file(contents), 0u);
-  contents["distances.journal.2"] = contents.at(journal);
-  contents.erase(journal);
-  EXPECT_EQ(expect_right_file(contents), 0u);
+  contents.erase(identity);
+  contents["distances.part/"];
+  folder.fill(contents);
+  expect_message<std::invalid_argument>([&] { run.compute(job); },
+                                        folder.file("distances") + " already exists");
+  EXPECT_TRUE(folder.contents() == expected);
+}
+
+TEST_P(Damaged_file, is_not_taken_for_that_of_another_job)
+{
+  folder.fill(contents_after_move());
+  expect_message<std::invalid_argument>([&] { run.compute(Matrix_job(3, 6)); },
+                                        " belongs to a computation with another mesh");
+}
+
+// It was killed before the part folder was complete.
+TEST_P(Damaged_file, has_just_begun)
+{
+  EXPECT_EQ(expect_right_file({{"distances.part.new/", ""}}), number_of_rows);
+  EXPECT_EQ(expect_right_file({{"distances.part.new/identity", "Unf"}}), number_of_rows);
+  EXPECT_EQ(expect_right_file({{"distances.part.new/result", ""}}), number_of_rows);
+  EXPECT_EQ(expect_right_file({{"distances.part/", ""}}), number_of_rows);
 }
 
 // Somebody puts a file of that name there while the work is interrupted.
 TEST_P(Damaged_file, is_not_taken_for_another_file)
 {
   Contents contents = contents_after(number_of_rows - 2);
-  contents[file] = "of somebody";
-  expect_error(contents, folder.file(file) + " already exists");
+  contents["distances"] = "of somebody";
+  expect_error(contents, folder.file("distances") + " already exists");
 }
 
-TEST_P(Damaged_file, has_a_copy_that_ends_anywhere)
+TEST_P(Damaged_file, has_arrays_that_end_anywhere)
 {
   if(is_dense())
-    GTEST_SKIP() << "such files have no copy";
+    GTEST_SKIP() << "such files are not assembled";
   Contents contents = contents_after(number_of_rows);
-  for(std::size_t length = 0; length <= expected.size(); length += 12)
+  contents.erase(result + '/');
+  for(const char* const name : {"/data.npy", "/indices.npy", "/indptr.npy", "/shape.npy"})
   {
-    contents["distances.new"] = expected.substr(0, length);
-    EXPECT_EQ(expect_right_file(contents), 0u);
+    const std::string bytes = expected.at(std::string("distances") + name);
+    for(std::size_t length = 0; length <= bytes.size() + 12; length += 12)
+    {
+      contents[result + name] =
+          bytes.substr(0, length) + std::string(length - std::min(length, bytes.size()), 'x');
+      EXPECT_EQ(expect_right_file(contents), 0u);
+    }
   }
 }
 
@@ -310,20 +311,21 @@ TEST_P(Damaged_file, is_symmetric_in_part)
 {
   if(GetParam() != "symmetric")
     GTEST_SKIP() << "it is not to be";
-  const Contents contents = with_all_noted(contents_after(number_of_rows));
-  for(std::size_t length = 0; length <= expected.size(); length += 12)
+  Contents contents = contents_after(number_of_rows);
+  contents[part + "symmetric"];
+  const std::string complete = expected.at("distances");
+  for(std::size_t length = 0; length <= complete.size(); length += 12)
   {
     const auto replace = [&](std::string& bytes) {
-      bytes.replace(0, length, expected.substr(0, length));
+      bytes.replace(0, length, complete.substr(0, length));
     };
-    EXPECT_EQ(expect_right_file(changed(contents, part, replace)), 0u);
-    if(length < expected.size())
-      expect_error(shortened(contents, part, length),
-                   folder.file(part) + " is missing or has the wrong length");
+    EXPECT_EQ(expect_right_file(changed(contents, result, replace)), 0u);
+    if(length < complete.size())
+      expect_error(shortened(contents, result, length),
+                   folder.file(result) + " is missing or has the wrong length; delete ");
   }
-  Contents without_data = contents;
-  without_data.erase(part);
-  expect_error(without_data, folder.file(part) + " is missing or has the wrong length");
+  contents.erase(result);
+  expect_error(contents, folder.file(result) + " is missing or has the wrong length; delete ");
 }
 
 } // namespace

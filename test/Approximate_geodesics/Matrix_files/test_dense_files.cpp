@@ -7,7 +7,7 @@
 
 #include "files/Temporary_folder.h"
 #include "files/matrix_job.h"
-#include "files/npz_reader.h"
+#include "files/npy_reader.h"
 
 #include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
 
@@ -122,17 +122,26 @@ TYPED_TEST(Npy_file_of, can_be_symmetric_and_large)
   }
 }
 
+// Changes the current folder meanwhile.
+class Current_folder
+{
+public:
+  explicit Current_folder(const std::string& name) { std::filesystem::current_path(name); }
+  ~Current_folder() { std::filesystem::current_path(m_before); }
+
+private:
+  std::filesystem::path m_before = std::filesystem::current_path();
+};
+
 TEST(Npy_file, can_be_of_the_present_folder)
 {
   const Temporary_folder folder;
-  const std::filesystem::path before = std::filesystem::current_path();
-  std::filesystem::current_path(folder.name());
+  const Current_folder current(folder.name());
   const Matrix_job job(4);
   AG::Npy_file<float> file("distances.npy");
   Matrix_watcher watcher = that_stops_at(9);
   EXPECT_FALSE(job.compute(file, watcher));
   EXPECT_TRUE(job.compute(file));
-  std::filesystem::current_path(before);
   expect_file<float>(job, folder);
 }
 

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Matrix_files/internal/Resumable_blocks.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_file.h>
 
 #include "checks/expect_message.h"
 #include "files/Temporary_folder.h"
@@ -28,28 +28,27 @@ class Interrupted_file : public testing::TestWithParam<std::string>
 {
 protected:
   const Temporary_folder folder;
-  const Matrix_file_job file{GetParam(), folder.file("distances"), 1, 1e9}; // commits at the end
+  const Matrix_file_job file{GetParam(), folder.file("distances")};
 
-  static std::string undisturbed(const Matrix_job& job)
+  static Temporary_folder::Contents undisturbed(const Matrix_job& job)
   {
     const Temporary_folder other;
     EXPECT_TRUE((Matrix_file_job{GetParam(), other.file("distances")}).compute(job));
-    return other.bytes("distances");
+    return other.contents();
   }
 
   // that there is nothing beside the file
   void expect_complete(const Matrix_job& job) const
   {
-    const Temporary_folder::Contents contents = folder.contents();
-    EXPECT_EQ(contents.size(), 1u);
-    EXPECT_TRUE(contents.at("distances") == undisturbed(job));
+    EXPECT_TRUE(folder.contents() == undisturbed(job));
   }
 
   void expect_incomplete() const
   {
     EXPECT_FALSE(folder.has("distances"));
-    EXPECT_TRUE(folder.has("distances.part"));
-    EXPECT_TRUE(folder.has("distances.journal"));
+    EXPECT_TRUE(folder.has("distances.part/identity"));
+    EXPECT_TRUE(folder.has("distances.part/result"));
+    EXPECT_FALSE(folder.has("distances.lock"));
   }
 };
 
@@ -87,8 +86,6 @@ TEST_P(Interrupted_file, goes_on_before_the_first_row_and_after_the_last_one)
 TEST_P(Interrupted_file, goes_on_after_an_error)
 {
   const Matrix_job job(8);
-  Matrix_file_job run = file;
-  run.seconds_between_commits = 0;
   for(const std::size_t last : {10u, 30u, 64u})
   {
     Matrix_watcher watcher([=](const std::size_t number_done) {
@@ -96,11 +93,11 @@ TEST_P(Interrupted_file, goes_on_after_an_error)
         throw std::domain_error("Approximate_geodesics' visitor");
       return true;
     });
-    expect_message<std::domain_error>([&] { run.compute(job, watcher); }, "visitor");
+    expect_message<std::domain_error>([&] { file.compute(job, watcher); }, "visitor");
     expect_incomplete();
   }
   Matrix_watcher watcher;
-  EXPECT_TRUE(run.compute(job, watcher));
+  EXPECT_TRUE(file.compute(job, watcher));
   EXPECT_EQ(watcher.numbers_done.size(), 0u);
   expect_complete(job);
 }
@@ -154,49 +151,37 @@ TEST_P(Interrupted_file, goes_on_with_any_number_of_threads)
   expect_complete(job);
 }
 
-TEST_P(Interrupted_file, notes_blocks_at_the_interval_given)
+TEST_P(Interrupted_file, marks_each_block_at_once)
 {
   const Matrix_job job(8);
-  Matrix_file_job run = file;
-  for(const double seconds : {0., 1e9})
-  {
-    run.seconds_between_commits = seconds;
-    std::vector<std::size_t> lengths;
-    Matrix_watcher watcher([&](const std::size_t number_done) {
-      lengths.push_back(folder.bytes("distances.journal").size());
-      return number_done < (seconds == 0 ? 10u : 20u);
-    });
-    EXPECT_FALSE(run.compute(job, watcher));
-    ASSERT_EQ(lengths.size(), 10u);
-    for(std::size_t i = 0; i < lengths.size(); ++i)
-      EXPECT_EQ(lengths[i],
-                AG::internal::Matrix_journal::LENGTH_OF_HEADER +
-                    AG::internal::Matrix_journal::LENGTH_OF_RECORD * (seconds == 0 ? i + 1 : 10));
-  }
-  EXPECT_EQ(AG::internal::Matrix_journal::read(folder.file("distances.journal")).records.size(),
-            20u); // those of the end included
+  Matrix_watcher watcher([&](const std::size_t number_done) {
+    std::size_t number = 0;
+    for(std::size_t block = 0; block < 64; ++block)
+      number += folder.has("distances.part/" + std::to_string(block));
+    EXPECT_EQ(number, number_done);
+    return true;
+  });
+  EXPECT_TRUE(file.compute(job, watcher));
+  EXPECT_EQ(watcher.numbers_done.size(), 64u);
 }
 
-// What was not noted is computed again.
 TEST(Interrupted_files, go_on_by_the_same_object)
 {
-  const Temporary_folder folder;
+  const Temporary_folder folder, another;
   const Matrix_job job(8);
-  AG::Npz_file<float> file(folder.file("distances"), 1e9);
+  AG::Csr_file<float> file(folder.file("distances"));
   Matrix_watcher watcher([](const std::size_t number_done) {
     if(number_done == 30)
       throw std::domain_error("Approximate_geodesics' visitor");
     return true;
   });
   expect_message<std::domain_error>([&] { job.compute(file, watcher); }, "visitor");
-  Matrix_watcher another;
-  EXPECT_TRUE(job.compute(file, another));
-  EXPECT_EQ(another.numbers_done.front(), 1u);
-  AG::Npz_file<float> undisturbed(folder.file("undisturbed"));
+  Matrix_watcher second;
+  EXPECT_TRUE(job.compute(file, second));
+  EXPECT_EQ(second.numbers_done.front(), 31u);
+  AG::Csr_file<float> undisturbed(another.file("distances"));
   EXPECT_TRUE(job.compute(undisturbed));
-  const Temporary_folder::Contents contents = folder.contents();
-  EXPECT_EQ(contents.size(), 2u);
-  EXPECT_TRUE(contents.at("distances") == contents.at("undisturbed"));
+  EXPECT_TRUE(folder.contents() == another.contents());
 }
 
 } // namespace

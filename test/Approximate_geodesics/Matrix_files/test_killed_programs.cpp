@@ -3,8 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Matrix_files/internal/File_lock.h>
-#include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_journal.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_file.h>
 
 #include "checks/expect_message.h"
 #include "checks/test_random.h"
@@ -24,6 +23,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -49,32 +49,34 @@ enum Phase
 {
   BEFORE,
   COMPUTING,
-  BETWEEN, // all blocks are noted, or none is missing any more
+  BETWEEN, // all blocks are marked
   FINISHING,
   REMOVING,
   AFTER,
   NUMBER_OF_PHASES
 };
 
+std::size_t number_of_markers(const std::string& part)
+{
+  std::size_t result = 0;
+  std::error_code ignored; // it was there a moment ago
+  for(std::filesystem::directory_iterator i(part, ignored), end; !ignored && i != end;
+      i.increment(ignored))
+    result += i->path().filename().string().find_first_not_of("0123456789") == std::string::npos;
+  return result;
+}
+
 Phase phase(const Temporary_folder& folder, const std::size_t number_of_blocks)
 {
-  const bool has_journal = folder.has("distances.journal");
+  const bool has_part = folder.has("distances.part/identity");
   if(folder.has("distances"))
-    return has_journal ? REMOVING : AFTER;
-  if(!has_journal || !folder.has("distances.part"))
+    return has_part ? REMOVING : AFTER;
+  if(!has_part)
     return BEFORE;
-  std::vector<AG::internal::Block_record> records;
-  try
-  {
-    records = AG::internal::Matrix_journal::read(folder.file("distances.journal")).records;
-  }
-  catch(const std::runtime_error&)
-  {
-    return AFTER; // it was there a moment ago
-  }
-  if(folder.has("distances.new") || records.size() > number_of_blocks)
+  if(folder.has("distances.part/symmetric") || folder.has("distances.part/result/data.npy"))
     return FINISHING;
-  return records.size() == number_of_blocks ? BETWEEN : COMPUTING;
+  const std::size_t number = number_of_markers(folder.file("distances.part"));
+  return number == number_of_blocks ? BETWEEN : COMPUTING;
 }
 
 /*
@@ -87,9 +89,9 @@ public:
   Killer(const std::string& kind, const std::size_t side) : m_kind(kind), m_side(side)
   {
     const Clock::time_point start = Clock::now();
-    EXPECT_TRUE(Child_process(words("1", "0.01")).succeeds());
+    EXPECT_TRUE(Child_process(words("1")).succeeds());
     m_duration = Clock::now() - start;
-    m_expected = m_folder.bytes("distances");
+    m_expected = m_folder.contents();
     EXPECT_FALSE(m_expected.empty());
     m_folder.fill({});
   }
@@ -98,7 +100,7 @@ public:
   {
     for(std::size_t number = 0; number < times;)
     {
-      Child_process child(words(std::to_string(1 + m_random.below(3)), "0.002"));
+      Child_process child(words(std::to_string(1 + m_random.below(3))));
       await(child);
       if(child.kill())
       {
@@ -120,10 +122,9 @@ public:
   }
 
 private:
-  std::vector<std::string> words(const std::string& threads, const std::string& seconds) const
+  std::vector<std::string> words(const std::string& threads) const
   {
-    return program(m_folder, m_kind, "side=" + std::to_string(m_side), "threads=" + threads,
-                   "seconds=" + seconds);
+    return program(m_folder, m_kind, "side=" + std::to_string(m_side), "threads=" + threads);
   }
 
   std::size_t number_of_blocks() const
@@ -145,14 +146,14 @@ private:
   // and begins anew
   void complete()
   {
-    if(!m_folder.has("distances") || m_folder.has("distances.journal"))
+    if(!m_folder.has("distances") || m_folder.has("distances.part/identity"))
     {
-      EXPECT_TRUE(Child_process(words("2", "0.01")).succeeds());
+      EXPECT_TRUE(Child_process(words("2")).succeeds());
     }
     Temporary_folder::Contents contents = m_folder.contents();
     contents.erase("distances.lock"); // stays if that comes last
-    EXPECT_EQ(contents.size(), 1u);
-    EXPECT_TRUE(contents["distances"] == m_expected);
+    contents.erase("distances.part/");
+    EXPECT_TRUE(contents == m_expected);
     m_folder.fill({});
   }
 
@@ -160,7 +161,7 @@ private:
   std::string m_kind;
   std::size_t m_side;
   Random m_random{test_seed()};
-  std::string m_expected;
+  Temporary_folder::Contents m_expected;
   Seconds m_duration;
   std::size_t m_hits[NUMBER_OF_PHASES] = {};
 };
@@ -177,7 +178,7 @@ TEST(Killed_program, is_gone_on_with_many_times)
     Killer(kind, 40).kill(50);
 }
 
-// those noted before it was killed
+// those marked before it was killed
 TEST(Killed_program, has_its_rows_kept)
 {
   for(const std::string& kind : kinds_of_matrix_files())
@@ -190,7 +191,7 @@ TEST(Killed_program, has_its_rows_kept)
     Matrix_watcher watcher;
     EXPECT_TRUE((Matrix_file_job{kind, folder.file("distances")}).compute(job, watcher));
     EXPECT_EQ(watcher.numbers_done.front(), 41u);
-    EXPECT_EQ(folder.contents().size(), 1u);
+    EXPECT_FALSE(folder.has("distances.part"));
   }
 }
 
@@ -212,21 +213,8 @@ TEST(Two_programs, do_not_compute_a_file_at_the_same_time)
     EXPECT_TRUE(folder.contents() == before);
     EXPECT_TRUE(child.kill());
     EXPECT_TRUE(run.compute(job));
-    EXPECT_EQ(folder.contents().size(), 1u);
+    EXPECT_FALSE(folder.has("distances.part"));
   }
-}
-
-// The lock goes with whoever has it.
-TEST(Two_programs, follow_each_other)
-{
-  const Temporary_folder folder;
-  const std::string name = folder.file("lock");
-  {
-    const AG::internal::File_lock lock(name, "something");
-    EXPECT_TRUE(folder.has("lock"));
-  }
-  EXPECT_FALSE(folder.has("lock"));
-  const AG::internal::File_lock another(name, "something");
 }
 
 } // namespace

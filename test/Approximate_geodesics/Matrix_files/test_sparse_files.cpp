@@ -3,16 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Matrix_files/Npz_file.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Csr_file.h>
 
 #include "checks/expect_message.h"
 #include "files/Temporary_folder.h"
 #include "files/matrix_job.h"
-#include "files/npz_reader.h"
+#include "files/npy_reader.h"
 
 #include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
 #include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
-#include <CGAL/Approximate_geodesics/Matrix_files/save_npz.h>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +22,7 @@
 #include <string>
 #include <vector>
 
-// Files of some distances have what matrices in memory have.
+// Folders of some distances have what matrices in memory have.
 
 namespace {
 
@@ -47,17 +46,30 @@ struct Sparse_entries
     }
   }
 
-  void expect_in(const std::string& bytes, const std::size_t number_of_columns) const
+  void expect_in(const Temporary_folder::Contents& files, const std::size_t number_of_columns) const
   {
-    const auto arrays = arrays_of(Zip_reader(bytes));
-    EXPECT_EQ(arrays.size(), 5u);
-    EXPECT_TRUE(arrays.at("indptr").numbers<std::int32_t>() == starts);
-    EXPECT_TRUE(arrays.at("indices").numbers<std::int32_t>() == columns);
-    EXPECT_TRUE(arrays.at("data").numbers<T>() == distances);
-    EXPECT_EQ(arrays.at("shape").numbers<std::int64_t>(),
+    const auto array = [&](const char* name) {
+      return Npy_array(files.at(std::string(name) + ".npy"));
+    };
+    EXPECT_EQ(files.size(), 4u);
+    EXPECT_TRUE(array("indptr").template numbers<std::int32_t>() == starts);
+    EXPECT_TRUE(array("indices").template numbers<std::int32_t>() == columns);
+    EXPECT_TRUE(array("data").template numbers<T>() == distances);
+    EXPECT_EQ(array("shape").template numbers<std::int64_t>(),
               (std::vector<std::int64_t>{std::int64_t(starts.size()) - 1,
                                          std::int64_t(number_of_columns)}));
-    EXPECT_EQ(arrays.at("format").bytes, "csr");
+    EXPECT_EQ(array("indptr").dictionary, dictionary("i4", starts.size()));
+    EXPECT_EQ(array("indices").dictionary, dictionary("i4", columns.size()));
+    EXPECT_EQ(array("data").dictionary,
+              dictionary("f" + std::to_string(sizeof(T)), distances.size()));
+    EXPECT_EQ(array("shape").dictionary, dictionary("i8", 2));
+  }
+
+private:
+  static std::string dictionary(const std::string& type, const std::size_t size)
+  {
+    return "{'descr': '<" + type + "', 'fortran_order': False, 'shape': (" + std::to_string(size) +
+           ",), }";
   }
 };
 
@@ -71,12 +83,15 @@ void expect_same(const Matrix_job& job,
 {
   Matrix_watcher watcher;
   EXPECT_TRUE(job.compute(rows));
-  AG::save_npz(rows, folder.file("saved.npz"));
+  const Temporary_folder saved;
+  AG::save_csr(rows, saved.name()); // into an existing folder
+  Sparse_entries(rows).expect_in(saved.contents(), job.targets.size());
   EXPECT_TRUE(job.compute(file, watcher, number_of_threads));
-  const Temporary_folder::Contents contents = folder.contents();
-  EXPECT_EQ(contents.size(), 2u);
-  Sparse_entries(rows).expect_in(contents.at("saved.npz"), job.targets.size());
-  EXPECT_TRUE(contents.at("saved.npz") == contents.at("computed.npz"));
+  AG::save_csr(rows, folder.file("saved"));
+  for(const auto& [name, bytes] : saved.contents())
+    for(const char* const copy : {"saved/", "computed/"})
+      EXPECT_TRUE(folder.bytes(copy + name) == bytes) << copy << name;
+  EXPECT_EQ(folder.contents().size(), 8u); // nothing else
 }
 
 template <typename T>
@@ -86,14 +101,14 @@ void expect_same_entries(Matrix_job job, const int number_of_threads = 1)
   {
     const Temporary_folder folder;
     job.maximum_distance = radius;
-    expect_same(job, AG::Radius_rows<T>(), AG::Npz_file<T>(folder.file("computed.npz")), folder,
+    expect_same(job, AG::Radius_rows<T>(), AG::Csr_file<T>(folder.file("computed")), folder,
                 number_of_threads);
   }
   job.maximum_distance = std::numeric_limits<double>::infinity();
   for(const std::size_t number : {1u, 7u, 1000u})
   {
     const Temporary_folder folder;
-    AG::Npz_file<T> file(folder.file("computed.npz"));
+    AG::Csr_file<T> file(folder.file("computed"));
     file.keep_nearest(number);
     EXPECT_EQ(file.number_of_nearest(), number);
     expect_same(job, AG::Nearest_rows<T>(number), file, folder, number_of_threads);
@@ -101,14 +116,14 @@ void expect_same_entries(Matrix_job job, const int number_of_threads = 1)
 }
 
 template <typename T>
-class Npz_file_of : public testing::Test
+class Csr_file_of : public testing::Test
 {
 };
 
 using Numbers = testing::Types<float, double>;
-TYPED_TEST_SUITE(Npz_file_of, Numbers, );
+TYPED_TEST_SUITE(Csr_file_of, Numbers, );
 
-TYPED_TEST(Npz_file_of, has_the_entries_of_rows_in_memory)
+TYPED_TEST(Csr_file_of, has_the_entries_of_rows_in_memory)
 {
   Matrix_job job(8);
   expect_same_entries<TypeParam>(job);
@@ -118,7 +133,7 @@ TYPED_TEST(Npz_file_of, has_the_entries_of_rows_in_memory)
   expect_same_entries<TypeParam>(job);
 }
 
-TYPED_TEST(Npz_file_of, can_be_small)
+TYPED_TEST(Csr_file_of, can_be_small)
 {
   for(const std::size_t rows : {0u, 1u, 2u})
     for(const std::size_t columns : {0u, 1u, 2u})
@@ -132,7 +147,7 @@ TYPED_TEST(Npz_file_of, can_be_small)
 }
 
 // and threads
-TYPED_TEST(Npz_file_of, has_blocks_of_several_rows)
+TYPED_TEST(Csr_file_of, has_blocks_of_several_rows)
 {
   Matrix_job job(6);
   job.repeat_sources(1100);
@@ -140,14 +155,40 @@ TYPED_TEST(Npz_file_of, has_blocks_of_several_rows)
   for(const int number_of_threads : {1, 3})
   {
     const Temporary_folder folder;
-    expect_same(job, AG::Radius_rows<TypeParam>(),
-                AG::Npz_file<TypeParam>(folder.file("computed.npz")), folder, number_of_threads);
+    expect_same(job, AG::Radius_rows<TypeParam>(), AG::Csr_file<TypeParam>(folder.file("computed")),
+                folder, number_of_threads);
   }
 }
 
-TEST(Npz_file, keeps_at_least_one_entry)
+TEST(Csr_file, may_have_a_slash_behind_its_name)
 {
-  AG::Npz_file<float> file("distances.npz");
+  const Matrix_job job(4);
+  const Temporary_folder folder, another;
+  AG::Csr_file<float> file(folder.file("distances/"));
+  Matrix_watcher watcher = that_stops_at(9);
+  EXPECT_FALSE(job.compute(file, watcher));
+  EXPECT_TRUE(folder.has("distances.part"));
+  EXPECT_TRUE(job.compute(file));
+  EXPECT_TRUE((Matrix_file_job{"csr", another.file("distances")}).compute(job));
+  EXPECT_TRUE(folder.contents() == another.contents());
+}
+
+TEST(Saved_rows, tell_why_they_cannot_be_saved)
+{
+  const Matrix_job job(4);
+  AG::Radius_rows<float> rows;
+  EXPECT_TRUE(job.compute(rows));
+  const Temporary_folder folder;
+  expect_message<std::runtime_error>([&] { AG::save_csr(rows, folder.file("missing/folder")); },
+                                     folder.file("missing/folder"));
+  folder.fill({{"data.npy/", ""}});
+  expect_message<std::runtime_error>([&] { AG::save_csr(rows, folder.name()); },
+                                     folder.file("data.npy") + " cannot be opened for writing: ");
+}
+
+TEST(Csr_file, keeps_at_least_one_entry)
+{
+  AG::Csr_file<float> file("distances");
   expect_message<std::invalid_argument>([&] { file.keep_nearest(0); },
                                         "the number of nearest columns is 0");
 }

@@ -3,14 +3,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Uses the installed headers: the corners of a tetrahedron are as far apart as its edges are long.
+// Uses the installed headers and the compiled library: the corners of a tetrahedron are as far
+// apart as its edges are long.
 
+#include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 int main()
 {
@@ -26,5 +30,13 @@ int main()
   for(const auto v : mesh.vertices())
     if(distances[v] != expected[v.idx()])
       return EXIT_FAILURE;
-  return EXIT_SUCCESS;
+
+  using File = CGAL::Approximate_geodesics::Npy_file<double>;
+  const char* const name = "distances.npy";
+  std::filesystem::remove(name);
+  const bool is_complete =
+      CGAL::approximate_geodesic_distance_matrix(mesh, File(name), mesh.vertices());
+  const bool is_right = is_complete && std::filesystem::file_size(name) == File::length(4, 4);
+  std::filesystem::remove(name);
+  return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

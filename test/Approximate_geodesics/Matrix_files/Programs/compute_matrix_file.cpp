@@ -11,7 +11,6 @@
 //   side      of the mesh, in vertices
 //   radius    the maximum distance
 //   threads   how many there are
-//   seconds   between commits
 //   seed      of the mesh
 //   seed.1    of the mesh of process 1, and so on
 //   signal    which this process gives itself
@@ -114,8 +113,7 @@ bool compute(const Arguments& arguments, Team& team)
     return true;
   });
   return Matrix_file_job{arguments.text("kind", "npy"), arguments.text("file", ""),
-                         static_cast<int>(arguments.size("threads", 1)),
-                         arguments.number("seconds", 0)}
+                         static_cast<int>(arguments.size("threads", 1))}
       .compute(job, watcher, team);
 }
 

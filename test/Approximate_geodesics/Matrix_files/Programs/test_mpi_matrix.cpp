@@ -19,7 +19,7 @@ namespace {
 
 using namespace geodesics_test;
 
-const std::vector<std::string> all_kinds{"npy", "symmetric", "npz", "nearest"};
+const std::vector<std::string> all_kinds{"npy", "symmetric", "csr", "nearest"};
 
 // Processes that compute a file of a kind.
 class Team_of_processes
@@ -31,7 +31,7 @@ public:
   {
     const Temporary_folder another; // for one process without MPI
     EXPECT_TRUE(runs({APPROXIMATE_GEODESICS_TEST_MATRIX_PROGRAM}, another, {})) << message();
-    m_expected = another.bytes("distances");
+    m_expected = another.contents();
     EXPECT_FALSE(m_expected.empty());
   }
 
@@ -50,24 +50,13 @@ public:
     EXPECT_NE(message().find(text), std::string::npos) << message();
   }
 
-  void expect_complete() const
-  {
-    const Temporary_folder::Contents contents = folder.contents();
-    EXPECT_EQ(contents.size(), 1u);
-    EXPECT_TRUE(folder.bytes("distances") == m_expected);
-  }
+  void expect_complete() const { EXPECT_TRUE(folder.contents() == m_expected); }
 
-  // how many records are in the journals of three processes
-  std::size_t number_of_records() const
+  std::size_t number_of_markers() const
   {
     std::size_t result = 0;
-    for(const char* const name :
-        {"distances.journal", "distances.journal.1", "distances.journal.2"})
-    {
-      const std::size_t header = 72, record = 36, length = folder.bytes(name).size();
-      EXPECT_GE(length, header);
-      result += (length - header) / record;
-    }
+    for(std::size_t block = 0; block < 144; ++block)
+      result += folder.has("distances.part/" + std::to_string(block));
     return result;
   }
 
@@ -84,7 +73,7 @@ private:
 
   Temporary_folder m_output;
   std::string m_kind;
-  std::string m_expected;
+  Temporary_folder::Contents m_expected;
 };
 
 void expect_file_by(const int number_of_processes, const std::vector<std::string>& arguments = {})
@@ -112,13 +101,13 @@ void expect_rows_kept(const std::string& kind, const int killed, const int numbe
   EXPECT_FALSE(team.computes(3, {"signal=" + std::to_string(SIGKILL), "rows=60", "pause=0.1",
                                  "process=" + std::to_string(killed)}));
   EXPECT_FALSE(team.folder.has("distances"));
-  EXPECT_GE(team.number_of_records(), 60u - 3); // but for those that others are at
-  EXPECT_LT(team.number_of_records(), 144u);
+  EXPECT_GE(team.number_of_markers(), 60u - 3); // but for those that others are at
+  EXPECT_LT(team.number_of_markers(), 144u);
   EXPECT_TRUE(team.computes(number_of_processes)) << team.message();
   team.expect_complete();
 }
 
-TEST(Team_of_three, keeps_rows_if_one_of_them_is_killed) { expect_rows_kept("npz", 1, 2); }
+TEST(Team_of_three, keeps_rows_if_one_of_them_is_killed) { expect_rows_kept("csr", 1, 2); }
 
 TEST(Team_of_three, keeps_rows_if_any_of_them_is_killed)
 {
@@ -144,7 +133,7 @@ TEST(Team_of_three, is_told_of_errors_of_the_first_one)
 
 TEST(Team_of_two, has_one_mesh)
 {
-  const Team_of_processes team("npz");
+  const Team_of_processes team("csr");
   EXPECT_FALSE(team.computes(2, {"seed.1=6"}));
   team.expect_message("process 0 of the team has another mesh, or other lengths, weights or "
                       "barriers than process 1");

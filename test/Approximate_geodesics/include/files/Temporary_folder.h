@@ -27,7 +27,7 @@ inline std::string bytes_of(const std::filesystem::path& file)
 class Temporary_folder
 {
 public:
-  // the bytes of files by their names
+  // the bytes of files by their names, which end with a slash for folders without files
   using Contents = std::map<std::string, std::string>;
 
   explicit Temporary_folder(const std::filesystem::path& parent = in_memory())
@@ -54,8 +54,14 @@ public:
   Contents contents() const
   {
     Contents result;
-    for(const auto& entry : std::filesystem::directory_iterator(m_path))
-      result[entry.path().filename().string()] = bytes_of(entry.path());
+    for(const auto& entry : std::filesystem::recursive_directory_iterator(m_path))
+    {
+      const std::string name = std::filesystem::relative(entry.path(), m_path).string();
+      if(!entry.is_directory())
+        result[name] = bytes_of(entry.path());
+      else if(std::filesystem::is_empty(entry.path()))
+        result[name + '/'];
+    }
     return result;
   }
 
@@ -63,9 +69,13 @@ public:
   void fill(const Contents& contents) const
   {
     for(const auto& entry : std::filesystem::directory_iterator(m_path))
-      std::filesystem::remove(entry.path());
+      std::filesystem::remove_all(entry.path());
     for(const auto& [name, bytes] : contents)
-      std::ofstream(m_path / name, std::ios::binary) << bytes;
+    {
+      std::filesystem::create_directories((m_path / name).parent_path());
+      if(name.back() != '/')
+        std::ofstream(m_path / name, std::ios::binary) << bytes;
+    }
   }
 
 private:

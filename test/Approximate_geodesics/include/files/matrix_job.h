@@ -10,9 +10,9 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Csr_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
-#include <CGAL/Approximate_geodesics/Matrix_files/Npz_file.h>
-#include <CGAL/Approximate_geodesics/Matrix_files/Single_process.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Process_team.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/tags.h>
@@ -135,7 +135,7 @@ struct Matrix_job
 // The kinds of files that a job can be written to.
 inline const std::vector<std::string>& kinds_of_matrix_files()
 {
-  static const std::vector<std::string> result{"npy", "symmetric", "npz", "nearest"};
+  static const std::vector<std::string> result{"npy", "symmetric", "csr", "nearest"};
   return result;
 }
 
@@ -147,20 +147,17 @@ struct Matrix_file_job
   std::string kind;
   std::string file;
   int number_of_threads = 1;
-  double seconds_between_commits = 0;
 
   // Returns whether it is complete.
-  template <typename Team>
-  bool compute(Matrix_job job, Matrix_watcher& watcher, Team& team) const
+  bool compute(Matrix_job job, Matrix_watcher& watcher, AG::Process_team& team) const
   {
     job.is_symmetric = kind == "symmetric";
     if(kind == "npy" || kind == "symmetric")
-      return job.compute(AG::Npy_file<float, Team>(file, team, seconds_between_commits), watcher,
-                         number_of_threads);
-    AG::Npz_file<float, Team> sink(file, team, seconds_between_commits);
+      return job.compute(AG::Npy_file<float>(file, team), watcher, number_of_threads);
+    AG::Csr_file<float> sink(file, team);
     if(kind == "nearest")
       sink.keep_nearest(20);
-    else if(kind != "npz")
+    else if(kind != "csr")
       throw std::invalid_argument("no kind of file: " + kind);
     return job.compute(sink, watcher, number_of_threads);
   }

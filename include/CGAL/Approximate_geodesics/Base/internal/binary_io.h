@@ -12,12 +12,10 @@
 
 #include <boost/crc.hpp>
 #include <boost/endian/conversion.hpp>
-#include <boost/integer.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <istream>
 #include <ostream>
 #include <stdexcept>
@@ -30,51 +28,17 @@ namespace Approximate_geodesics {
 namespace internal {
 
 template <typename T>
-using Bits_of = typename boost::uint_t<8 * sizeof(T)>::exact;
+using Bytes_of = std::array<unsigned char, sizeof(T)>;
 
 template <typename T>
-std::array<char, sizeof(T)> to_bytes(const T value)
+Bytes_of<T> to_bytes(const T value)
 {
-  Bits_of<T> bits;
-  std::memcpy(&bits, &value, sizeof(T));
-  boost::endian::native_to_little_inplace(bits);
-  std::array<char, sizeof(T)> result;
-  std::memcpy(result.data(), &bits, sizeof(T));
+  Bytes_of<T> result;
+  boost::endian::endian_store<T, sizeof(T), boost::endian::order::little>(result.data(), value);
   return result;
 }
 
-template <typename T>
-T from_bytes(const std::array<char, sizeof(T)>& bytes)
-{
-  Bits_of<T> bits;
-  std::memcpy(&bits, bytes.data(), sizeof(T));
-  boost::endian::little_to_native_inplace(bits);
-  T result;
-  std::memcpy(&result, &bits, sizeof(T));
-  return result;
-}
-
-// Returns `value` with its bytes in little-endian order.
-template <typename T>
-T little_endian(const T value)
-{
-  T result = value;
-  if constexpr(boost::endian::order::native != boost::endian::order::little)
-    std::memcpy(&result, to_bytes(value).data(), sizeof(T));
-  return result;
-}
-
-// Returns the concatenated little-endian bytes of the numbers.
-template <typename... Numbers>
-std::string packed(const Numbers... numbers)
-{
-  std::string result;
-  const auto append = [&](const auto& bytes) { result.append(bytes.data(), bytes.size()); };
-  (append(to_bytes(numbers)), ...);
-  return result;
-}
-
-// The CRC-32 of ZIP archives and PNG images.
+// The CRC-32 of PNG images, over little-endian numbers.
 class Checksum
 {
 public:
@@ -85,12 +49,10 @@ public:
   }
 
   template <std::size_t size>
-  void add(const std::array<char, size>& bytes)
+  void add(const std::array<unsigned char, size>& bytes)
   {
-    add(bytes.data(), size);
+    m_crc.process_bytes(bytes.data(), size);
   }
-
-  void add(const char* bytes, const std::size_t number) { m_crc.process_bytes(bytes, number); }
 
   std::uint32_t value() const { return m_crc.checksum(); }
 
@@ -109,9 +71,9 @@ public:
   template <typename T>
   void write(const T value)
   {
-    const auto bytes = to_bytes(value);
+    const Bytes_of<T> bytes = to_bytes(value);
     m_checksum.add(bytes);
-    m_out.write(bytes.data(), sizeof(T));
+    m_out.write(reinterpret_cast<const char*>(bytes.data()), sizeof(T));
   }
 
   // Writes the checksum of all preceding data. Throws if any write failed.
@@ -141,11 +103,11 @@ public:
   template <typename T>
   T read()
   {
-    std::array<char, sizeof(T)> bytes;
-    if(!m_in.read(bytes.data(), sizeof(T)))
+    Bytes_of<T> bytes;
+    if(!m_in.read(reinterpret_cast<char*>(bytes.data()), sizeof(T)))
       reject("the file of " + m_contents + " is truncated");
     m_checksum.add(bytes);
-    return from_bytes<T>(bytes);
+    return boost::endian::endian_load<T, sizeof(T), boost::endian::order::little>(bytes.data());
   }
 
   // Reads the checksum, and compares it with that of all preceding data.

@@ -8,20 +8,10 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Base/internal/Bulk_checksum.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-
-#include <boost/type_traits/is_detected.hpp>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -74,65 +64,6 @@ struct Matrix_identity
 
   std::array<std::uint64_t, NUMBER_OF_PARTS> parts{};
 };
-
-inline std::uint64_t checksum(const Intrinsic_triangulation& t)
-{
-  Bulk_checksum result;
-  result.add(t.targets());
-  result.add(t.lengths());
-  result.add_value(t.unit());
-  result.add_value(t.weight_unit());
-  result.add_value(t.gauges().unit());
-  for(Intrinsic_triangulation::Index h = 0; h < t.number_of_halfedges(); ++h)
-  {
-    if(t.has_weights())
-      result.add_value(t.weight(h));
-    if(t.has_barriers())
-      result.add_value(static_cast<char>(t.is_barrier(h)));
-  }
-  for(const Face_gauges::Sector& s : t.gauges().all_sectors())
-    for(const Plane_vector v : {s.direction, s.functional})
-    {
-      result.add_value(v.x);
-      result.add_value(v.y);
-    }
-  for(Intrinsic_triangulation::Index v = 0; v < t.number_of_vertices(); ++v)
-    result.add_value(t.index(v));
-  return result.value();
-}
-
-inline std::uint64_t checksum(const std::vector<Intrinsic_point>& points)
-{
-  Bulk_checksum result;
-  for(const Intrinsic_point& p : points)
-  {
-    result.add_value(p.vertex);
-    result.add_value(p.halfedge);
-    result.add_value(p.t);
-    result.add_value(p.s);
-  }
-  return result.value();
-}
-
-template <typename Graph>
-using Epsilon_of = decltype(std::declval<const Graph&>().epsilon());
-
-// Covers the accessible properties of a graph; the part DISTANCES covers the others.
-template <typename Graph>
-std::uint64_t checksum_of_graph(const Graph& graph)
-{
-  Bulk_checksum result;
-  result.add_value(static_cast<std::uint64_t>(graph.number_of_nodes()));
-  result.add_value(graph.unit());
-  const Arc_lengths lengths = graph.arc_lengths();
-  for(const double length : {lengths.shortest, lengths.mean, lengths.longest})
-    result.add_value(length);
-  if constexpr(boost::is_detected_v<Epsilon_of, Graph>)
-    result.add_value(graph.epsilon());
-  if(leads_to_sources(graph))
-    result.add_value(static_cast<char>(1));
-  return result.value();
-}
 
 } // namespace internal
 } // namespace Approximate_geodesics

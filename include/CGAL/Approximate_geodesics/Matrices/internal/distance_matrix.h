@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/Bulk_checksum.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
@@ -17,8 +16,8 @@
 #include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_columns.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_computation.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_identity.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Row_search.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/identity_of_matrix.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/matrix_points.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/row_sinks.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
@@ -113,34 +112,6 @@ template <typename Visitor>
 Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
 {
   return visitor.get();
-}
-
-// Fingerprints the input of the matrix, and its first row.
-template <typename Graph>
-Matrix_identity identity_of_matrix(const Graph& graph,
-                                   const Matrix_points& points,
-                                   const Matrix_columns<Graph>& columns,
-                                   const Row_limits& limits)
-{
-  Matrix_identity result;
-  result.parts[Matrix_identity::MESH] = checksum(graph.triangulation());
-  result.parts[Matrix_identity::GRAPH] = checksum_of_graph(graph);
-  result.parts[Matrix_identity::NUMBER_OF_SOURCES] = points.sources.size();
-  result.parts[Matrix_identity::NUMBER_OF_TARGETS] = points.targets.size();
-  result.parts[Matrix_identity::SOURCES] = checksum(points.sources);
-  result.parts[Matrix_identity::TARGETS] = checksum(points.targets);
-  Bulk_checksum limit, distances;
-  limit.add_value(limits.maximum_distance);
-  limit.add_value(static_cast<std::uint64_t>(limits.number_of_nearest));
-  result.parts[Matrix_identity::LIMIT] = limit.value();
-  if(!points.sources.empty())
-  {
-    Row_search<Graph> search(graph, columns, limits);
-    for(const double distance : search.find(points.sources.front()))
-      distances.add_value(distance);
-  }
-  result.parts[Matrix_identity::DISTANCES] = distances.value();
-  return result;
 }
 
 template <typename Rows, typename NamedParameters>

@@ -15,12 +15,11 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Replaces each entry of a square matrix and its transpose by the smaller of the two, by tiles that
-// fit into the cache.
+// Replaces each entry of a square matrix and its transpose by the smaller of the two, by tiles of
+// `side` rows and columns. Two of the default size fit into the cache. The operation is idempotent.
 template <typename T>
-void make_symmetric(T* const distances, const std::size_t size)
+void make_symmetric(T* const distances, const std::size_t size, const std::size_t side = 64)
 {
-  constexpr std::size_t side = 64;
   for(std::size_t i = 0; i < size; i += side)
     for(std::size_t j = 0; j <= i; j += side)
       for(std::size_t k = i; k < (std::min)(i + side, size); ++k)

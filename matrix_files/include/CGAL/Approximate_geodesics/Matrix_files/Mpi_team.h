@@ -8,42 +8,108 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Matrix_files/internal/Mpi_file.h>
+#include <CGAL/Approximate_geodesics/Matrix_files/Process_team.h>
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
+namespace internal {
+
+// Serializes MPI calls, as required by `MPI_THREAD_SERIALIZED`.
+inline std::mutex& mpi_mutex()
+{
+  static std::mutex result;
+  return result;
+}
+
+// Each process opens the file separately, so that syncing is not a collective operation.
+class Mpi_file : public Process_team::File
+{
+public:
+  explicit Mpi_file(const std::string& name) : m_name(name)
+  {
+    check(MPI_File_open(MPI_COMM_SELF, name.c_str(), MPI_MODE_RDWR, MPI_INFO_NULL, &m_file),
+          "opened for writing");
+  }
+
+  Mpi_file(const Mpi_file&) = delete;
+  Mpi_file& operator=(const Mpi_file&) = delete;
+  ~Mpi_file() override { MPI_File_close(&m_file); }
+
+  void write(std::uint64_t offset, const void* const data, std::size_t size) override
+  {
+    const std::lock_guard lock(mpi_mutex());
+    const char* bytes = static_cast<const char*>(data);
+    while(size > 0)
+    {
+      constexpr std::size_t most = (std::numeric_limits<int>::max)();
+      MPI_Status status;
+      check(MPI_File_write_at(m_file, static_cast<MPI_Offset>(offset), bytes,
+                              static_cast<int>((std::min)(size, most)), MPI_BYTE, &status),
+            "written");
+      int written = 0;
+      MPI_Get_count(&status, MPI_BYTE, &written);
+      if(written <= 0)
+        throw std::runtime_error("Approximate_geodesics: " + m_name + " cannot be written");
+      offset += static_cast<std::uint64_t>(written);
+      bytes += written;
+      size -= static_cast<std::size_t>(written);
+    }
+  }
+
+  void sync() override
+  {
+    const std::lock_guard lock(mpi_mutex());
+    check(MPI_File_sync(m_file), "flushed to disk");
+  }
+
+private:
+  void check(const int error, const std::string& verb) const
+  {
+    if(error == MPI_SUCCESS)
+      return;
+    std::array<char, MPI_MAX_ERROR_STRING> text;
+    int length = 0;
+    MPI_Error_string(error, text.data(), &length);
+    throw std::runtime_error("Approximate_geodesics: " + m_name + " cannot be " + verb + ": " +
+                             std::string(text.data(), static_cast<std::size_t>(length)));
+  }
+
+  std::string m_name;
+  MPI_File m_file = MPI_FILE_NULL;
+};
+
+} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
  *
  * The processes of an MPI communicator, on one or several machines, which jointly compute a file of
  * distances. Each process takes blocks of rows from a shared counter and writes them to the same
- * file.
+ * file. The class is in a header, and not compiled, so that it fits any implementation of MPI.
  *
  * All processes must make the same calls. If one process throws or is killed, the others wait for
  * it; the program then has to terminate all of them, for example with `MPI_Abort()`. Completed
  * blocks are kept.
  *
  * `CGAL/Approximate_geodesics.h` does not include this header, as it requires MPI.
- *
- * \cgalModels{ProcessTeam}
  */
-class Mpi_team
+class Mpi_team : public Process_team
 {
 public:
-  /// the file type, for concurrent writes by all processes.
-  using File = internal::Mpi_file;
-
   /// constructs a team from the processes of `communicator`. This is a collective operation.
   /// \pre MPI is initialized, with `MPI_THREAD_SERIALIZED` or higher if `CGAL::Parallel_tag` is
   /// used.
@@ -62,7 +128,7 @@ public:
 
   /// releases the communicator and the counter. This is a collective operation. During stack
   /// unwinding it does nothing, so that the exception handler can call `MPI_Abort()`.
-  ~Mpi_team()
+  ~Mpi_team() override
   {
     if(std::uncaught_exceptions() > m_number_of_exceptions)
       return;
@@ -72,16 +138,16 @@ public:
   }
 
   /// returns the rank of this process, counted from 0.
-  std::size_t rank() const { return static_cast<std::size_t>(m_rank); }
+  std::size_t rank() const override { return static_cast<std::size_t>(m_rank); }
 
   /// returns the number of processes.
-  std::size_t size() const { return static_cast<std::size_t>(m_size); }
+  std::size_t size() const override { return static_cast<std::size_t>(m_size); }
 
   /// waits until all processes have called this function.
-  void wait() { MPI_Barrier(m_communicator); }
+  void wait() override { MPI_Barrier(m_communicator); }
 
   /// broadcasts the values of process 0 to all processes.
-  void share(std::vector<std::uint64_t>& values)
+  void share(std::vector<std::uint64_t>& values) override
   {
     std::uint64_t size = values.size();
     MPI_Bcast(&size, 1, MPI_UINT64_T, 0, m_communicator);
@@ -90,7 +156,7 @@ public:
   }
 
   /// broadcasts the text of process 0 to all processes.
-  void share(std::string& text)
+  void share(std::string& text) override
   {
     std::uint64_t size = text.size();
     MPI_Bcast(&size, 1, MPI_UINT64_T, 0, m_communicator);
@@ -99,7 +165,7 @@ public:
   }
 
   /// restarts the ticket counter at 0. This is a collective operation.
-  void restart_tickets()
+  void restart_tickets() override
   {
     wait();
     if(m_rank == 0)
@@ -108,7 +174,13 @@ public:
   }
 
   /// returns the next ticket. Tickets are unique among all threads and processes.
-  std::uint64_t next_ticket() { return exchange(1, MPI_SUM); }
+  std::uint64_t next_ticket() override { return exchange(1, MPI_SUM); }
+
+  /// opens a file in this process, with MPI's functions.
+  std::unique_ptr<File> open(const std::string& name) override
+  {
+    return std::make_unique<internal::Mpi_file>(name);
+  }
 
 private:
   // Returns the previous value of the counter.

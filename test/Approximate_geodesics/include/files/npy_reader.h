@@ -3,21 +3,27 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef APPROXIMATE_GEODESICS_TEST_NPZ_READER_H
-#define APPROXIMATE_GEODESICS_TEST_NPZ_READER_H
-
-#include "files/Zip_reader.h"
+#ifndef APPROXIMATE_GEODESICS_TEST_NPY_READER_H
+#define APPROXIMATE_GEODESICS_TEST_NPY_READER_H
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace geodesics_test {
+
+// The little-endian number of some bytes, bit by bit.
+inline std::uint64_t number_at(const std::string& bytes, const std::size_t at, const int size)
+{
+  std::uint64_t result = 0;
+  for(int i = 0; i < size; ++i)
+    result |= std::uint64_t(static_cast<unsigned char>(bytes.at(at + std::size_t(i)))) << (8 * i);
+  return result;
+}
 
 // An array as its NPY file has it, the dictionary of whose header is not taken apart.
 struct Npy_array
@@ -51,20 +57,6 @@ struct Npy_array
   }
 };
 
-// all arrays of an archive, by the names that their files have without .npy
-inline std::map<std::string, Npy_array> arrays_of(const Zip_reader& archive)
-{
-  std::map<std::string, Npy_array> result;
-  for(const Zip_member& member : archive.members())
-  {
-    const std::size_t length = member.name.size() - 4;
-    if(member.name.substr(length) != ".npy" ||
-       !result.emplace(member.name.substr(0, length), Npy_array(member.bytes)).second)
-      throw std::runtime_error("wrong in the archive: name " + member.name);
-  }
-  return result;
-}
-
 } // namespace geodesics_test
 
-#endif // APPROXIMATE_GEODESICS_TEST_NPZ_READER_H
+#endif // APPROXIMATE_GEODESICS_TEST_NPY_READER_H

@@ -3,12 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_MATRIX_FILES_INTERNAL_NPY_HEADER_H
-#define CGAL_APPROXIMATE_GEODESICS_MATRIX_FILES_INTERNAL_NPY_HEADER_H
+#ifndef APPROXIMATE_GEODESICS_MATRIX_FILES_NPY_HEADER_H
+#define APPROXIMATE_GEODESICS_MATRIX_FILES_NPY_HEADER_H
 
-#include <CGAL/license/Approximate_geodesics.h>
-
-#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
+#include <boost/endian/conversion.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -20,13 +18,14 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// NumPy's name of a little-endian number type.
+// NumPy's name of a number type, in the byte order of this machine.
 template <typename T>
 std::string npy_type()
 {
   static_assert(std::is_arithmetic_v<T> && (sizeof(T) == 4 || sizeof(T) == 8));
   const char kind = std::is_floating_point_v<T> ? 'f' : std::is_signed_v<T> ? 'i' : 'u';
-  return std::string("<") + kind + std::to_string(sizeof(T));
+  const char order = boost::endian::order::native == boost::endian::order::little ? '<' : '>';
+  return std::string(1, order) + kind + std::to_string(sizeof(T));
 }
 
 // The header of a NPY file, version 1.0, for an array in row-major order.
@@ -39,11 +38,13 @@ inline std::string npy_header(const std::string& descr, const std::vector<std::u
   text += shape.size() == 1 ? ",), }" : "), }"; // Python's tuple syntax
   text.append(alignment - 1 - (length_of_prefix + text.size()) % alignment, ' ');
   text += '\n';
-  return "\x93NUMPY" + packed(std::uint16_t(1), static_cast<std::uint16_t>(text.size())) + text;
+  const char length[] = {static_cast<char>(text.size() % 256),
+                         static_cast<char>(text.size() / 256)};
+  return std::string("\x93NUMPY\1\0", 8) + std::string(length, 2) + text;
 }
 
 } // namespace internal
 } // namespace Approximate_geodesics
 } // namespace CGAL
 
-#endif // CGAL_APPROXIMATE_GEODESICS_MATRIX_FILES_INTERNAL_NPY_HEADER_H
+#endif // APPROXIMATE_GEODESICS_MATRIX_FILES_NPY_HEADER_H
