@@ -9,7 +9,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Balanced_fans.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Retriangulation.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -32,6 +32,7 @@ using namespace geodesics_test;
 using AG::Discrete_geodesic_graph;
 using AG::Lazy_discrete_geodesic_graph;
 using AG::internal::Balanced_fans;
+using AG::internal::Retriangulation;
 using AG::internal::Cone_rules;
 using AG::internal::Cone_triangulation;
 using AG::internal::Unfolding;
@@ -151,7 +152,7 @@ TEST(Hubs, have_few_neighbors_in_balanced_fans_of_the_same_surface)
   {
     SCOPED_TRACE(fan.name);
     const Triangulation mesh = triangulate(fan, 1001);
-    const Balanced_fans fans(mesh);
+    const Retriangulation fans = *Retriangulation::make(mesh);
     const Triangulation& t = fans.triangulation();
     EXPECT_TRUE(t.is_valid());
     EXPECT_EQ(t.number_of_halfedges(), mesh.number_of_halfedges());
@@ -183,7 +184,7 @@ TEST(Hubs, keep_edges_to_vertices_that_turn_inwards)
   for(std::size_t i = 1; i <= size; ++i)
     soup.triangles.push_back({0, i + 1, i});
   const Triangulation mesh(to_mesh(soup));
-  const Triangulation t = Balanced_fans(mesh).triangulation();
+  const Triangulation t = Retriangulation::make(mesh)->triangulation();
   EXPECT_EQ(t.degree(t.vertex(0)), size + 1);
   EXPECT_EQ(t.lengths(), mesh.lengths());
 }
@@ -260,7 +261,7 @@ TEST(Hubs, have_the_bound_where_they_are_neighbors)
   soup.triangles.push_back({0, size, size + 1});
   soup.triangles.push_back({size / 2, size + 1, size});
   const Triangulation t(to_mesh(soup));
-  EXPECT_TRUE(Balanced_fans(t).triangulation().is_valid());
+  EXPECT_TRUE(Retriangulation::make(t)->triangulation().is_valid());
   for(const std::size_t source : {std::size_t(3), size / 2, size, size + 1})
   {
     std::vector<double> exact(size + 2);

@@ -12,7 +12,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Refined_needles.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Retriangulation.h>
 
 #include <gtest/gtest.h>
 
@@ -33,6 +33,7 @@ using namespace geodesics_test;
 using AG::Discrete_geodesic_graph;
 using AG::Lazy_discrete_geodesic_graph;
 using AG::internal::Refined_needles;
+using AG::internal::Retriangulation;
 using CGAL::parameters::epsilon;
 
 // ----- the meshes
@@ -94,6 +95,24 @@ Soup helix(const std::size_t size)
   });
 }
 
+// Moves a vertex to a neighbor, or nearly: all faces around it are nearly degenerate then.
+Soup with_sliver(Soup soup, const std::size_t from, const std::size_t to, const double part)
+{
+  soup.points[from] = soup.points[to] + part * (soup.points[from] - soup.points[to]);
+  return soup;
+}
+
+// A strip around a disk, whose faces are too long to be refined, so that its fan is balanced.
+Soup lid()
+{
+  const std::size_t size = 200;
+  Soup result = tube(size, 2, 0.5);
+  result.points.push_back(Point(0, 0, 0));
+  for(std::size_t i = 0; i < size; ++i)
+    result.triangles.push_back({(i + 1) % size, i, 2 * size});
+  return result;
+}
+
 std::vector<Needle_mesh> needle_meshes()
 {
   const auto round = [](std::size_t) { return 1.; };
@@ -103,6 +122,10 @@ std::vector<Needle_mesh> needle_meshes()
       {"wide tube, uneven", tube(200, 5, 40, 0.3)},
       {"tall tube", tube(6, 200, 1. / 60)},
       {"tall tube, uneven", tube(6, 200, 1. / 60, 0.3)},
+      {"wide tube, thin sliver", with_sliver(tube(200, 5, 40, 0.3), 500, 501, 1e-9)},
+      {"wide tube, two vertices at the same place", with_sliver(tube(200, 5, 40), 500, 501, 0)},
+      {"tall tube, thin sliver", with_sliver(tube(6, 200, 1. / 60, 0.3), 600, 606, 1e-7)},
+      {"short strip", grid(220, 2, [](const double i, const double j) { return Point(i, 60 * j, 0); })},
       {"strip", grid(700, 2, [](const double i, const double j) { return Point(i, 99 * j, 0); })},
       {"slanted strip",
        grid(700, 2, [](const double i, const double j) { return Point(i + 99 * j, 50 * j, 0); })},
@@ -128,7 +151,7 @@ TEST(Needles, are_refined_to_another_triangulation_of_the_same_surface)
     SCOPED_TRACE(m.name);
     const Triangulation mesh(to_mesh(m.soup));
     ASSERT_TRUE(Refined_needles::are_useful(mesh));
-    const Refined_needles needles(mesh);
+    const Retriangulation needles = *Retriangulation::make(mesh);
     const Triangulation& t = needles.triangulation();
     EXPECT_TRUE(t.is_valid());
     EXPECT_NO_THROW(t.check_triangle_inequality());
@@ -136,6 +159,7 @@ TEST(Needles, are_refined_to_another_triangulation_of_the_same_surface)
     EXPECT_LE(t.number_of_vertices(), 2 * mesh.number_of_vertices());
     for(Node v = mesh.number_of_vertices(); v < t.number_of_vertices(); ++v)
       EXPECT_TRUE(needles.position(v).is_valid(mesh));
+    EXPECT_FALSE(needles.has_balanced_fans());
   }
 }
 
@@ -147,17 +171,34 @@ TEST(Needles, have_added_vertices_where_they_say)
     SCOPED_TRACE(m.name);
     const Mesh surface = to_mesh(m.soup);
     const Triangulation mesh(surface);
-    const Refined_needles needles(mesh);
+    const Retriangulation needles = *Retriangulation::make(mesh);
     const Triangulation& t = needles.triangulation();
     const AG::Vertex_positions positions = positions_of(surface, mesh);
     const auto place = [&](const Node v) {
-      return positions(mesh, v < mesh.number_of_vertices() ? AG::Intrinsic_point::at_vertex(v)
-                                                           : needles.position(v));
+      return positions(mesh, needles.position(v));
     };
     for(Node h = 0; h < t.number_of_halfedges(); ++h)
       EXPECT_LE(AG::internal::distance(place(t.source(h)), place(t.target(h))),
                 t.length(h) * (1 + 1e-9));
   }
+}
+
+// Where flips end early, the triangulation is another one, and no worse a surface.
+TEST(Needles, are_refined_with_few_flips)
+{
+  for(const Needle_mesh& m : needle_meshes())
+    for(const std::size_t most_flips : {0, 100})
+    {
+      SCOPED_TRACE(m.name);
+      const Triangulation mesh(to_mesh(m.soup));
+      const Retriangulation needles(mesh, true, most_flips);
+      EXPECT_TRUE(needles.triangulation().is_valid());
+      EXPECT_NO_THROW(needles.triangulation().check_triangle_inequality());
+      std::size_t number = 0;
+      for(Node h = 0; h < mesh.number_of_halfedges(); ++h)
+        number += needles.is_lost(h) ? 1 : 0;
+      EXPECT_LE(number, 2 * most_flips);
+    }
 }
 
 TEST(Needles, are_left_alone_where_they_are_few)

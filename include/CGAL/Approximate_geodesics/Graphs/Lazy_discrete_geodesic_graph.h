@@ -117,7 +117,7 @@ public:
       m_cone_triangulation(m_triangulation),
       m_unfolding(m_cone_triangulation.get(m_triangulation), m_loop),
       m_rules(internal::checked_epsilon(np)),
-      m_edge_lengths(summarize_arc_lengths(nodes_and_edges().lengths())),
+      m_edge_lengths(m_cone_triangulation.edge_lengths(m_triangulation)),
       m_unit(internal::unit_of_arcs(m_triangulation))
   {
     internal::reject_weights(m_triangulation, np, "Lazy_discrete_geodesic_graph");
@@ -230,7 +230,7 @@ public:
   /// returns where a node is, which may be one of the vertices.
   Intrinsic_point position(const Node node) const
   {
-    return m_cone_triangulation.position(m_triangulation, node);
+    return m_cone_triangulation.position(node);
   }
 
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
@@ -266,13 +266,6 @@ public:
 
 private:
   using Expansion = internal::Cone_expansion<internal::Unfolding>;
-
-  // The triangulation whose vertices are the nodes, where that is not the mesh.
-  const Intrinsic_triangulation& nodes_and_edges() const
-  {
-    return m_cone_triangulation.has_refined_needles() ? m_cone_triangulation.get(m_triangulation)
-                                                      : m_triangulation;
-  }
 
   // whether nodes that are expanded for the first time are expanded together
   bool advances_together() const

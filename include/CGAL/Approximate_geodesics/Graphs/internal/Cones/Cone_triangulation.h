@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
@@ -15,9 +16,9 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_segment.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Balanced_fans.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Refined_needles.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Retriangulation.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -27,8 +28,7 @@ namespace internal {
 
 /*
  * The triangulation whose faces cones cross, and whose vertices are the nodes of a graph: that of
- * the mesh; or one with refined needles, if it has many of them; or one with balanced fans, if a
- * vertex has very many neighbors. Those who have it keep the mesh's, too, and hand it in.
+ * the mesh, or a retriangulation of its surface. The owner keeps the mesh's, too, and hands it in.
  */
 class Cone_triangulation
 {
@@ -38,35 +38,38 @@ public:
   Cone_triangulation() = default;
 
   explicit Cone_triangulation(const Intrinsic_triangulation& mesh)
+    : m_other(Retriangulation::make(mesh))
   {
-    if(Refined_needles::are_useful(mesh))
-    {
-      m_needles.emplace(mesh);
-      // by rounding, a new face may have no shape
-      if(m_needles->triangulation().face_without_shape() == Intrinsic_triangulation::null_index)
-        return;
-      m_needles.reset();
-    }
-    if(Balanced_fans::are_useful(mesh))
-      m_fans.emplace(mesh);
   }
 
-  bool has_balanced_fans() const { return m_fans.has_value(); }
+  bool has_balanced_fans() const { return m_other && m_other->has_balanced_fans(); }
 
   const Intrinsic_triangulation& get(const Intrinsic_triangulation& mesh) const
   {
-    if(m_needles)
-      return m_needles->triangulation();
-    return m_fans ? m_fans->triangulation() : mesh;
+    return m_other ? m_other->triangulation() : mesh;
   }
 
-  bool has_refined_needles() const { return m_needles.has_value(); }
+  // A summary of the lengths of edges. Nodes in needles are far closer to each other than most
+  // edges are long, so the mean is that of the shortest edge of each node.
+  Arc_lengths edge_lengths(const Intrinsic_triangulation& mesh) const
+  {
+    if(!m_other || !m_other->has_refined_needles())
+      return summarize_arc_lengths(mesh.lengths());
+    const Intrinsic_triangulation& t = m_other->triangulation();
+    Arc_lengths result = summarize_arc_lengths(t.lengths());
+    double sum = 0;
+    for(Index v = 0; v < t.number_of_vertices(); ++v)
+      if(t.degree(v) > 0)
+        sum += *std::min_element(t.lengths().begin() + t.first_halfedge(v),
+                                 t.lengths().begin() + t.beyond_halfedge(v));
+    result.mean = sum / t.number_of_vertices();
+    return result;
+  }
 
   // Where a node is in the mesh.
-  Intrinsic_point position(const Intrinsic_triangulation& mesh, const Index node) const
+  Intrinsic_point position(const Index node) const
   {
-    return node < mesh.number_of_vertices() ? Intrinsic_point::at_vertex(node)
-                                            : m_needles->position(node);
+    return m_other ? m_other->position(node) : Intrinsic_point::at_vertex(node);
   }
 
   // Calls `f(target, length)` for the arcs of `v` that `expansion` finds, which crosses this
@@ -81,9 +84,9 @@ public:
   {
     expansion.expand(
         v, [&](const Straight_arc& arc) { f(arc.target, arc.length); }, visitor);
-    if((m_fans || m_needles) && v < mesh.number_of_vertices())
+    if(m_other && v < mesh.number_of_vertices())
       for(Index h = mesh.first_halfedge(v); h < mesh.beyond_halfedge(v); ++h)
-        if(m_fans ? m_fans->is_lost(h) : m_needles->is_lost(h))
+        if(m_other->is_lost(h))
           f(mesh.target(h), mesh.length(h));
   }
 
@@ -96,20 +99,17 @@ public:
                const double length,
                F f) const
   {
-    if(m_needles)
-      return trace_segment(mesh, position(mesh, source), position(mesh, target), length, f);
-    return m_fans ? trace_arc_of_fans<Visitor>(mesh, *m_fans, rules, source, target, length, f)
-                  : trace_arc<Visitor>(mesh, rules, source, target, length, f);
+    if(!m_other)
+      return trace_arc<Visitor>(mesh, rules, source, target, length, f);
+    if(m_other->has_refined_needles())
+      return trace_segment(mesh, position(source), position(target), length, f);
+    return trace_arc_of_fans<Visitor>(mesh, *m_other, rules, source, target, length, f);
   }
 
-  std::size_t memory() const
-  {
-    return (m_fans ? m_fans->memory() : 0) + (m_needles ? m_needles->memory() : 0);
-  }
+  std::size_t memory() const { return m_other ? m_other->memory() : 0; }
 
 private:
-  std::optional<Balanced_fans> m_fans;
-  std::optional<Refined_needles> m_needles;
+  std::optional<Retriangulation> m_other;
 };
 
 } // namespace internal

@@ -13,7 +13,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Balanced_fans.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Flipped_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ class Line_in_mesh
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
 public:
-  Line_in_mesh(const Intrinsic_triangulation& mesh, const Balanced_fans& fans)
+  Line_in_mesh(const Intrinsic_triangulation& mesh, const Flipped_triangulation& fans)
     : m_mesh(mesh), m_fans(fans)
   {
   }
@@ -134,14 +134,14 @@ private:
   }
 
   const Intrinsic_triangulation& m_mesh;
-  const Balanced_fans& m_fans;
+  const Flipped_triangulation& m_fans;
 };
 
 // Does what `trace_arc()` does for a graph that was built on a triangulation with balanced fans:
 // calls `f(h, t)` for edges of the mesh.
 template <typename Visitor, typename F>
 double trace_arc_of_fans(const Intrinsic_triangulation& mesh,
-                         const Balanced_fans& fans,
+                         const Flipped_triangulation& fans,
                          const Cone_rules& rules,
                          const Intrinsic_triangulation::Index source,
                          const Intrinsic_triangulation::Index target,

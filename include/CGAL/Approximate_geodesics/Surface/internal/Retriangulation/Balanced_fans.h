@@ -10,9 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Edge_flips.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Flipped_triangulation.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -20,9 +21,9 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Another triangulation of the same surface, with the same vertices, in which a hub, a vertex with
- * very many neighbors, has few of them: its edges are flipped, every other one at a time. So its
- * faces, which were a fan, become a balanced tree, and a straight line crosses few of them.
+ * Flips edges of hubs, vertices with very many neighbors, every other one at a time, until hubs have
+ * few neighbors. So their faces, which were a fan, become a balanced tree, and a straight line
+ * crosses few of them.
  *
  * Edges stay where the hub's neighbors turn inwards, as those can be connected to nothing else.
  */
@@ -42,100 +43,100 @@ public:
     return false;
   }
 
-  // Throws if a face of `mesh` breaks the triangle inequality.
-  explicit Balanced_fans(const Intrinsic_triangulation& mesh)
-  {
-    mesh.check_triangle_inequality();
-    Edge_flips flips(mesh);
-    Degrees degrees(mesh);
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      if(mesh.degree(v) > LARGEST_DEGREE)
-        balance(mesh, v, flips, degrees);
-    m_flipped = Flipped_triangulation(mesh, flips);
-  }
-
-  const Intrinsic_triangulation& triangulation() const { return m_flipped.triangulation(); }
-
-  // Whether a halfedge of the mesh is none of this triangulation.
-  bool is_lost(const Index h) const { return m_flipped.is_lost(h); }
-
-  // The number here of a halfedge that is not lost, and that in the mesh of one that is not new.
-  Index number(const Index h) const { return m_flipped.number(h); }
-  Index number_in_mesh(const Index h) const { return m_flipped.number_in_mesh(h); }
-
-  std::size_t memory() const { return m_flipped.memory(); }
+  // Balances the fans of all hubs. Returns whether there are any.
+  static bool balance(Edge_flips& flips) { return Balanced_fans(flips).balance(); }
 
 private:
-  // How many edges a vertex has got from others, and how many of its own are left.
-  struct Degrees
+  explicit Balanced_fans(Edge_flips& flips)
+    : m_flips(flips),
+      m_gained(flips.number_of_vertices(), 0),
+      m_left(flips.number_of_vertices(), 0)
   {
-    explicit Degrees(const Intrinsic_triangulation& mesh) : gained(mesh.number_of_vertices(), 0)
-    {
-      left.reserve(mesh.number_of_vertices());
-      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-        left.push_back(mesh.degree(v));
-    }
+    for(Index h = 0; h < flips.number_of_halfedges(); ++h)
+      ++m_left[flips[h].target];
+  }
 
-    std::vector<Index> gained, left;
-  };
+  bool balance()
+  {
+    std::vector<Index> hubs;
+    for(Index v = 0; v < m_left.size(); ++v)
+      if(m_left[v] > LARGEST_DEGREE)
+        hubs.push_back(v);
+    if(hubs.empty())
+      return false;
+    m_has_changed.resize(m_flips.number_of_halfedges(), false);
+    const std::vector<Index> first = m_flips.first_halfedges();
+    std::vector<std::vector<Index>> spokes;
+    for(const Index hub : hubs)
+      spokes.push_back(halfedges_from(first[hub]));
+    for(std::size_t i = 0; i < hubs.size(); ++i)
+      balance(hubs[i], std::move(spokes[i]));
+    return true;
+  }
+
+  // Returns the halfedges that start where `first` does, counterclockwise.
+  std::vector<Index> halfedges_from(const Index first) const
+  {
+    std::vector<Index> result;
+    Index h = first;
+    do
+    {
+      result.push_back(h);
+      h = m_flips[h].counterclockwise;
+    } while(h != first);
+    return result;
+  }
 
   // Flips edges of `hub`, those next to each other in different rounds; in each of them, only those
   // whose faces have changed in the one before.
-  static void
-  balance(const Intrinsic_triangulation& mesh, const Index hub, Edge_flips& flips, Degrees& degrees)
+  void balance(const Index hub, std::vector<Index> edges)
   {
-    std::vector<Index> edges, changed;
-    for(Index h = mesh.first_halfedge(hub); h < mesh.beyond_halfedge(hub); ++h)
-      if(!flips.is_flipped(h))
-        edges.push_back(h);
-    std::vector<bool> has_changed(mesh.degree(hub), false);
-    const Index first = mesh.first_halfedge(hub);
+    const auto is_taken = [&](const Index h) { return m_flips.is_taken(h); };
+    edges.erase(std::remove_if(edges.begin(), edges.end(), is_taken), edges.end());
+    std::vector<Index> changed;
     while(!edges.empty())
     {
       for(const Index h : edges)
-        if(!has_changed[h - first] && try_flip(hub, h, flips, degrees))
-          for(const Index side : {flips.next(flips.next(h)), flips.next(h)})
-            note_change(hub, side, first, flips, has_changed, changed);
+        if(!m_has_changed[h] && try_flip(hub, h))
+          for(const Index side : {m_flips.next(m_flips.next(h)), m_flips.next(h)})
+            note_change(hub, side, changed);
       for(const Index h : changed)
-        has_changed[h - first] = false;
+        m_has_changed[h] = false;
       edges.swap(changed);
       changed.clear();
     }
   }
 
   // The side of a new face at the hub has got another neighbor.
-  static void note_change(const Index hub,
-                          const Index side,
-                          const Index first,
-                          const Edge_flips& flips,
-                          std::vector<bool>& has_changed,
-                          std::vector<Index>& changed)
+  void note_change(const Index hub, const Index side, std::vector<Index>& changed)
   {
-    const Index h = flips[side].target == hub ? flips[side].opposite : side;
-    if(flips.is_flipped(h) || has_changed[h - first])
+    const Index h = m_flips[side].target == hub ? m_flips[side].opposite : side;
+    if(m_flips.is_taken(h) || m_has_changed[h])
       return;
-    has_changed[h - first] = true;
+    m_has_changed[h] = true;
     changed.push_back(h);
   }
 
-  static bool try_flip(const Index hub, const Index h, Edge_flips& flips, Degrees& degrees)
+  bool try_flip(const Index hub, const Index h)
   {
-    if(!flips.can_flip(hub, h))
+    if(!m_flips.can_flip(hub, h))
       return false;
-    const Index v = flips[h].target, left = flips[flips.next(h)].target,
-                right = flips[flips.next(flips[h].opposite)].target;
+    const Index v = m_flips[h].target, left = m_flips[m_flips.next(h)].target,
+                right = m_flips[m_flips.next(m_flips[h].opposite)].target;
     constexpr Index most = LARGEST_DEGREE / 2; // so that no vertex becomes a hub
-    if(degrees.gained[left] >= most || degrees.gained[right] >= most || degrees.left[v] < 2)
+    if(m_gained[left] >= most || m_gained[right] >= most || m_left[v] < 2)
       return false;
-    ++degrees.gained[left];
-    ++degrees.gained[right];
-    --degrees.left[v];
-    --degrees.left[hub];
-    flips.flip(hub, h);
+    ++m_gained[left];
+    ++m_gained[right];
+    --m_left[v];
+    --m_left[hub];
+    m_flips.flip(hub, h);
     return true;
   }
 
-  Flipped_triangulation m_flipped;
+  Edge_flips& m_flips;
+  std::vector<Index> m_gained, m_left; // edges that a vertex has got from others, or has left
+  std::vector<bool> m_has_changed;     // per halfedge
 };
 
 } // namespace internal

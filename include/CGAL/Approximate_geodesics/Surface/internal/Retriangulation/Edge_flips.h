@@ -43,8 +43,13 @@ public:
     double length;
     double corner;       // at its source, the scalar product of the two sides of the face ...
     double doubled_area; // ... to its left
-    Index hub;           // the vertex that it was taken from by a flip, if any
+    Index hub;           // the hub that a flip took it from, if any: see `Balanced_fans`
+    bool is_new;         // whether it was flipped, or starts from or ends at an added vertex
   };
+
+  // A face whose height is at most this part of its longest side is nearly degenerate: rounding
+  // errors of flips would change distances.
+  static constexpr double SMALLEST_HEIGHT = 0x1p-14;
 
   explicit Edge_flips(const Intrinsic_triangulation& triangulation)
     : m_mesh(triangulation), m_number_of_vertices(triangulation.number_of_vertices())
@@ -70,14 +75,20 @@ public:
   position_of_apex(const Index h, const Plane_vector source, const Plane_vector target) const
   {
     const Plane_vector edge = target - source;
-    const double square = m_halfedges[h].length * m_halfedges[h].length;
-    const double along = m_halfedges[h].corner / square;
-    const double across = m_halfedges[h].doubled_area / square;
+    const double scale = 1 / (m_halfedges[h].length * m_halfedges[h].length);
+    const double along = m_halfedges[h].corner * scale;
+    const double across = m_halfedges[h].doubled_area * scale;
     return {source.x + along * edge.x - across * edge.y,
             source.y + along * edge.y + across * edge.x};
   }
 
-  bool is_flipped(const Index h) const { return m_halfedges[h].hub != null_index; }
+  // Whether `h` is no halfedge of the mesh.
+  bool is_flipped(const Index h) const { return m_halfedges[h].is_new; }
+
+  // Whether a flip took `h` from a hub.
+  bool is_taken(const Index h) const { return m_halfedges[h].hub != null_index; }
+
+  Index source(const Index h) const { return m_halfedges[m_halfedges[h].opposite].target; }
 
   Index next(const Index h) const { return m_halfedges[m_halfedges[h].opposite].clockwise; }
 
@@ -88,16 +99,16 @@ public:
   }
 
   // Whether `h`, which starts from `hub`, can be flipped: its target then lies beyond the new edge
-  // or on it, and the angle between the edges to the new one's ends is not blunt. New edges of
-  // another hub are not touched, so that between those of two hubs there are always others.
+  // or on it, and the angle between the edges to the new one's ends is acute. Edges taken from
+  // another hub are not touched, so that there are always others between those of two hubs.
   bool can_flip(const Index hub, const Index h) const
   {
     const Index g = m_halfedges[h].opposite;
-    if(is_flipped(h) || m_mesh.is_border(h) || m_mesh.is_border(g))
+    if(is_taken(h) || is_border(h) || is_border(g))
       return false;
     const Quad quad = this->quad(h);
     for(const Index side : {quad.left_side, quad.left_rim, quad.right_rim, quad.right_side})
-      if(is_flipped(side) && m_halfedges[side].hub != hub)
+      if(is_taken(side) && m_halfedges[side].hub != hub)
         return false;
     const Index v = m_halfedges[h].target, left = m_halfedges[quad.left_rim].target,
                 right = m_halfedges[quad.right_side].target;
@@ -109,7 +120,8 @@ public:
            dot(left_of_source(quad), right_of_source(quad)) > 0;
   }
 
-  // \pre `can_flip(hub, h)`
+  // Flips `h`, which is taken from `hub`, unless that is null.
+  // \pre `can_flip(hub, h)`, or `is_worse_than_flipped(h)`
   void flip(const Index hub, const Index h)
   {
     const Index g = m_halfedges[h].opposite;
@@ -135,25 +147,52 @@ public:
              cross(far_right, far_left));
   }
 
-  // Whether the other diagonal makes the smallest angle of the two faces larger, and can be drawn.
+  // Whether the other diagonal makes the smallest angle of the two faces larger, can be drawn, and
+  // neither the faces nor the new ones are nearly degenerate.
   bool is_worse_than_flipped(const Index h) const
   {
     const Index g = m_halfedges[h].opposite;
     if(is_border(h) || is_border(g))
       return false;
-    const Quad quad = this->quad(h);
-    const Index left = m_halfedges[quad.left_rim].target,
-                right = m_halfedges[quad.right_side].target;
-    const Index source = m_halfedges[g].target, v = m_halfedges[h].target;
-    if(left == right || left == source || right == source || left == v || right == v || source == v)
-      return false;
-    const double left_area = m_halfedges[h].doubled_area, right_area = m_halfedges[g].doubled_area;
-    if(!(left_area > 0 && right_area > 0))
-      return false;
     constexpr double rounding = 1e-9;
-    return corner(quad.left_side) / left_area + corner(quad.right_rim) / right_area < -rounding &&
-           doubled_area_beyond(quad) > rounding * (left_area + right_area) &&
-           cross(right_of_source(quad), left_of_source(quad)) > rounding * (left_area + right_area);
+    const Quad q = this->quad(h);
+    const double left_area = m_halfedges[h].doubled_area, right_area = m_halfedges[g].doubled_area;
+    if(!(corner(q.left_side) * right_area + corner(q.right_rim) * left_area <
+         -rounding * left_area * right_area))
+      return false;
+    const Index left = m_halfedges[q.left_rim].target, right = m_halfedges[q.right_side].target;
+    const Index source = m_halfedges[g].target, target = m_halfedges[h].target;
+    if(left == right || left == source || right == source || left == target || right == target ||
+       source == target)
+      return false;
+    return !is_nearly_degenerate(h) && !is_nearly_degenerate(g) && has_sound_flip(q);
+  }
+
+  // Whether the face to the left of `h` is nearly degenerate.
+  bool is_nearly_degenerate(const Index h) const
+  {
+    const std::array<Index, 3> sides = halfedges_of_face(h);
+    return !is_sound(m_halfedges[h].doubled_area, m_halfedges[sides[0]].length,
+                     m_halfedges[sides[1]].length, m_halfedges[sides[2]].length);
+  }
+
+  // Whether a triangle with these sides and twice this area is not nearly degenerate.
+  static bool is_sound(const double doubled_area, const double a, const double b, const double c)
+  {
+    const double longest = (std::max)({a, b, c});
+    return doubled_area > SMALLEST_HEIGHT * longest * longest;
+  }
+
+  // For each vertex a halfedge that starts from it, or null if it is isolated: the first one of the
+  // mesh that is left, or else any.
+  std::vector<Index> first_halfedges() const
+  {
+    std::vector<Index> result(m_number_of_vertices, null_index);
+    for(Index h = number_of_halfedges(); h-- > 0;)
+      if(Index& first = result[source(h)];
+         first == null_index || !is_flipped(h) || is_flipped(first))
+        first = h;
+    return result;
   }
 
   // Adds a vertex in the face to the left of `h`, at `p` where `h` starts from the origin and lies
@@ -205,7 +244,8 @@ private:
                     m_mesh.length(h),
                     0,
                     0,
-                    null_index};
+                    null_index,
+                    false};
     if(!m_mesh.is_border(h))
     {
       const Apex_position apex = apex_position(m_mesh, v, h);
@@ -240,6 +280,17 @@ private:
     return {product / h.length, side * area / h.length};
   }
 
+  // Whether flipping the edge makes two faces that are not nearly degenerate.
+  bool has_sound_flip(const Quad& q) const
+  {
+    const Plane_vector left = left_of_target(q), right = right_of_target(q);
+    const double diagonal = internal::length(left - right);
+    return is_sound(cross(left, right), diagonal, m_halfedges[q.left_rim].length,
+                    m_halfedges[q.right_rim].length) &&
+           is_sound(cross(right_of_source(q), left_of_source(q)), diagonal,
+                    m_halfedges[q.left_side].length, m_halfedges[q.right_side].length);
+  }
+
   // twice the area between the target and the new edge, negative if that passes on the other side
   double doubled_area_beyond(const Quad& quad) const
   {
@@ -264,8 +315,8 @@ private:
   {
     const Index corner = m_halfedges[m_halfedges[side].opposite].target;
     const Index beyond = m_halfedges[side].counterclockwise;
-    m_halfedges.push_back({corner, out + 1, out, out, length, 0, 0, v});
-    m_halfedges.push_back({v, out, beyond, side, length, 0, 0, v});
+    m_halfedges.push_back({corner, out + 1, out, out, length, 0, 0, null_index, true});
+    m_halfedges.push_back({v, out, beyond, side, length, 0, 0, null_index, true});
     m_halfedges[side].counterclockwise = out + 1;
     m_halfedges[beyond].clockwise = out + 1;
   }
@@ -281,7 +332,8 @@ private:
   void connect(const Index h, const Index clockwise, const Index target, const Index hub, double l)
   {
     const Index counterclockwise = m_halfedges[clockwise].counterclockwise;
-    m_halfedges[h] = {target, m_halfedges[h].opposite, counterclockwise, clockwise, l, 0, 0, hub};
+    m_halfedges[h] = {
+        target, m_halfedges[h].opposite, counterclockwise, clockwise, l, 0, 0, hub, true};
     m_halfedges[clockwise].counterclockwise = h;
     m_halfedges[counterclockwise].clockwise = h;
   }

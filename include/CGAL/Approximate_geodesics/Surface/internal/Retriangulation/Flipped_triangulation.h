@@ -55,22 +55,11 @@ public:
   }
 
 private:
-  // A halfedge of each vertex: the first one of its own that is left, or else any.
-  static std::vector<Index> first_halfedges(const Edge_flips& flips)
-  {
-    std::vector<Index> result(flips.number_of_vertices(), Intrinsic_triangulation::null_index);
-    for(const bool is_flipped : {true, false})
-      for(Index h = flips.number_of_halfedges(); h-- > 0;)
-        if(flips.is_flipped(h) == is_flipped)
-          result[flips[flips[h].opposite].target] = h;
-    return result;
-  }
-
   void number_halfedges(const Edge_flips& flips)
   {
     m_number.resize(flips.number_of_halfedges());
     m_number_in_mesh.reserve(flips.number_of_halfedges());
-    for(const Index first : first_halfedges(flips))
+    for(const Index first : flips.first_halfedges())
     {
       m_triangulation.m_first_halfedge.back() = static_cast<Index>(m_number_in_mesh.size());
       m_triangulation.m_first_halfedge.push_back(0);
@@ -91,6 +80,8 @@ private:
   {
     Intrinsic_triangulation& t = m_triangulation;
     t.m_opposite_rank.resize(m_number.size());
+    t.m_target.reserve(m_number.size());
+    t.m_length.reserve(m_number.size());
     for(Index i = 0; i < m_number_in_mesh.size(); ++i)
     {
       const Index h = m_number_in_mesh[i];
