@@ -1,5 +1,9 @@
 // Costs that depend on the direction: a hiker goes up a mountain and comes down another way, and a
 // boat crosses a river with a current. draw_there_and_back.py draws the result.
+//
+// Usage: there_and_back [SQUARES]
+//   SQUARES  the number of squares along a side of the mountain, 120 unless it is given. The time
+//            grows with the square of it.
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
@@ -216,11 +220,12 @@ void find_times(Mesh& mesh, const Vertex village, const Vertex summit)
   write_isochrones("isochrones_back", mesh, back, 30);
 }
 
-void climb_mountain()
+void climb_mountain(const int squares)
 {
-  const Grid grid{120, 120, EXTENT / 120};
+  const Grid grid{squares, squares, EXTENT / squares};
   Mesh mesh = grid.mesh(height);
-  const Vertex village = grid.vertex(14, 18), summit = highest_vertex(mesh);
+  const Vertex village = grid.vertex(14 * squares / 120, 18 * squares / 120);
+  const Vertex summit = highest_vertex(mesh);
   find_paths(mesh, village, summit);
   find_times(mesh, village, summit);
   write_mesh("mountain", mesh);
@@ -237,9 +242,10 @@ Vector current(const double y)
   return Vector(1.3 * (1 - part * part), 0, 0);
 }
 
-void cross_river()
+void cross_river(const int squares)
 {
-  const Grid grid{80, 40, WIDTH_OF_RIVER / 40};
+  const int rows = squares / 3, half = rows / 2;
+  const Grid grid{2 * rows, rows, WIDTH_OF_RIVER / rows};
   Mesh mesh = grid.mesh([](double, double) { return 0.; });
   const auto drift = boost::make_function_property_map<Face>([&mesh](const Face f) {
     double y = 0;
@@ -252,8 +258,8 @@ void cross_river()
       CGAL::parameters::face_weight_map(AG::directional_cost(AG::Drift_time(drift, speed)))
           .epsilon(0.1);
   AG::Surface_mesh_shortest_path<Mesh, AG::Directional_graph<>> paths(mesh, np);
-  const Vertex pier = grid.vertex(40, 0), opposite = grid.vertex(40, 40),
-               upstream = grid.vertex(20, 40), downstream = grid.vertex(60, 40);
+  const Vertex pier = grid.vertex(rows, 0), opposite = grid.vertex(rows, rows),
+               upstream = grid.vertex(half, rows), downstream = grid.vertex(rows + half, rows);
   const Distance_map seconds = mesh.add_property_map<Vertex, double>("v:seconds").first;
   paths.add_source_point(pier);
   paths.shortest_distances_to_source_points(seconds);
@@ -275,12 +281,15 @@ void cross_river()
   write_mesh("river", mesh);
 }
 
-int main()
+int main(int argc, char* argv[])
 {
   try
   {
-    climb_mountain();
-    cross_river();
+    const int squares = argc > 1 ? std::atoi(argv[1]) : 120;
+    if(squares < 12)
+      throw std::runtime_error("the number of squares must be at least 12");
+    climb_mountain(squares);
+    cross_river(squares);
     return EXIT_SUCCESS;
   }
   catch(const std::runtime_error& e)
