@@ -1,10 +1,13 @@
-"""Meshes from files."""
+"""Meshes from files, and files that are replaced when they are complete."""
 
 from __future__ import annotations
 
+import contextlib
 import errno
+import itertools
 import os
-from typing import Union
+import shutil
+from typing import Callable, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -38,3 +41,39 @@ def name_of(file: Union[str, "os.PathLike[str]"]) -> str:
     if os.path.isdir(result):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), result)
     return result
+
+
+def replace(name: str, write: Callable[[str], None]) -> None:
+    """Call `write` with the name of a new file beside one, which it replaces when it is complete.
+
+    Until then, the present file stays as it is. A device or a pipe is written to at once.
+    """
+    target = os.path.realpath(name)
+    try:
+        if os.path.exists(target) and not os.path.isfile(target):
+            write(target)
+            return
+        place = _new_file(target)
+        try:
+            write(place)
+            if os.path.exists(target):
+                shutil.copymode(target, place)
+            os.replace(place, target)
+        except BaseException:
+            with contextlib.suppress(OSError):
+                os.unlink(place)
+            raise
+    except OSError as error:
+        error.filename, error.filename2 = name, None
+        raise
+
+
+def _new_file(target: str) -> str:
+    for number in itertools.count():
+        place = f"{target}.new{number}"
+        try:
+            os.close(os.open(place, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
+            return place
+        except FileExistsError:
+            continue
+    raise AssertionError("there are more files than numbers")

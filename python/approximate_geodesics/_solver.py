@@ -435,9 +435,10 @@ class Solver:
     def save(self, file: File) -> None:
         """Write the mesh, the parameters, and a graph that takes long to build, to a file.
 
-        Raises `OSError` if it cannot be written.
+        A file that has the name is replaced when the new one is complete. Raises `OSError` if it
+        cannot be written.
         """
-        self._solver.save(_files.name_of(file))
+        _files.replace(_files.name_of(file), self._solver.save)
 
     @classmethod
     def load(cls: type[Self], file: File, *, threads: Optional[int] = None) -> Self:

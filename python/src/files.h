@@ -29,26 +29,31 @@
 
 namespace python {
 
+// Has the reason in `errno`, if the system has told one.
 [[noreturn]] inline void throw_error_of_file(const std::string& file)
 {
+  if(errno == 0)
+    errno = EIO;
   PyErr_SetFromErrnoWithFilename(PyExc_OSError, file.c_str());
   throw py::error_already_set();
 }
 
 inline void save(const AG::Solver& solver, const std::string& file)
 {
+  errno = 0;
   std::ofstream out(file, std::ios::binary);
-  if(!out)
-    throw_error_of_file(file);
   try
   {
     const Unlocked unlocked;
     solver.save(out);
+    out.close();
   }
   catch(const std::runtime_error&)
   {
-    throw_error_of_file(file);
+    out.setstate(std::ios::failbit);
   }
+  if(!out)
+    throw_error_of_file(file);
 }
 
 // Reads a solver, up to the end of the stream.

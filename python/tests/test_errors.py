@@ -1,3 +1,4 @@
+import resource
 import sys
 
 import numpy as np
@@ -177,6 +178,32 @@ def test_files_that_are_not_there(tmp_path):
         ag.read_mesh(tmp_path / "none.off")
     with pytest.raises(OSError):
         SOLVER.save(tmp_path / "none" / "solver.bin")
+
+
+def test_a_file_is_replaced_when_the_new_one_is_complete(tmp_path):
+    file, link = tmp_path / "solver.bin", tmp_path / "link.bin"
+    file.write_text("what was there")
+    file.chmod(0o640)
+    link.symlink_to(file)
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100, hard))  # bytes
+    try:
+        with pytest.raises(OSError, match="File too large: .*link.bin"):
+            SOLVER.save(link)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert file.read_text() == "what was there"
+    assert sorted(tmp_path.iterdir()) == [link, file]
+    SOLVER.save(link)
+    assert link.is_symlink() and file.stat().st_mode & 0o777 == 0o640
+    assert sorted(tmp_path.iterdir()) == [link, file]
+    assert ag.Solver.load(file).number_of_vertices == 16
+
+
+def test_devices_are_not_replaced():
+    with pytest.raises(OSError, match="No space left on device: '/dev/full'"):
+        SOLVER.save("/dev/full")
+    SOLVER.save("/dev/null")
 
 
 @pytest.mark.parametrize("name, contents, message", [
