@@ -6,7 +6,7 @@ from conan.tools.cmake import CMake, cmake_layout
 
 
 class TestPackage(ConanFile):
-    """Builds `consumer`, whose source is that of test/Approximate_geodesics/find_package."""
+    """Builds programs that use each target: those of test/Approximate_geodesics/find_package."""
 
     settings = "os", "arch", "compiler", "build_type"
     generators = "CMakeDeps", "CMakeToolchain"
@@ -24,4 +24,5 @@ class TestPackage(ConanFile):
 
     def test(self):
         if can_run(self):
-            self.run(os.path.join(self.cpp.build.bindir, "consumer"), env="conanrun")
+            for program in ("consumer", "consumer_of_soups"):
+                self.run(os.path.join(self.cpp.build.bindir, program), env="conanrun")
