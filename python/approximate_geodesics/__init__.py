@@ -10,6 +10,8 @@ Lengths are in the unit of the vertices. Input that cannot be right raises `Valu
 message that names the vertex or the face.
 """
 
+import importlib.metadata as _metadata
+
 from ._costs import DirectionalCost, DriftTime, HikingTime, OneWay, TensorCost, WalkingEnergy
 from ._drop_ins import compute_gdist, local_gdist_matrix
 from ._files import read_mesh
@@ -27,4 +29,7 @@ __all__ = [
     "local_gdist_matrix",
     "read_mesh",
 ]
-__version__ = "0.1.0"
+try:
+    __version__ = _metadata.version("approximate-geodesics")
+except _metadata.PackageNotFoundError:  # in a build folder, which has no metadata
+    __version__ = "unknown"

@@ -4,6 +4,8 @@ import importlib.metadata
 
 import pytest
 
+import approximate_geodesics as ag
+
 
 def distribution():
     try:
@@ -22,3 +24,7 @@ def test_metadata_tell_license_and_authors():
     assert metadata["License"] == "GPL-3.0-or-later"
     assert metadata["Author"] == "The Approximate Geodesics authors"
     assert any("GPLv3+" in classifier for classifier in metadata.get_all("Classifier"))
+
+
+def test_version_is_that_of_the_metadata():
+    assert ag.__version__ == distribution().version
