@@ -63,7 +63,13 @@ struct Sampled_gauge
     };
     for(int i = 0; i < number; ++i)
       look(direction(full_circle * (i + 0.5) / number));
-    const auto& known = samples.directions();
+    std::vector<Plane_vector> known;
+    AG::internal::Gauge_hull::Id id = 0;
+    do
+    {
+      known.push_back(samples.hull()[id].vector);
+      id = samples.hull()[id].next;
+    } while(id != 0);
     for(std::size_t i = 0; i < known.size(); ++i)
     {
       const Plane_vector next = known[(i + 1) % known.size()];
@@ -171,7 +177,7 @@ TEST(Gauges, have_few_directions_beside_flat_sides)
   for(double turn = 0; turn < 1; turn += 0.0625)
   {
     const Sampled_gauge gauge(cost_in_plane(Half_planes::regular(4, turn)), 0.001);
-    EXPECT_LE(gauge.samples.directions().size(), 150u);
+    EXPECT_LE(gauge.samples.hull().number_of_directions(), 150u);
     EXPECT_LE(gauge.gauges.all_sectors().size(), 8u);
   }
 }

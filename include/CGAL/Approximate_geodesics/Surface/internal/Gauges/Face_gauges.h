@@ -111,12 +111,19 @@ public:
       m_side.push_back(sides[i]);
     }
     constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-    for(const Gauge_hull::Sector& s : samples.hull().sectors())
+    const Gauge_hull& hull = samples.hull();
+    Gauge_hull::Id i = 0;
+    do
     {
-      m_sectors.push_back({samples.directions()[s.corner],
-                           s.is_finite ? s.functional : Plane_vector{no_number, no_number}});
-      m_sampling_error = (std::max)(m_sampling_error, s.error());
-    }
+      const Gauge_hull::Direction& d = hull[i];
+      if(d.is_corner)
+      {
+        m_sectors.push_back(
+            {d.vector, d.is_finite ? d.functional : Plane_vector{no_number, no_number}});
+        m_sampling_error = (std::max)(m_sampling_error, d.error());
+      }
+      i = d.next;
+    } while(i != 0);
     m_first_sector.push_back(m_sectors.size());
     const Sector* const first = first_sector(number_of_faces());
     const Sector* const beyond = sectors() + m_sectors.size();

@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,16 +32,22 @@ namespace internal {
 class Gauge_hull
 {
 public:
+  using Id = std::size_t; // of a direction, in the order of insertion
+
   // Two directions with a smaller sine between them make no sector.
   static constexpr double SMALLEST_SINE = 1e-9;
 
-  // The directions from one corner of the hull to the next.
-  struct Sector
+  // A direction, and if that is a corner of the hull, the sector from there to the next corner.
+  struct Direction
   {
-    std::size_t corner; // the number of the direction that it starts from
-    bool is_finite;
-    bool
-        is_bridge; // whether directions were given inside, where zigzags between the ends cost less
+    Plane_vector vector; // of length 1
+    double cost;
+    Id next, previous; // counterclockwise and clockwise
+    bool is_corner;
+    bool is_listed; // whether its sector is to be computed
+    Id next_corner, previous_corner;
+    bool is_finite;          // whether the gauge is, in the sector
+    bool is_bridge;          // whether directions were given inside, where zigzags cost no more
     Plane_vector functional; // the gauge, as a vector to be multiplied by, if it is finite
     double error_at_start;   // how much too large the gauge can be, relatively, before the first
     double error_at_end;     // direction inside and behind the last one; the same if there is none
@@ -50,119 +55,146 @@ public:
     double error() const { return (std::max)(error_at_start, error_at_end); }
   };
 
-  // Computes the hull of other costs than before. The directions are unit vectors in
-  // counterclockwise order, all around, and `sines` are those between each and the next one.
-  void compute(const std::vector<Plane_vector>& directions,
-               const std::vector<double>& sines,
-               const std::vector<double>& costs)
+  void clear()
   {
-    m_directions = directions.data();
-    m_sines = sines.data();
-    m_costs = costs.data();
-    m_number = directions.size();
-    find_corners();
-    find_sectors();
-    estimate_errors();
+    m_directions.clear();
+    m_changed.clear();
+    m_some_corner = null_id;
   }
 
-  // Ascending; none if all costs are infinite.
-  const std::vector<Sector>& sectors() const { return m_sectors; }
+  std::size_t number_of_directions() const { return m_directions.size(); }
+  const Direction& operator[](const Id i) const { return m_directions[i]; }
 
-  std::size_t next_sector(const std::size_t s) const
+  // Adds a direction between `i` and the next one, unless it is the first of all. Takes constant
+  // time for each corner that is none any more, and for each direction inside the sector.
+  Id insert(const Id i, const Plane_vector v, const double cost)
   {
-    return s + 1 == m_sectors.size() ? 0 : s + 1;
-  }
-  std::size_t previous_sector(const std::size_t s) const
-  {
-    return (s == 0 ? m_sectors.size() : s) - 1;
+    const Id m = link(i, v, cost);
+    const bool is_finite = cost < std::numeric_limits<double>::infinity();
+    if(m_some_corner == null_id)
+    {
+      if(is_finite)
+        make_corner(m, m, m);
+      return m;
+    }
+    Id c = m_directions[m].previous;
+    while(!m_directions[c].is_corner)
+      c = m_directions[c].previous;
+    const Id k = m_directions[c].next_corner;
+    list(c);
+    if(is_finite && !is_needless(c, m, k))
+    {
+      make_corner(m, c, k);
+      remove_needless_neighbors(m);
+    }
+    return m;
   }
 
-  // directions beside the one with the number `i`
-  std::size_t next(const std::size_t i) const { return i + 1 == m_number ? 0 : i + 1; }
-  std::size_t previous(const std::size_t i) const { return (i == 0 ? m_number : i) - 1; }
+  // Computes what has changed since the last call, and calls `f(c)` for the corners whose sectors
+  // have errors that are new.
+  template <typename F>
+  void update(F f)
+  {
+    for(const Id c : m_changed)
+      compute_sector(c);
+    const std::size_t number = m_changed.size();
+    for(std::size_t i = 0; i < number; ++i)
+      if(const Id c = m_changed[i]; m_directions[c].is_corner)
+      {
+        list(m_directions[c].previous_corner);
+        list(m_directions[c].next_corner);
+      }
+    for(const Id c : m_changed)
+    {
+      m_directions[c].is_listed = false;
+      if(!m_directions[c].is_corner)
+        continue;
+      estimate_errors(c);
+      f(c);
+    }
+    m_changed.clear();
+  }
 
 private:
-  double sine(const std::size_t i, const std::size_t k) const
-  {
-    return next(i) == k ? m_sines[i] : cross(m_directions[i], m_directions[k]);
-  }
+  static constexpr Id null_id = std::numeric_limits<Id>::max();
 
   // ----- corners
 
-  // Graham's scan, from a corner on.
-  void find_corners()
+  Id link(const Id i, const Plane_vector v, const double cost)
   {
-    m_finite.clear();
-    m_corners.clear();
-    for(std::size_t i = 0; i < m_number; ++i)
-      if(m_costs[i] < std::numeric_limits<double>::infinity())
-        m_finite.push_back(i);
-    if(m_finite.empty())
-      return;
-    const auto [start, is_closed] = first_corner();
-    for(std::size_t i = start; i < m_finite.size(); ++i)
-      add_corner(m_finite[i]);
-    for(std::size_t i = 0; i < start; ++i)
-      add_corner(m_finite[i]);
-    if(is_closed)
-    {
-      add_corner(m_finite[start]);
-      m_corners.pop_back();
-    }
-    std::rotate(m_corners.begin(), std::min_element(m_corners.begin(), m_corners.end()),
-                m_corners.end());
+    const Id m = m_directions.size();
+    Direction d{};
+    d.vector = v;
+    d.cost = cost;
+    d.previous = m == 0 ? m : i;
+    d.next = m == 0 ? m : m_directions[i].next;
+    m_directions.push_back(d);
+    m_directions[d.previous].next = m_directions[d.next].previous = m;
+    return m;
   }
 
-  void add_corner(const std::size_t k)
+  // ... between two others
+  void make_corner(const Id m, const Id previous, const Id next)
   {
-    while(m_corners.size() >= 2 &&
-          is_needless(m_corners[m_corners.size() - 2], m_corners.back(), k))
-      m_corners.pop_back();
-    m_corners.push_back(k);
+    m_directions[m].is_corner = true;
+    m_directions[m].next_corner = next;
+    m_directions[m].previous_corner = previous;
+    m_directions[previous].next_corner = m_directions[next].previous_corner = m;
+    m_some_corner = m;
+    list(m);
   }
 
-  // The rank of a finite cost that is a corner: what follows a gap of half a circle, or else the
-  // cheapest direction; and whether there is no gap.
-  std::pair<std::size_t, bool> first_corner() const
+  void remove_needless_neighbors(const Id m)
   {
-    std::size_t cheapest = 0;
-    for(std::size_t i = 0; i < m_finite.size(); ++i)
-    {
-      if(!(sine(m_finite[(i == 0 ? m_finite.size() : i) - 1], m_finite[i]) > SMALLEST_SINE))
-        return {i, false};
-      if(m_costs[m_finite[i]] < m_costs[m_finite[cheapest]])
-        cheapest = i;
-    }
-    return {cheapest, true};
+    const auto remove = [&](const Id j) {
+      const Id i = m_directions[j].previous_corner, k = m_directions[j].next_corner;
+      m_directions[j].is_corner = false;
+      m_directions[i].next_corner = k;
+      m_directions[k].previous_corner = i;
+      list(i);
+    };
+    for(Id k; (k = m_directions[m].next_corner) != m_directions[m].previous_corner &&
+              is_needless(m, k, m_directions[k].next_corner);)
+      remove(k);
+    for(Id k; (k = m_directions[m].previous_corner) != m_directions[m].next_corner &&
+              is_needless(m_directions[k].previous_corner, k, m);)
+      remove(k);
   }
 
   // Whether going in directions `i` and `k` in turn costs no more than going in direction `j`.
-  bool is_needless(const std::size_t i, const std::size_t j, const std::size_t k) const
+  bool is_needless(const Id i, const Id j, const Id k) const
   {
-    constexpr double rounding = 1e-12; // lest it depends on where the scan starts
-    const double sine_of_all = cross(m_directions[i], m_directions[k]);
-    if(!(sine_of_all > SMALLEST_SINE))
-      return false;
-    return m_costs[j] * sine_of_all >=
-           (1 - rounding) * (m_costs[i] * sine(j, k) + m_costs[k] * sine(i, j));
+    constexpr double rounding = 1e-12; // lest it depends on the order of insertion
+    const Direction &a = m_directions[i], &b = m_directions[j], &c = m_directions[k];
+    const double sine = cross(a.vector, c.vector);
+    return sine > SMALLEST_SINE &&
+           b.cost * sine >= (1 - rounding) * (a.cost * cross(b.vector, c.vector) +
+                                              c.cost * cross(a.vector, b.vector));
   }
 
   // ----- sectors
 
-  void find_sectors()
+  // Notes that the sector at a corner is another one.
+  void list(const Id c)
   {
-    m_sectors.resize(m_corners.size());
-    for(std::size_t s = 0; s < m_corners.size(); ++s)
-    {
-      const std::size_t i = m_corners[s], k = m_corners[next_sector(s)];
-      const double sine = this->sine(i, k);
-      m_sectors[s] = {i, sine > SMALLEST_SINE, next(i) != k, {0, 0}, 0, 0};
-      if(!m_sectors[s].is_finite)
-        continue;
-      const Plane_vector a = m_directions[i], b = m_directions[k];
-      m_sectors[s].functional = {(m_costs[i] * b.y - m_costs[k] * a.y) / sine,
-                                 (m_costs[k] * a.x - m_costs[i] * b.x) / sine};
-    }
+    if(m_directions[c].is_listed)
+      return;
+    m_directions[c].is_listed = true;
+    m_changed.push_back(c);
+  }
+
+  void compute_sector(const Id c)
+  {
+    Direction& s = m_directions[c];
+    if(!s.is_corner)
+      return;
+    const Direction& end = m_directions[s.next_corner];
+    const double sine = cross(s.vector, end.vector);
+    s.is_finite = sine > SMALLEST_SINE;
+    s.is_bridge = s.next != s.next_corner;
+    if(s.is_finite)
+      s.functional = {(s.cost * end.vector.y - end.cost * s.vector.y) / sine,
+                      (end.cost * s.vector.x - s.cost * end.vector.x) / sine};
   }
 
   // If costs are those of a convex gauge, they are not below what the neighboring sectors continue
@@ -170,33 +202,30 @@ private:
   // bridges: costs beside and below their ends may continue as they come from outside. What is
   // assumed is always the larger error of these, so that it is valid in the first case. The gauge
   // is taken to be right beside directions without end.
-  void estimate_errors()
+  void estimate_errors(const Id c)
   {
-    for(std::size_t s = 0; s < m_sectors.size(); ++s)
+    Direction& s = m_directions[c];
+    s.error_at_start = s.error_at_end = 0;
+    if(!s.is_finite)
+      return;
+    const Direction& before = m_directions[s.previous_corner];
+    const Direction& behind = m_directions[s.next_corner];
+    const double at_start = drop(s, before, m_directions[s.next].vector);
+    const double at_end = drop(s, behind, m_directions[behind.previous].vector);
+    if(s.is_bridge)
     {
-      Sector& sector = m_sectors[s];
-      if(!sector.is_finite)
-        continue;
-      const Sector &before = m_sectors[previous_sector(s)], &behind = m_sectors[next_sector(s)];
-      const double at_start = drop(sector, before, m_directions[next(sector.corner)]);
-      const double at_end = drop(sector, behind, m_directions[previous(behind.corner)]);
-      if(sector.is_bridge)
-      {
-        sector.error_at_start = error_of_drop(at_start);
-        sector.error_at_end = error_of_drop(at_end);
-      }
-      else
-        sector.error_at_start = sector.error_at_end =
-            before.is_bridge != behind.is_bridge
-                ? error_of_drop(before.is_bridge ? at_end : at_start)
-            : at_start > 0 && at_end > 0 ? error_of_drop(1 / (1 / at_start + 1 / at_end))
-                                         : 0;
+      s.error_at_start = error_of_drop(at_start);
+      s.error_at_end = error_of_drop(at_end);
     }
+    else if(before.is_bridge != behind.is_bridge)
+      s.error_at_start = s.error_at_end = error_of_drop(before.is_bridge ? at_end : at_start);
+    else if(at_start > 0 && at_end > 0)
+      s.error_at_start = s.error_at_end = error_of_drop(1 / (1 / at_start + 1 / at_end));
   }
 
   // By which part of itself the gauge of a finite sector drops in the direction `d` to what another
   // sector continues to.
-  static double drop(const Sector& sector, const Sector& other, const Plane_vector d)
+  static double drop(const Direction& sector, const Direction& other, const Plane_vector d)
   {
     if(!other.is_finite)
       return 0;
@@ -211,13 +240,9 @@ private:
     return drop < 1 ? drop / (1 - drop) : std::numeric_limits<double>::infinity();
   }
 
-  const Plane_vector* m_directions = nullptr;
-  const double* m_sines = nullptr;
-  const double* m_costs = nullptr;
-  std::size_t m_number = 0;
-  std::vector<std::size_t> m_finite;  // directions of finite cost
-  std::vector<std::size_t> m_corners; // directions that are corners
-  std::vector<Sector> m_sectors;
+  std::vector<Direction> m_directions;
+  std::vector<Id> m_changed; // corners whose sectors are to be computed
+  Id m_some_corner = null_id;
 };
 
 } // namespace internal

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -49,25 +48,20 @@ public:
   void sample(const std::array<Plane_vector, 3>& sides, const double tolerance, const Cost& cost)
   {
     set_first_directions(sides);
-    ask(cost);
-    while(2 * m_half.size() < LARGEST_NUMBER && refine(tolerance))
-      ask(cost);
+    m_hull.clear();
+    Id last = 0;
+    for(const Plane_vector d : m_first)
+      last = ask(last, d, cost);
+    do
+      find_wide_gaps(tolerance);
+    while(m_hull.number_of_directions() < LARGEST_NUMBER && refine(cost));
   }
 
-  // all around, counterclockwise
-  const std::vector<Plane_vector>& directions() const { return m_directions; }
-
-  // the hull of the costs in these directions
+  // the hull of the costs in all directions, the first of which is the x axis
   const Gauge_hull& hull() const { return m_hull; }
 
 private:
-  struct Sample
-  {
-    Plane_vector direction;
-    double cost, cost_back;
-    bool is_known;
-    bool is_wide; // whether to ask in between it and the next one
-  };
+  using Id = Gauge_hull::Id;
 
   static constexpr int FIRST_NUMBER = 8;        // of directions in half a circle
   static constexpr double SMALLEST_SINE = 1e-5; // between directions
@@ -77,104 +71,91 @@ private:
   void set_first_directions(const std::array<Plane_vector, 3>& sides)
   {
     constexpr double near = 0.02, same = 1e-6;
-    m_half.clear();
-    add({1, 0});
+    m_first.assign(1, {1, 0});
     for(Plane_vector side : {sides[1], sides[2]})
     {
       side = side.y < 0 ? -1 * side : side;
       if(is_apart(side, same))
-        add(side);
+        m_first.push_back(side);
     }
     for(const Plane_vector d : m_equal_parts)
       if(is_apart(d, near))
-        add(d);
-    std::sort(m_half.begin(), m_half.end(),
-              [](const Sample& a, const Sample& b) { return cross(a.direction, b.direction) > 0; });
+        m_first.push_back(d);
+    std::sort(m_first.begin(), m_first.end(),
+              [](const Plane_vector a, const Plane_vector b) { return cross(a, b) > 0; });
   }
 
   bool is_apart(const Plane_vector d, const double angle) const
   {
-    return std::all_of(m_half.begin(), m_half.end(),
-                       [&](const Sample& s) { return std::abs(cross(s.direction, d)) > angle; });
+    return std::all_of(m_first.begin(), m_first.end(),
+                       [&](const Plane_vector v) { return std::abs(cross(v, d)) > angle; });
   }
 
-  void add(const Plane_vector d) { m_half.push_back({d, 0, 0, false, false}); }
+  // Opposite directions follow each other in the order of insertion.
+  static Id opposite(const Id i) { return i ^ 1; }
 
+  // Inserts a direction of the first half circle behind `i`, and the opposite one. Returns the
+  // former.
   template <typename Cost>
-  void ask(const Cost& cost)
+  Id ask(const Id i, const Plane_vector d, const Cost& cost)
   {
-    const std::size_t number = m_half.size();
-    m_directions.resize(2 * number);
-    m_sines.resize(2 * number);
-    m_costs.resize(2 * number);
-    for(std::size_t i = 0; i < number; ++i)
-    {
-      Sample& s = m_half[i];
-      const Plane_vector back = -1 * s.direction;
-      if(!s.is_known)
-        s = {s.direction, cost(s.direction), cost(back), true, false};
-      m_directions[i] = s.direction;
-      m_directions[number + i] = back;
-      m_costs[i] = s.cost;
-      m_costs[number + i] = s.cost_back;
-    }
-    for(std::size_t i = 0; i < number; ++i)
-      m_sines[i] = m_sines[number + i] = cross(m_directions[i], m_directions[i + 1]);
-    m_hull.compute(m_directions, m_sines, m_costs);
+    const Plane_vector back = -1 * d;
+    const double there_cost = cost(d), back_cost = cost(back);
+    const Id result = m_hull.insert(i, d, there_cost);
+    m_hull.insert(result == 0 ? result : opposite(i), back, back_cost);
+    m_is_wide.resize(m_hull.number_of_directions(), false);
+    return result;
   }
 
-  // Adds directions between those that are too far apart. Returns whether there are any.
-  bool refine(const double tolerance)
+  // Asks between directions that are too far apart. Returns whether there are any.
+  template <typename Cost>
+  bool refine(const Cost& cost)
   {
-    const std::vector<Gauge_hull::Sector>& sectors = m_hull.sectors();
-    for(std::size_t s = 0; s < sectors.size(); ++s)
+    const std::size_t number = m_hull.number_of_directions();
+    for(Id i = 0; i != opposite(0);)
     {
-      if(sectors[s].error_at_start > tolerance)
-        widen(sectors[s].corner, SMALLEST_SINE);
-      if(sectors[s].error_at_end > tolerance)
-        widen(m_hull.previous(sectors[m_hull.next_sector(s)].corner), SMALLEST_SINE);
-      if(!sectors[s].is_finite)
-        find_ends(sectors[s].corner, sectors[m_hull.next_sector(s)].corner);
+      const Id next = m_hull[i].next;
+      if(m_is_wide[i])
+      {
+        m_is_wide[i] = false;
+        const Plane_vector sum = m_hull[i].vector + m_hull[next].vector;
+        ask(i, 1 / length(sum) * sum, cost);
+      }
+      i = next;
     }
-
-    m_refined.clear();
-    for(std::size_t i = 0; i < m_half.size(); ++i)
-    {
-      m_refined.push_back(m_half[i]);
-      if(!m_half[i].is_wide)
-        continue;
-      m_refined.back().is_wide = false;
-      const Plane_vector sum = m_directions[i] + m_directions[i + 1];
-      m_refined.push_back({1 / length(sum) * sum, 0, 0, false, false});
-    }
-    m_half.swap(m_refined);
-    return m_half.size() > m_refined.size();
+    return m_hull.number_of_directions() > number;
   }
 
-  // Marks the gap between a direction and the next one, if it is not too small.
-  void widen(const std::size_t i, const double smallest)
+  void find_wide_gaps(const double tolerance)
   {
-    Sample& s = m_half[i < m_half.size() ? i : i - m_half.size()];
-    s.is_wide = s.is_wide || m_sines[i] > smallest;
+    m_is_wide.assign(m_hull.number_of_directions(), false);
+    m_hull.update([&](const Id c) {
+      const Gauge_hull::Direction& sector = m_hull[c];
+      const Id last = m_hull[sector.next_corner].previous;
+      if(sector.error_at_start > tolerance)
+        widen(c, SMALLEST_SINE);
+      if(sector.error_at_end > tolerance)
+        widen(last, SMALLEST_SINE);
+      if(!sector.is_finite)
+        // where directions with finite costs end is somewhere between the last one and the next
+        for(const Id i : {c, last})
+          if(std::isinf(m_hull[i].cost) != std::isinf(m_hull[m_hull[i].next].cost))
+            widen(i, SMALLEST_GAP);
+    });
   }
 
-  // Where directions with finite costs end is somewhere between the last one and the next.
-  void find_ends(const std::size_t last, const std::size_t first)
+  // Marks the gap behind a direction in the first half circle, or behind the opposite one, if it is
+  // not too small.
+  void widen(const Id i, const double smallest)
   {
-    const auto look = [this](const std::size_t i) {
-      if(std::isinf(m_costs[i]) != std::isinf(m_costs[m_hull.next(i)]))
-        widen(i, SMALLEST_GAP);
-    };
-    look(last);
-    look(m_hull.previous(first));
+    const double sine = cross(m_hull[i].vector, m_hull[m_hull[i].next].vector);
+    if(sine > smallest)
+      m_is_wide[i % 2 == 0 ? i : opposite(i)] = true;
   }
 
   std::vector<Plane_vector> m_equal_parts; // directions that divide half a circle
-  std::vector<Sample> m_half;              // from the x axis on, by angle
-  std::vector<Sample> m_refined;           // to be swapped with these
-  std::vector<Plane_vector> m_directions;
-  std::vector<double> m_sines; // between each direction and the next one
-  std::vector<double> m_costs;
+  std::vector<Plane_vector> m_first;       // directions to start with, from the x axis on
+  std::vector<char> m_is_wide;             // by direction, whether to ask between it and the next
   Gauge_hull m_hull;
 };
 
