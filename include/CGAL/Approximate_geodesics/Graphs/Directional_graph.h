@@ -222,7 +222,7 @@ public:
     return {m_triangulation, m_nodes, costs(!m_leads_to_sources), point};
   }
 
-  /// prefetches what it takes to find the arcs of `node`.
+  /// prefetches the data from which the arcs of `node` are computed.
   void prefetch(const Node node) const { m_nodes.prefetch(m_triangulation, node); }
 
   /// returns the number of bytes that the graph takes, its triangulation included.

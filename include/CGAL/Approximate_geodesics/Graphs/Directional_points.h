@@ -207,8 +207,8 @@ private:
                       static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
   }
 
-  // The expected square of the shift of a point, in proportion to that of its distance from the
-  // other edges, that a face can stand.
+  // The largest admissible square of the shift of a point in a face, in proportion to that of its
+  // distance from the other edges.
   void compute_spacings(const Intrinsic_triangulation& triangulation, const double epsilon)
   {
     const auto& gauges = triangulation.gauges();

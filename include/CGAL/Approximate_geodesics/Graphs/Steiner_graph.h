@@ -199,7 +199,7 @@ public:
     return {m_triangulation, m_nodes, costs(), point};
   }
 
-  /// prefetches what it takes to find the arcs of `node`.
+  /// prefetches the data from which the arcs of `node` are computed.
   void prefetch(const Node node) const { m_nodes.prefetch(m_triangulation, node); }
 
   /// returns the number of bytes that the graph takes, its triangulation included.
@@ -222,8 +222,8 @@ public:
    * thin faces are not forbidden any more, the bound gets worse, unless `Geometric_points` was told
    * to expect different weights: `epsilon()` tells.
    *
-   * \warning No other thread may use the graph meanwhile, and workspaces that were made for it
-   * before have to be made anew.
+   * \warning No other thread may use the graph meanwhile, and existing workspaces for it become
+   * invalid.
    *
    * Run time is \cgalBigO{n} for `n` vertices and points.
    */

@@ -177,7 +177,7 @@ public:
   }
 
 private:
-  // From so many points on, it pays to search for those that are worth looking at.
+  // Rows of at least this size are searched for the points that can get a smaller label.
   static constexpr Index LONG_ROW = 8;
 
   // The points of an edge, ranked from the corner of a face on, with their places relative to where

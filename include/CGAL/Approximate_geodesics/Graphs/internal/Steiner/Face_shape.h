@@ -15,7 +15,7 @@
 #include <cmath>
 #include <limits>
 
-// What geometric progressions of points are made to measure for.
+// Shape parameters of faces and vertex stars, which the placement of points depends on.
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -104,7 +104,7 @@ public:
   // whether the radius is smaller than it is taken for, because of a face that paths may enter
   bool is_degenerate() const { return m_radius_of_open < SMALLEST_RADIUS * m_longest_edge; }
 
-  // the halfedge that starts from the vertex and has the face to its left which is then to blame
+  // the halfedge that starts from the vertex, with the face to its left that makes it so small
   Index narrowest_face() const { return m_narrowest; }
 
 private:

@@ -60,7 +60,7 @@ public:
     if(nearer.label != farther.label)
       m_head_start = divided(farther.label - nearer.label, weight);
     else if(gap == 0)
-      m_head_start = (std::numeric_limits<double>::min)(); // somebody must win
+      m_head_start = (std::numeric_limits<double>::min)(); // ties go to the nearer one
     constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
     const double label = divided((std::min)(nearer.label, farther.label), weight);
     m_doubt = (std::min)(SMALLEST_DIFFERENCE * gap, rounding * (label + m_farther + row.length()));
@@ -83,7 +83,7 @@ private:
   // arcs, to the last bit; unless labels are so large that nothing else is left of a whole face.
   static constexpr double SMALLEST_DIFFERENCE = 1e-3;
 
-  // A label is worth infinitely much where going on is free.
+  // In a face of weight zero, the difference of two labels decides, however small it is.
   static double divided(const double label, const double weight)
   {
     return weight > 0 ? label / weight

@@ -128,7 +128,7 @@ public:
                                       : at_corner(v, triangulation.next(h));
   }
 
-  // Prefetches what it takes to find the arcs of a node.
+  // Prefetches the data from which the arcs of a node are computed.
   void prefetch(const Intrinsic_triangulation& triangulation, const Node node) const
   {
     if(is_vertex(node))

@@ -120,7 +120,7 @@ public:
   }
 
 private:
-  // From so many points on, it pays to search for those that are worth looking at.
+  // Rows of at least this size are searched for the points that can get a smaller label.
   static constexpr Index LONG_ROW = 16;
 
   // The points of the edge of `h`, as seen from its source or its target.

@@ -103,7 +103,6 @@ private:
     const double there_cost = cost(d), back_cost = cost(back);
     const Id result = m_hull.insert(i, d, there_cost);
     m_hull.insert(result == 0 ? result : opposite(i), back, back_cost);
-    m_is_wide.resize(m_hull.number_of_directions(), false);
     return result;
   }
 
@@ -117,7 +116,6 @@ private:
       const Id next = m_hull[i].next;
       if(m_is_wide[i])
       {
-        m_is_wide[i] = false;
         const Plane_vector sum = m_hull[i].vector + m_hull[next].vector;
         ask(i, 1 / length(sum) * sum, cost);
       }
