@@ -171,6 +171,32 @@ TEST(Gauges, know_their_error_in_single_precision)
   }
 }
 
+// ... to the last bit, also where directions are free or forbidden.
+TEST(Gauges, turn_with_the_costs)
+{
+  Random random(test_seed());
+  const auto expect_turned = [](const Plane_cost& cost) {
+    const Sampled_gauge gauge(cost, 0.01);
+    const Sampled_gauge turned([&](const Plane_vector v) { return cost(-1 * v); }, 0.01);
+    EXPECT_EQ(gauge.gauges.sampling_error(), turned.gauges.sampling_error());
+    for(int i = 0; i < 1000; ++i)
+    {
+      const Plane_vector v = direction(full_circle * (i + 0.5) / 1000);
+      ASSERT_EQ(gauge.gauges.cost(0, v), turned.gauges.cost(0, -1 * v)) << "direction " << i;
+    }
+  };
+  for(int i = 0; i < 50; ++i)
+  {
+    SCOPED_TRACE(i);
+    const Plane_cost norm = cost_in_plane(Half_planes::random(random, 3 + i % 8));
+    const double least = random.between(-1, 1);
+    expect_turned(norm);
+    expect_turned([&](const Plane_vector v) { return norm(v) + 0.3 * std::sin(9 * v.x) + 0.3; });
+    expect_turned([&](const Plane_vector v) { return (std::max)(v.x + least, 0.) * norm(v); });
+    expect_turned([&](const Plane_vector v) { return v.x > least ? norm(v) : infinity; });
+  }
+}
+
 // Where all is straight between corners, there is nothing to look at.
 TEST(Gauges, have_few_directions_beside_flat_sides)
 {
