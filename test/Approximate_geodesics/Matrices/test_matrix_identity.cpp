@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_identity.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/identity_of_matrix.h>
 
 #include "meshes/test_meshes.h"
 #include "meshes/test_soup.h"

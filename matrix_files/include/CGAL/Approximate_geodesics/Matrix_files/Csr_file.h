@@ -138,8 +138,6 @@ void save_csr(const Sparse_rows<T>& rows, const std::string& folder);
 
 extern template class Csr_file<double>;
 extern template class Csr_file<float>;
-extern template void save_csr(const Sparse_rows<double>&, const std::string&);
-extern template void save_csr(const Sparse_rows<float>&, const std::string&);
 
 } // namespace Approximate_geodesics
 } // namespace CGAL
