@@ -219,7 +219,7 @@ TEST(Hostile_surfaces, have_exact_distances)
 TEST(Hostile_surfaces, have_distances_within_bounds)
 {
   constexpr double epsilon = 0.1;
-  constexpr double rounding = 1e-6; // cones know the directions of edges of length 1e-9 to 7 digits
+  constexpr double rounding = 1e-10;
   const auto stored_graph = discrete_geodesic_graph(epsilon);
   const auto searched_graph = lazy_graph(epsilon, Lazy_discrete_geodesic_graph::Arcs::FORGOTTEN);
   Comparison stored(stored_graph.name, epsilon, rounding),

@@ -299,12 +299,12 @@ private:
   BOOST_NOINLINE void
   expand(const Node* const nodes, const std::size_t number, const Labels& labels, Arcs& arcs) const
   {
-    if(m_triangulation.lines_may_return())
-      expand_with<internal::Cone_front<true, internal::Unfolding, Labels, Arcs>>(nodes, number,
-                                                                                 labels, arcs);
+    using General = internal::Cone_front<true, internal::Unfolding, Labels, Arcs>;
+    using Simple = internal::Cone_front<false, internal::Unfolding, Labels, Arcs>;
+    if(General::is_general_needed(m_cone_triangulation.get(m_triangulation)))
+      expand_with<General>(nodes, number, labels, arcs);
     else
-      expand_with<internal::Cone_front<false, internal::Unfolding, Labels, Arcs>>(nodes, number,
-                                                                                  labels, arcs);
+      expand_with<Simple>(nodes, number, labels, arcs);
   }
 
   template <typename Front, typename Labels, typename Arcs>

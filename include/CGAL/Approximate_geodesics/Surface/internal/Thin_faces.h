@@ -69,7 +69,12 @@ public:
       m_first_of_block.push_back(static_cast<Index>(m_halfedge.size()));
     m_halfedge.push_back(halfedges[0]);
     m_face.push_back(face);
+    m_has_extreme_needles = m_has_extreme_needles || is_extreme_needle(face);
   }
+
+  // Whether there are needles so long that the ends of their short sides, where they are laid out
+  // far from the origin, say too little of the directions of these sides.
+  bool has_extreme_needles() const { return m_has_extreme_needles; }
 
   void shrink_to_fit()
   {
@@ -110,9 +115,18 @@ public:
 private:
   static constexpr Index SIZE_OF_BLOCK = 128; // so many halfedges
 
+  static bool is_extreme_needle(const Thin_face& face)
+  {
+    constexpr double largest_aspect = 0x1p20; // of a needle, squared sides of which are these sums
+    const auto [a, b, c] = face.at_corner;
+    const auto [shortest, longest] = std::minmax({a + b, b + c, c + a});
+    return longest > largest_aspect * largest_aspect * shortest;
+  }
+
   std::vector<Index> m_first_of_block; // the number of its first face
   std::vector<Index> m_halfedge;       // of each face, the one with the smallest number
   std::vector<Thin_face> m_face;       // from that on
+  bool m_has_extreme_needles = false;
 };
 
 } // namespace internal

@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct Unfolded_face
   Index apex;  // the third vertex, or null_index if the halfedge is a border halfedge
   Index left;  // the halfedge from the source to the apex, or null_index if there is no face beyond
   Index right; // likewise, the one from the apex to the target
-  bool is_edge_new, is_face_new; // a shortest path may come back to them: see `Balanced_fans`
+  bool is_edge_new, is_face_new; // not in the mesh, so that a shortest path may come back to them
   double along, across; // the apex is so far along the halfedge and to its left, in its lengths
 
   Plane_vector position_of_apex(const Plane_vector source, const Plane_vector target) const
@@ -41,7 +42,26 @@ struct Unfolded_face
     return {source.x + along * edge.x - across * edge.y,
             source.y + along * edge.y + across * edge.x};
   }
+
+  // The side from the source to the apex, if the vector of the halfedge is known.
+  Plane_vector left_side(const Plane_vector edge) const
+  {
+    return {along * edge.x - across * edge.y, along * edge.y + across * edge.x};
+  }
 };
+
+// Likewise the side from the apex to the target. `face` is the one to the left of `h`.
+inline Plane_vector right_side(const Intrinsic_triangulation& triangulation,
+                               const Intrinsic_triangulation::Index h,
+                               const Unfolded_face& face,
+                               const Plane_vector edge)
+{
+  constexpr double cancellation = 0x1p-10; // where this side is short
+  double beyond = 1 - face.along;
+  if(std::abs(beyond) < cancellation)
+    beyond = apex_position(triangulation, triangulation.source(h), h).beyond;
+  return {beyond * edge.x + face.across * edge.y, beyond * edge.y - face.across * edge.x};
+}
 
 // Writes the position of the apex, too.
 inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,

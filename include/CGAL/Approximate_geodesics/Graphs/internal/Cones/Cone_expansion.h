@@ -58,6 +58,9 @@ struct Leave_out_nothing_in_doubt : Leave_out_nothing
 /*
  * Finds the arcs of a vertex in a discrete geodesic graph: unfolds the faces around it outwards and
  * follows the cones of straight lines through them. The technical report proves the error bound.
+ *
+ * If there are extreme needles, windows carry the vectors of their edges: those of short edges that
+ * are far away would be lost in differences of positions, and with them the directions of needles.
  */
 template <typename Unfolding>
 class Cone_expansion
@@ -74,7 +77,8 @@ public:
     : m_triangulation(triangulation),
       m_unfolding(unfolding),
       m_rules(rules),
-      m_winding(triangulation)
+      m_winding(triangulation),
+      m_carries_edges(triangulation.thin_faces().has_extreme_needles())
   {
   }
 
@@ -112,6 +116,7 @@ public:
               0,
               {}};
     cone.window.trail = visitor.record_window(window.halfedge, 0);
+    cone.window.edge = window.right_position - window.left_position;
     bool is_open = true;
     while(is_open || pop(cones, cone))
       is_open = advance(cone, cones, null_index, start, f, visitor);
@@ -155,7 +160,9 @@ private:
     const Plane_vector right{distance, 0};
     const Plane_vector left{distance * face.along, distance * face.across};
     cone.window = {face.right,       face.apex, m_triangulation.target(h),           left, right,
-                   distance_of_apex, distance,  visitor.record_window(face.right, 0)};
+                   distance_of_apex, distance,  visitor.record_window(face.right, 0), {}};
+    if(m_carries_edges)
+      cone.window.edge = right_side(m_triangulation, h, face, right);
     if(visitor.prune(cone.window))
       return false;
     cone.left = side(left, distance_of_apex);
@@ -181,7 +188,9 @@ private:
     if(face.apex == source && !face.is_face_new && !m_winding.may_return())
       return false; // a shortest path does not come back to a face that it has left
     const Plane_vector apex =
-        face.position_of_apex(cone.window.left_position, cone.window.right_position);
+        m_carries_edges
+            ? cone.window.left_position + face.left_side(cone.window.edge)
+            : face.position_of_apex(cone.window.left_position, cone.window.right_position);
     if constexpr(Visitor::wants_faces)
       visitor.on_face(cone, apex);
     double slack = 0;
@@ -239,11 +248,13 @@ private:
 
   // The window becomes part of the edge between the apex and the right end.
   template <typename Visitor>
-  static bool go_right(Window& window,
-                       const Unfolded_face& face,
-                       const Plane_vector apex,
-                       const Visitor& visitor)
+  bool go_right(Window& window,
+                const Unfolded_face& face,
+                const Plane_vector apex,
+                const Visitor& visitor) const
   {
+    if(m_carries_edges)
+      window.edge = right_side(m_triangulation, window.halfedge, face, window.edge);
     window.halfedge = face.right;
     window.left_end = face.apex;
     window.left_position = apex;
@@ -256,11 +267,13 @@ private:
   }
 
   template <typename Visitor>
-  static bool go_left(Window& window,
-                      const Unfolded_face& face,
-                      const Plane_vector apex,
-                      const Visitor& visitor)
+  bool go_left(Window& window,
+               const Unfolded_face& face,
+               const Plane_vector apex,
+               const Visitor& visitor) const
   {
+    if(m_carries_edges)
+      window.edge = face.left_side(window.edge);
     window.halfedge = face.left;
     window.right_end = face.apex;
     window.right_position = apex;
@@ -274,12 +287,12 @@ private:
 
   // One of the sides serves the apex, and so all that is seen between the two.
   template <typename Visitor>
-  static bool pass(Cone& cone,
-                   const Unfolded_face& face,
-                   const Plane_vector apex,
-                   const double distance,
-                   const bool left,
-                   const Visitor& visitor)
+  bool pass(Cone& cone,
+            const Unfolded_face& face,
+            const Plane_vector apex,
+            const double distance,
+            const bool left,
+            const Visitor& visitor) const
   {
     (left ? cone.left : cone.right).move_to(apex, distance);
     cone.has_middle = false;
@@ -308,6 +321,7 @@ private:
   const Unfolding& m_unfolding;
   const Cone_rules m_rules;
   Winding m_winding;
+  bool m_carries_edges;
 };
 
 } // namespace internal

@@ -26,11 +26,19 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
+// What a cone knows beside its window if lines may come back to an edge, or there are extreme
+// needles: see `Winding` and `Cone_expansion`.
+struct Crossing_and_edge
+{
+  Crossing milestone;  // one of the halfedges on the way
+  Plane_vector vector; // of the edge of the window, from its left end
+};
+
 /*
  * A cone of straight lines from a vertex, the tip, and the window that they go through: a part of
- * the edge between its ends. Two cache lines.
+ * the edge between its ends. Two cache lines, unless more has to be known of the way.
  */
-template <typename Milestone>
+template <typename Way>
 struct alignas(64) Narrow_cone
 {
   using Index = Intrinsic_triangulation::Index;
@@ -63,7 +71,7 @@ struct alignas(64) Narrow_cone
   Index halfedge; // of the window; the face ahead is to its left
   Index tip;
   std::uint32_t depth; // the number of faces on the way
-  Milestone milestone; // one of the halfedges on the way
+  Way way;             // one of the halfedges there, at least
 };
 
 /*
@@ -97,21 +105,29 @@ private:
  * that a processor cannot foresee; so no branch depends on it: what comes of a cone is always
  * written down, and what is written next takes its place unless it is good.
  *
+ * A front that is not general is for triangulations where lines do not return, and that have no
+ * extreme needles.
+ *
  * `arcs` takes the arcs: `arcs.make_room(number)` says how many may come, and
  * `arcs.append(is_arc, source, label_of_source, target, length)` appends one if it is one.
  */
-template <bool MAY_RETURN, typename Unfolding, typename Labels, typename Arcs>
+template <bool IS_GENERAL, typename Unfolding, typename Labels, typename Arcs>
 class Cone_front
 {
   using Index = Intrinsic_triangulation::Index;
-  using Milestone = std::conditional_t<MAY_RETURN, Crossing, Index>;
-  using Cone = Narrow_cone<Milestone>;
+  using Way = std::conditional_t<IS_GENERAL, Crossing_and_edge, Index>;
+  using Cone = Narrow_cone<Way>;
   using Side = typename Cone::Side;
   using End = typename Cone::End;
 
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
 public:
+  static bool is_general_needed(const Intrinsic_triangulation& triangulation)
+  {
+    return triangulation.lines_may_return() || triangulation.thin_faces().has_extreme_needles();
+  }
+
   Cone_front(const Intrinsic_triangulation& triangulation,
              const Unfolding& unfolding,
              const double epsilon,
@@ -122,6 +138,7 @@ public:
       m_labels(labels),
       m_arcs(arcs),
       m_winding(triangulation),
+      m_carries_edges(triangulation.thin_faces().has_extreme_needles()),
       m_factor(1 + epsilon),
       m_part_saved(1 / (1 + Cone_rules::share_of_ends_beside_labels(epsilon) * epsilon)),
       m_part_lost((1 - m_part_saved * m_part_saved) / 2)
@@ -179,7 +196,7 @@ private:
                 face.right,
                 v,
                 0,
-                no_milestone()};
+                first_way(h, face, right.position)};
       m_end += is_needed(left, right, face.right) ? 1 : 0;
     }
   }
@@ -188,7 +205,7 @@ private:
   void advance(const Cone& cone)
   {
     const Unfolded_face& face = m_unfolding.face(cone.halfedge);
-    const Plane_vector position = face.position_of_apex(cone.left.position, cone.right.position);
+    const Plane_vector position = position_of_apex(cone, face);
     const bool passes_left =
         cone.left_side.is_passed(position, cross(cone.left_side.direction, position));
     const bool passes_right =
@@ -199,16 +216,16 @@ private:
     const double label = m_labels.distance(cone.tip);
     const End apex{position, distance, m_labels.distance(face.apex) - label};
     const bool is_of_use = is_worth_a_look(cone, face);
-    const bool is_open = is_of_use & (MAY_RETURN | face.is_face_new | (face.apex != cone.tip));
+    const bool is_open = is_of_use & (may_return() | face.is_face_new | (face.apex != cone.tip));
     m_arcs.append(is_open & is_seen, cone.tip, label, face.apex, distance);
 
     // An apex where the tip is sees the same.
     const bool goes_on = is_open & (!is_seen | (distance > 0));
     const Side side{1 / (distance > 0 ? distance : 1) * position, distance};
-    append(cone, cone.left, apex, cone.left_side, is_seen ? side : cone.right_side, face.left,
+    append(cone, cone.left, apex, cone.left_side, is_seen ? side : cone.right_side, face, face.left,
            goes_on & !passes_left);
-    append(cone, apex, cone.right, is_seen ? side : cone.left_side, cone.right_side, face.right,
-           goes_on & !passes_right);
+    append(cone, apex, cone.right, is_seen ? side : cone.left_side, cone.right_side, face,
+           face.right, goes_on & !passes_right);
   }
 
   void append(const Cone& before,
@@ -216,10 +233,10 @@ private:
               const End& right,
               const Side& left_side,
               const Side& right_side,
+              const Unfolded_face& face,
               const Index halfedge,
               const bool is_open)
   {
-    const bool is_milestone = Winding::is_milestone(before.depth);
     *m_end = {left,
               right,
               left_side,
@@ -227,36 +244,57 @@ private:
               halfedge,
               before.tip,
               before.depth + 1,
-              is_milestone ? milestone(before) : before.milestone};
+              next_way(before, face, halfedge)};
     // a halfedge that there is, where there is none ahead
     const Index edge = halfedge == null_index ? before.halfedge : halfedge;
     m_unfolding.prefetch(edge);
     m_end += (is_open & (halfedge != null_index) & is_needed(left, right, edge)) ? 1 : 0;
   }
 
-  static Milestone milestone(const Cone& cone)
+  bool may_return() const { return IS_GENERAL && m_winding.may_return(); }
+
+  Plane_vector position_of_apex(const Cone& cone, const Unfolded_face& face) const
   {
-    if constexpr(MAY_RETURN)
-      return {cone.halfedge, cone.left.position, cone.right.position};
-    else
-      return cone.halfedge;
+    if constexpr(IS_GENERAL)
+      if(m_carries_edges)
+        return cone.left.position + face.left_side(cone.way.vector);
+    return face.position_of_apex(cone.left.position, cone.right.position);
   }
 
-  static Milestone no_milestone()
+  // The way across the first face, to the left of `h`, whose vector is `edge`.
+  Way first_way(const Index h, const Unfolded_face& face, const Plane_vector edge) const
   {
-    if constexpr(MAY_RETURN)
-      return {};
+    if constexpr(IS_GENERAL)
+      return {Crossing(), right_side(m_triangulation, h, face, edge)};
     else
       return null_index;
   }
 
+  // The way through the window that a cone has come to and across a face, to `halfedge`.
+  Way next_way(const Cone& cone, const Unfolded_face& face, const Index halfedge) const
+  {
+    const bool is_milestone = Winding::is_milestone(cone.depth);
+    if constexpr(IS_GENERAL)
+      return {is_milestone ? crossing(cone) : cone.way.milestone,
+              halfedge == face.left
+                  ? face.left_side(cone.way.vector)
+                  : right_side(m_triangulation, cone.halfedge, face, cone.way.vector)};
+    else
+      return is_milestone ? cone.halfedge : cone.way;
+  }
+
+  static Crossing crossing(const Cone& cone)
+  {
+    return {cone.halfedge, cone.left.position, cone.right.position};
+  }
+
   bool has_returned(const Cone& cone, const double height_of_face) const
   {
-    if constexpr(MAY_RETURN)
-      return m_winding.is_over(milestone(cone), cone.milestone, cone.left_side.direction,
+    if constexpr(IS_GENERAL)
+      return m_winding.is_over(crossing(cone), cone.way.milestone, cone.left_side.direction,
                                cone.right_side.direction, height_of_face);
     else
-      return cone.halfedge == cone.milestone;
+      return cone.halfedge == cone.way;
   }
 
   // Whether a search needs what lies behind a window. It does not if all of that is reached well
@@ -300,6 +338,7 @@ private:
   const Labels& m_labels;
   Arcs& m_arcs;
   const Winding m_winding;
+  const bool m_carries_edges; // if the front is general
   double m_factor;     // of what is left of the way, in comparisons
   double m_part_saved; // of the distance of a vertex, by going over it
   double m_part_lost;
