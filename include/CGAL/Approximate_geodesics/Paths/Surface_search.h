@@ -254,7 +254,7 @@ public:
    *
    * \throws std::invalid_argument if `point` is not one of the triangulated surface, or the graph
    *         has an arc that cannot be traced, as one read from a file that was changed, or an exact
-   *         one across faces that are thinner than numbers can tell.
+   *         one across nearly degenerate faces, whose length rounding has spoiled.
    *
    * Run time is linear in the number of arcs on the path, times the cost of tracing one.
    */
@@ -499,8 +499,9 @@ private:
     if constexpr(internal::needs_bounds<Graph>)
     {
       const double rounding = internal::rounding_of_line(0, m_graph->unit());
-      const auto before = bound_before(answer.distance * (1 + internal::slack_of_labels));
-      const auto bound = [&](const Node node) { return before(node) + rounding; };
+      const auto bound = [&](const Node node, const double slack) {
+        return bound_before(answer.distance * (1 + slack))(node) + rounding;
+      };
       path.length += m_graph->attach(from).for_each_crossing(0, bound, end, answer.last_length,
                                                              rounding, append_crossing);
     }

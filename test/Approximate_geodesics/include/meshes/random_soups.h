@@ -204,6 +204,18 @@ inline Mesh with_coincident_vertices(Mesh mesh, const std::size_t number, Random
   return mesh;
 }
 
+// Vertices are off by up to a part of the mesh's size: what was degenerate is so but for rounding.
+inline Mesh with_moved_vertices(Mesh mesh, const double part, Random& random)
+{
+  const double by = part * size(mesh);
+  for(const Vertex v : mesh.vertices())
+  {
+    const double x = random.between(-by, by), y = random.between(-by, by);
+    mesh.point(v) += Kernel::Vector_3(x, y, random.between(-by, by));
+  }
+  return mesh;
+}
+
 } // namespace geodesics_test
 
 #endif // APPROXIMATE_GEODESICS_TEST_RANDOM_SOUPS_H

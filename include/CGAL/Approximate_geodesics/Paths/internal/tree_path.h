@@ -24,10 +24,6 @@ namespace internal {
 
 // Paths in the shortest-path tree of a search, whose lengths are in units of the graph.
 
-// What labels may be wrong by where faces are thinner than numbers can tell, as a part of them:
-// more than they are, and not much more to search.
-constexpr double slack_of_labels = 1e-6;
-
 // What the length of a line may be wrong by, in units of the graph: it is a difference of labels,
 // and distances in the unit of the mesh may be multiples of the smallest number.
 inline double rounding_of_line(const double label, const double unit)
@@ -67,8 +63,8 @@ void append_line_back(const Search& search,
                                    [&](const Intrinsic_point::Index h, const double t) {
                                      path.points.push_back(Intrinsic_point::on_edge(h, t));
                                    });
-  const auto bound = [&](const Node v) {
-    return (std::min)(label, search.label(v)) * (1 + slack_of_labels) + rounding;
+  const auto bound = [&](const Node v, const double slack) {
+    return (std::min)(label, search.label(v)) * (1 + slack) + rounding;
   };
   if(found >= 0)
     path.length += found;

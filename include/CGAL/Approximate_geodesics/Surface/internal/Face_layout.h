@@ -43,13 +43,18 @@ public:
     const double c = lengths[base], a = lengths[(base + 1) % 3], b = lengths[(base + 2) % 3];
     m_corners[base] = {0, 0};
     m_corners[(base + 1) % 3] = {c, 0};
-    if(const auto face = thin_face(triangulation, m_halfedges[base], a, b, c))
+    const auto face = thin_face(triangulation, m_halfedges[base], a, b, c);
+    if(face)
       m_corners[(base + 2) % 3] = {face->at_corner[0] / c, face->doubled_area / c};
     else if(c > 0)
       m_corners[(base + 2) % 3] = {0.5 * (c + (b - a) * ((b + a) / c)),
                                    2 * area_of_triangle(a, b, c) / c};
     else
       m_corners[(base + 2) % 3] = {0, 0};
+    for(std::size_t i = 0; i < 3; ++i)
+      m_edges[i] = m_corners[(i + 1) % 3] - m_corners[i];
+    if(face) // a short edge that does not start from the origin would lose its direction
+      m_edges[(base + 1) % 3] = {-face->at_corner[1] / c, face->doubled_area / c};
   }
 
   // The halfedge from corner `i` to the next one.
@@ -61,6 +66,12 @@ public:
   }
 
   Plane_vector corner(const std::size_t i) const { return m_corners[i]; }
+
+  // The vector from corner `i` to corner `j`, accurate in its direction and length.
+  Plane_vector edge(const std::size_t i, const std::size_t j) const
+  {
+    return i == j ? Plane_vector{0, 0} : j == (i + 1) % 3 ? m_edges[i] : -1. * m_edges[j];
+  }
 
   // Calls `f(position)` for where a point is in the face.
   template <typename F>
@@ -75,6 +86,7 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   std::array<Index, 3> m_halfedges;
   std::array<Plane_vector, 3> m_corners;
+  std::array<Plane_vector, 3> m_edges; // from each corner to the next
 };
 
 } // namespace internal

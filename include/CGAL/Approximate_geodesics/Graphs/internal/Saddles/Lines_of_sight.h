@@ -76,8 +76,11 @@ public:
 
   /*
    * Calls `f(h, t)` for the edges that the line to `end` crosses whose length is the given one, up
-   * to `rounding`. Returns its length; throws if there is none. `label` and `bound` are as for
-   * `for_each_line()`; the point may be a vertex here.
+   * to `rounding`. Returns its length; throws if there is none. The point may be a vertex here.
+   * Paths start with the label `label`, and none is longer than `bound(v, slack)` at `v`. The slack
+   * is a part of the labels that this is computed from: they are rounded, and vertices next to the
+   * line may have labels from which it is of no use. Nearly always, the smallest one is enough.
+   * `length` is a difference of labels, which may be rounded as well.
    */
   template <typename Bound, typename F>
   double for_each_crossing(const double label,
@@ -88,19 +91,19 @@ public:
                            F f) const
   {
     Sought_line line{length, rounding};
+    const auto is_found_roughly = [&] {
+      constexpr double rough = 1e-9;
+      return line.is_found(rough) || line.smallest_difference <= rough * label;
+    };
     consider_lines_in_faces(end, line);
-    Tracing_visitor<Bound> visitor{{}, triangulation(), bound, end, line, {}, {}};
-    Sight_expansion<Tracing_visitor<Bound>> expansion(m_steps, m_bends, label, visitor);
     if(!line.is_found())
-      for_each_sight([&](const Sight& sight) {
-        visitor.first = sight;
-        expansion.look(sight, triangulation().source(sight.halfedge),
-                       triangulation().target(sight.halfedge));
-      });
-    constexpr double rough = 1e-9;
-    if(!line.is_found(rough))
+      look_for(end, label, with_slack(bound, 1e-6), line);
+    for(const double slack : {1e-3, 1., 1e3})
+      if(!is_found_roughly())
+        look_for(end, label, with_slack(bound, slack), line);
+    if(!is_found_roughly())
       reject("the line from or to vertex " + std::to_string(vertex_at(end)) +
-             " cannot be traced, as faces are too thin on its way");
+             " cannot be traced: faces along it are nearly degenerate");
     return line.for_each_crossing(m_steps, f);
   }
 
@@ -125,6 +128,28 @@ public:
   }
 
 private:
+  template <typename Bound>
+  static auto with_slack(const Bound& bound, const double slack)
+  {
+    return [&bound, slack](const Index v) { return bound(v, slack); };
+  }
+
+  // Considers the lines to `end` across other faces.
+  template <typename Bound>
+  void look_for(const Intrinsic_point& end,
+                const double label,
+                const Bound& bound,
+                Sought_line& line) const
+  {
+    Tracing_visitor<Bound> visitor{{}, triangulation(), bound, end, line, {}, {}};
+    Sight_expansion<Tracing_visitor<Bound>> expansion(m_steps, m_bends, label, visitor);
+    for_each_sight([&](const Sight& sight) {
+      visitor.first = sight;
+      expansion.look(sight, triangulation().source(sight.halfedge),
+                     triangulation().target(sight.halfedge));
+    });
+  }
+
   template <typename Bound, typename OnNode, typename OnPoint>
   struct Visitor : Sight_visitor_base
   {
@@ -221,7 +246,7 @@ private:
           const auto corner = [&](const std::size_t j) {
             Plane_vector result{0, 0};
             for(std::size_t i = 0; i < 3; ++i)
-              result = result + weight[i] * (layout.corner(j) - layout.corner(i));
+              result = result + weight[i] * layout.edge(i, j);
             return result;
           };
           f(side, p, corner(0), corner(1));
