@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <ratio>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -96,6 +97,15 @@ TEST_F(Exact_queries, distances_are_those_of_the_exact_class)
 {
   expect_near(distances(mesh, source, parameters::epsilon(0)), exact);
   expect_near(distances(mesh, source, parameters::epsilon(0.)), exact);
+}
+
+// So that only one kind of search is compiled.
+TEST_F(Exact_queries, may_be_known_when_the_program_is_compiled)
+{
+  EXPECT_EQ(distances(mesh, source, parameters::epsilon(std::ratio<0>())),
+            distances(mesh, source, parameters::epsilon(0)));
+  EXPECT_EQ(distances(mesh, source, parameters::epsilon(std::ratio<1, 10>())),
+            distances(mesh, source, parameters::epsilon(0.1)));
 }
 
 TEST_F(Exact_queries, path_has_the_length_of_the_distance)

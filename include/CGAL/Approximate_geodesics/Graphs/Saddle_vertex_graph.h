@@ -25,7 +25,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <limits>
@@ -252,7 +251,7 @@ private:
   {
     internal::reject_weights(triangulation, np, "Saddle_vertex_graph");
     if constexpr(internal::is_given<NamedParameters, internal_np::epsilon_t>)
-      if(CGAL::to_double(parameters::get_parameter(np, internal_np::epsilon)) != 0)
+      if(internal::value_of_number(parameters::get_parameter(np, internal_np::epsilon)) != 0)
         internal::reject("Saddle_vertex_graph gives exact distances: epsilon must be 0, if given");
     return triangulation;
   }

@@ -9,10 +9,13 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 #include <CGAL/version.h>
 
+#include <cstdint>
 #include <functional>
+#include <ratio>
 #include <type_traits>
 
 // The named parameters of this package. Inside CGAL, each of them would be one line in
@@ -147,6 +150,32 @@ constexpr bool is_named_parameters =
 template <typename NamedParameters>
 using Concurrency_tag = typename internal_np::
     Lookup_named_param_def<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type;
+
+// What is known of a number when a program is compiled: nothing, unless it is a `std::ratio`.
+template <typename Number>
+struct Known_number
+{
+  static constexpr bool is_zero = false, is_not_zero = false;
+
+  static double value(const Number& number) { return CGAL::to_double(number); }
+};
+
+template <std::intmax_t NUMERATOR, std::intmax_t DENOMINATOR>
+struct Known_number<std::ratio<NUMERATOR, DENOMINATOR>>
+{
+  static constexpr bool is_zero = NUMERATOR == 0, is_not_zero = !is_zero;
+
+  static double value(const std::ratio<NUMERATOR, DENOMINATOR>& /* number */)
+  {
+    return static_cast<double>(NUMERATOR) / static_cast<double>(DENOMINATOR);
+  }
+};
+
+template <typename Number>
+double value_of_number(const Number& number)
+{
+  return Known_number<Number>::value(number);
+}
 
 template <typename NamedParameters, typename... Tags>
 constexpr bool is_any_given = (is_given<NamedParameters, Tags> || ...);

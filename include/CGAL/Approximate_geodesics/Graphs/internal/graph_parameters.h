@@ -36,7 +36,7 @@ template <typename NamedParameters>
 double checked_epsilon(const NamedParameters& np)
 {
   constexpr double by_default = 0.1, largest = 1e6;
-  const double epsilon = CGAL::to_double(parameters::choose_parameter(
+  const double epsilon = value_of_number(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::epsilon), by_default));
   if(epsilon == 0)
     reject("epsilon is 0; exact distances are those of Saddle_vertex_graph, which supports neither "

@@ -193,7 +193,7 @@ double sampling_tolerance([[maybe_unused]] const NamedParameters& np)
   constexpr double by_default = 0.01, share = 0.1;
   if constexpr(is_given<NamedParameters, internal_np::epsilon_t>)
     return (std::min)(by_default,
-                      share * CGAL::to_double(parameters::get_parameter(np, internal_np::epsilon)));
+                      share * value_of_number(parameters::get_parameter(np, internal_np::epsilon)));
   else
     return by_default;
 }

@@ -20,20 +20,13 @@
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
 
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
-
-// Whether the named parameters request exact distances.
-template <typename NamedParameters>
-bool is_exact(const NamedParameters& np)
-{
-  return CGAL::to_double(parameters::get_parameter(np, internal_np::epsilon)) == 0;
-}
 
 // Returns the graph that the named parameters select for directional costs.
 template <typename NamedParameters>
@@ -48,6 +41,24 @@ auto directional_graph(Intrinsic_triangulation triangulation, const NamedParamet
         std::move(triangulation), Fixed_number_of_points(0),
         parameters::choose_parameter(
             parameters::get_parameter(np, internal_np::direction_to_source), false));
+}
+
+// Calls `f` with a graph for the named parameter `epsilon`. One that is not needed is not compiled
+// if `epsilon` is known by its type.
+template <typename GraphWithBound, typename ExactGraph, typename NamedParameters, typename F>
+auto with_epsilon(Intrinsic_triangulation triangulation, const NamedParameters& np, const F& f)
+{
+  const auto epsilon = parameters::get_parameter(np, internal_np::epsilon);
+  using Known = Known_number<std::decay_t<decltype(epsilon)>>;
+  if constexpr(Known::is_zero)
+    return f(ExactGraph(std::move(triangulation), np));
+  else
+  {
+    if constexpr(!Known::is_not_zero)
+      if(Known::value(epsilon) == 0)
+        return f(ExactGraph(std::move(triangulation), np));
+    return f(GraphWithBound(std::move(triangulation), np));
+  }
 }
 
 // Calls `f` with the graph that the named parameters select: a graph with weights and barriers if
@@ -80,11 +91,7 @@ auto with_graph_on(Intrinsic_triangulation triangulation, const NamedParameters&
     return f(
         Steiner_graph<Fixed_number_of_points>(std::move(triangulation), Fixed_number_of_points(0)));
   else if constexpr(has_epsilon)
-  {
-    if(is_exact(np))
-      return f(ExactGraph(std::move(triangulation), np));
-    return f(GraphWithBound(std::move(triangulation), np));
-  }
+    return with_epsilon<GraphWithBound, ExactGraph>(std::move(triangulation), np, f);
   else
     return f(Edge_graph(std::move(triangulation), np));
 }
