@@ -14,9 +14,9 @@ graph. They can be costs.
 computed then. They may also depend on how the search got there: `for_each_arc()` is given the
 labels of the search.
 
-`CGAL::Approximate_geodesics::Saddle_vertex_graph` finds its arcs with the help of upper bounds of
-all distances. The search finds them for it; the members that this takes are not part of the
-concept.
+A graph whose arcs depend on more than that has a type `Run`: a search keeps an object of it, which
+can find upper bounds of distances first, keep something with each label, expand several nodes
+together, or use several threads.
 
 All member functions are `const`, and several threads may call them for the same object at the same
 time.
@@ -29,6 +29,7 @@ time.
 \cgalHasModels{CGAL::Approximate_geodesics::Steiner_graph}
 \cgalHasModelsEnd
 
+\sa `GeodesicRun`
 \sa `SurfaceGraph`
 \sa `CGAL::Approximate_geodesics::Propagation`
 */
@@ -69,17 +70,11 @@ public:
   \param node the node that is being expanded. It may be expanded more than once in a run, each time
               with a smaller distance than before.
   \param labels what the search has found so far, to be read only:
-         - `labels.distance(n)` is the smallest distance of the node `n` found so far, in units of
-           the graph, or infinity if it was not reached. That of `node` is the one that it is being
-           expanded with. Others are upper bounds, which may still fall.
-         - `labels.is_reached(n)` is whether that distance is finite.
-         - `labels.predecessor(n)` is the node that `n` was reached from with this distance, and
-           thus says from which direction the path arrives; for a node that the search started from
-           it is the largest `Node`, which stands for none. It may be asked for if `n` was reached.
-         - `labels.number_of_nodes()` is the number of nodes.
-         - `labels.was_expanded(n)` is whether `n` was expanded before in this run, with a larger
-           distance. It is always `false` unless `needs_expansion_history` is `true`.
-  \param f what to call
+         distances, reached nodes and predecessors, as `GeodesicRun` lists them. The distance of
+         `node` is the one that it is being expanded with. Others are upper bounds, which may still
+         fall.
+  \param f what to call. `f(first, lengths, number)`, where `lengths` is a `const double*`, stands
+         for so many arcs to consecutive nodes.
 
   A graph that does not look at `labels` reports the same arcs whenever it is asked about a node.
   One that does may leave out arcs that cannot shorten any path: an arc to a node `t` if
@@ -87,6 +82,8 @@ public:
   such that `t` is reached at least as well in another way. Only then are distances independent of
   the order in which nodes are expanded, and of the queue. (`Lazy_discrete_geodesic_graph` goes
   further: it leaves out arcs if `t` is reached well enough in another way.)
+
+  A graph with a `Run` does not need this member function, unless the `Run` uses it.
   */
   template <typename Labels, typename F>
   void for_each_arc(Node node, const Labels& labels, F f) const;
@@ -106,9 +103,13 @@ public:
   /// takes.
   void prefetch(Node node) const;
 
-  /// whether the search shall record which nodes were expanded, for `labels.was_expanded()`. This
-  /// costs a bit per node, and some time. The default is `false`.
-  static constexpr bool needs_expansion_history = unspecified_value;
+  /// what a search of the graph needs, a model of `GeodesicRun`. The default is
+  /// `CGAL::Approximate_geodesics::Geodesic_run_base<GeodesicGraph>`.
+  using Run = unspecified_type;
+
+  /// returns whether several threads take part in each search, so that there is no use in several
+  /// searches at the same time. The default is `false`.
+  bool is_parallel() const;
 
   /// @}
 };

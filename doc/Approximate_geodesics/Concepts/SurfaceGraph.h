@@ -90,7 +90,8 @@ public:
   target of the halfedge `h` of `triangulation()`. Between two such points, and before the first and
   after the last one, the arc runs straight through a face, or along an edge.
 
-  A graph whose `arcs_are_edges` does not need this member function.
+  A graph whose `arcs_are_edges` does not need this member function, nor one whose
+  `GeodesicRun::for_each_crossing()` does not call it.
 
   \param source the node that the arc starts from
   \param target the node that it leads to

@@ -147,10 +147,9 @@ TEST(Cone_front, keeps_the_bound_on_every_mesh)
 struct Labels
 {
   double distance(const Node node) const { return distances[node]; }
-  bool was_expanded(const Node node) const { return expanded[node]; }
 
   std::vector<double> distances;
-  std::vector<bool> expanded;
+  std::vector<Node> expanded = {}; // nodes that are expanded for the second time
 };
 
 using Arc = std::tuple<Node, Node, double>; // source, target and length
@@ -171,6 +170,12 @@ struct Arc_list
     arcs.emplace_back(source, target, length);
   }
 
+  template <typename Loop, typename F>
+  void append_in_parallel(const Loop& /* loop */, std::size_t /* number */, const F& /* append */)
+  {
+    ADD_FAILURE() << "these graphs have no threads";
+  }
+
   std::vector<Arc> sorted() const
   {
     std::vector<Arc> result = arcs;
@@ -183,21 +188,21 @@ struct Arc_list
 };
 
 // Finds them so many nodes at a time.
-std::vector<Arc>
-arcs_together(const Lazy_discrete_geodesic_graph& graph,
-              const Labels& labels,
-              const std::size_t number = Lazy_discrete_geodesic_graph::nodes_at_a_time)
+std::vector<Arc> arcs_together(const Lazy_discrete_geodesic_graph& graph,
+                               const Labels& labels,
+                               const std::size_t number = 32)
 {
-  Arc_list result;
+  Lazy_discrete_geodesic_graph::Run run(graph);
+  Arc_list first_time, result;
+  run.expand(labels.expanded.data(), labels.expanded.size(), labels, first_time);
   std::vector<Node> nodes(graph.number_of_nodes());
   std::iota(nodes.begin(), nodes.end(), Node(0));
   for(std::size_t first = 0; first < nodes.size(); first += number)
-    graph.append_arcs(nodes.data() + first, (std::min)(number, nodes.size() - first), labels,
-                      result);
+    run.expand(nodes.data() + first, (std::min)(number, nodes.size() - first), labels, result);
   return result.sorted();
 }
 
-// Finds those of one node after the other, as those do who know nothing of several.
+// Finds those of one node after the other, expanded for the first time.
 std::vector<Arc> arcs_in_turn(const Lazy_discrete_geodesic_graph& graph, const Labels& labels)
 {
   Arc_list result;
@@ -221,8 +226,7 @@ bool are_among(const std::vector<Arc>& arcs, const std::vector<Arc>& others)
 
 Labels no_labels(const Lazy_discrete_geodesic_graph& graph)
 {
-  return {std::vector<double>(graph.number_of_nodes(), infinity),
-          std::vector<bool>(graph.number_of_nodes())};
+  return {std::vector<double>(graph.number_of_nodes(), infinity)};
 }
 
 // Somewhat too large, or infinite; some nodes were expanded.
@@ -235,7 +239,8 @@ Labels random_labels(const Lazy_discrete_geodesic_graph& graph, Random& random)
   {
     if(random.below(3) > 0)
       result.distances[node] = search.distance(node) / graph.unit() * random.between(1, 1.2);
-    result.expanded[node] = random.below(8) == 0;
+    if(random.below(8) == 0)
+      result.expanded.push_back(node);
   }
   return result;
 }
@@ -265,13 +270,14 @@ std::vector<Mesh> meshes_without_lines(Random& random)
   return {to_mesh(terrain(40, 30, random)), to_mesh(sphere(24, 15).transformed(noise))};
 }
 
-TEST(Cone_front, finds_the_same_arcs_for_those_who_ask_for_one_node)
+TEST(Cone_front, finds_the_same_arcs_as_for_each_arc)
 {
   Random random(test_seed());
   for(const Mesh& mesh : meshes_without_lines(random))
   {
     const Lazy_discrete_geodesic_graph graph(Triangulation(mesh), epsilon(0.1));
-    const Labels labels = random_labels(graph, random);
+    Labels labels = random_labels(graph, random);
+    labels.expanded.clear();
     const std::vector<Arc> together = arcs_together(graph, labels);
     const std::vector<Arc> in_turn = arcs_in_turn(graph, labels);
     EXPECT_EQ(in_turn.size(), together.size());
@@ -289,7 +295,8 @@ TEST(Cone_front, finds_no_arc_that_a_repeated_expansion_does_not_find)
       const Lazy_discrete_geodesic_graph graph(Triangulation(mesh), epsilon(e));
       Labels labels = no_labels(graph);
       const std::vector<Arc> first = arcs_together(graph, labels);
-      labels.expanded.flip();
+      labels.expanded.resize(graph.number_of_nodes());
+      std::iota(labels.expanded.begin(), labels.expanded.end(), Node(0));
       EXPECT_TRUE(are_among(first, arcs_together(graph, labels)));
     }
 }

@@ -8,8 +8,10 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arc_visitor.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -32,18 +34,45 @@ public:
   // Since construction.
   std::size_t number_of_sights() const { return m_number_of_sights; }
 
-  template <typename Labels, typename F>
-  void for_each_arc(const Node node, const Labels& labels, F f) const
+  class Run : public Saddle_vertex_graph::Run
+  {
+  public:
+    explicit Run(const Sight_counting_graph& graph)
+      : Saddle_vertex_graph::Run(graph), m_graph(&graph)
+    {
+    }
+
+    template <typename Labels, typename Candidates>
+    void expand(const Node* const nodes,
+                const std::size_t number,
+                const Labels& labels,
+                Candidates& candidates)
+    {
+      for(const Node* node = nodes; node != nodes + number; ++node)
+        m_graph->for_each_arc(*node, Known<Labels>{*this, labels},
+                              [&](const Node target, const double length, const auto& arrival) {
+                                candidates.make_room(1);
+                                candidates.append(true, *node, labels.distance(*node), target,
+                                                  length, arrival);
+                              });
+    }
+
+  private:
+    const Sight_counting_graph* m_graph;
+  };
+
+  template <typename Known, typename F>
+  void for_each_arc(const Node node, const Known& known, F f) const
   {
     namespace internal = CGAL::Approximate_geodesics::internal;
-    Visitor<Labels, F> visitor{{{}, labels, f}, m_number_of_sights};
-    internal::Sight_expansion<Visitor<Labels, F>> expansion(m_steps, m_bends, labels.distance(node),
-                                                            visitor);
+    Visitor<Known, F> visitor{{{}, known, f}, m_number_of_sights};
+    internal::Sight_expansion<Visitor<Known, F>> expansion(m_steps, m_bends, known.distance(node),
+                                                           visitor);
     internal::Vertex_sights(triangulation(), m_steps, m_bends)
         .for_each(
-            node, labels.arrival(node),
+            node, known.arrival(node),
             [&](const Node h) {
-              f(triangulation().target(h), triangulation().length(h), Arrival::along(h));
+              f(triangulation().target(h), triangulation().length(h), internal::Arrival::along(h));
             },
             [&](const internal::Sight& sight, const Node left_end, const Node right_end) {
               expansion.look(sight, left_end, right_end);
@@ -51,8 +80,8 @@ public:
   }
 
 private:
-  template <typename Labels, typename F>
-  struct Visitor : CGAL::Approximate_geodesics::internal::Arc_visitor<Labels, F>
+  template <typename Known, typename F>
+  struct Visitor : CGAL::Approximate_geodesics::internal::Arc_visitor<Known, F>
   {
     static constexpr bool wants_sights = true;
 

@@ -9,6 +9,7 @@
 #include "peers/Label_pruning.h"
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_front.h>
@@ -16,10 +17,45 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+// Knows which nodes a search has expanded before, and has several of them expanded together.
+template <typename Graph>
+class Run_with_history : public CGAL::Approximate_geodesics::Geodesic_run_base<Graph>
+{
+  using Base = CGAL::Approximate_geodesics::Geodesic_run_base<Graph>;
+
+public:
+  using Node = typename Base::Node;
+  using Base::Base;
+
+  template <typename Search>
+  void start(Search& /* search */)
+  {
+    m_is_expanded.assign(this->graph().number_of_nodes(), false);
+  }
+
+  template <typename Labels, typename Candidates>
+  void expand(const Node* const nodes,
+              const std::size_t number,
+              const Labels& labels,
+              Candidates& candidates)
+  {
+    constexpr std::size_t nodes_at_a_time = 32;
+    for(std::size_t i = 0; i < number; i += nodes_at_a_time)
+      this->graph().append_arcs(nodes + i, (std::min)(nodes_at_a_time, number - i), m_is_expanded,
+                                labels, candidates);
+    for(std::size_t i = 0; i < number; ++i)
+      m_is_expanded[nodes[i]] = true;
+  }
+
+private:
+  std::vector<bool> m_is_expanded;
+};
 
 // A lazy graph that expands cones depth first. Pruning by geometry and pruning by labels use the
 // same share of epsilon.
@@ -29,8 +65,7 @@ class Cones_in_turn
 public:
   using Triangulation = CGAL::Approximate_geodesics::Intrinsic_triangulation;
   using Node = Triangulation::Index;
-
-  static constexpr bool needs_expansion_history = true;
+  using Run = Run_with_history<Cones_in_turn>;
 
   Cones_in_turn(Triangulation triangulation, const double epsilon)
     : m_triangulation(std::move(triangulation)), m_unfolding(m_triangulation), m_rules(epsilon)
@@ -49,17 +84,28 @@ public:
     m_triangulation.prefetch(m_triangulation.first_halfedge(node));
   }
 
-  template <typename Labels, typename F>
-  void for_each_arc(const Node node, const Labels& labels, F f) const
+  template <typename Labels, typename Arcs>
+  void append_arcs(const Node* const nodes,
+                   const std::size_t number,
+                   const std::vector<bool>& is_expanded,
+                   const Labels& labels,
+                   Arcs& arcs) const
   {
     const Expansion expansion(m_triangulation, m_unfolding, m_rules);
-    const auto report = [&](const auto& arc) { f(arc.target, arc.length); };
-    if(labels.was_expanded(node))
-      expansion.expand(node, report, Counting_windows<COUNTS>(m_count));
-    else
-      expansion.expand(node, report,
-                       Label_pruning<COUNTS, Labels>(m_triangulation, labels, labels.distance(node),
-                                                     m_rules.longest_detour, m_count));
+    for(const Node* node = nodes; node != nodes + number; ++node)
+    {
+      const double label = labels.distance(*node);
+      const auto report = [&](const auto& arc) {
+        arcs.make_room(1);
+        arcs.append(true, *node, label, arc.target, arc.length);
+      };
+      if(is_expanded[*node])
+        expansion.expand(*node, report, Counting_windows<COUNTS>(m_count));
+      else
+        expansion.expand(*node, report,
+                         Label_pruning<COUNTS, Labels>(m_triangulation, labels, label,
+                                                       m_rules.longest_detour, m_count));
+    }
   }
 
   // Windows visited by searches.
@@ -79,6 +125,8 @@ private:
 class Counted_cones_together : public CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph
 {
 public:
+  using Run = Run_with_history<Counted_cones_together>;
+
   Counted_cones_together(CGAL::Approximate_geodesics::Intrinsic_triangulation triangulation,
                          const double epsilon)
     : Lazy_discrete_geodesic_graph(std::move(triangulation), CGAL::parameters::epsilon(epsilon)),
@@ -89,13 +137,14 @@ public:
   template <typename Labels, typename Arcs>
   void append_arcs(const Node* const nodes,
                    const std::size_t number,
+                   const std::vector<bool>& is_expanded,
                    const Labels& labels,
                    Arcs& arcs) const
   {
     using CGAL::Approximate_geodesics::internal::Cone_front;
     std::vector<Node> together;
     for(std::size_t i = 0; i < number; ++i)
-      if(const Node node = nodes[i]; labels.was_expanded(node))
+      if(const Node node = nodes[i]; is_expanded[node])
         expand_again(node, labels, arcs);
       else
       {

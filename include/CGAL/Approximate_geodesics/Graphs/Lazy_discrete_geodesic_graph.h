@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_front.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_run.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_triangulation.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Label_pruning.h>
@@ -25,7 +26,6 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <boost/config.hpp>
-#include <boost/container/small_vector.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -136,8 +136,15 @@ public:
   /// returns the bound that holds in the graph.
   double epsilon() const { return m_rules.epsilon; }
 
-  /// a graph whose arcs depend on which nodes were expanded before.
-  static constexpr bool needs_expansion_history = true;
+  /// what a search keeps: which nodes were expanded before.
+#ifdef DOXYGEN_RUNNING
+  using Run = unspecified_type;
+#else
+  using Run = internal::Cone_run<Lazy_discrete_geodesic_graph>;
+#endif
+
+  /// returns whether several threads take part in each search.
+  bool is_parallel() const { return m_loop.is_parallel(); }
 
   /// returns the number of nodes.
   std::size_t number_of_nodes() const
@@ -153,62 +160,17 @@ public:
 
   /*!
    * calls `f(target, length)` for arcs that start from `node`: for all of them if arcs are kept,
-   * else for those that may be of use to a search with these labels.
+   * else for those that may be of use to a search with these labels, which expands the node for the
+   * first time.
    */
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    const auto report = [&](const Node target, const double length) { f(target, length); };
-    if(m_arc_cache.is_enabled())
-    {
-      const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
-        internal::find_stored_arcs(node, m_unit, arcs, [&](const auto& f_of_arc) {
-          find_arcs(node, f_of_arc, internal::Leave_out_detours(), m_rules);
-        });
-      };
-      for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
-        f(arc.target, static_cast<double>(arc.length) * m_unit);
-    }
-    else if(m_cone_triangulation.has_balanced_fans())
-      find_arcs_in_fans(node, labels, report);
-    else if(labels.was_expanded(node)) // those behind have to be told that its label has fallen
-      find_arcs(node, report, internal::Leave_out_nothing(), rules_of_longest_arcs());
-    else
-    {
-      Arc_function<F> arcs{f};
-      expand(&node, 1, labels, arcs);
-    }
+    if(!advances_together())
+      return find_arcs_in_turn(node, false, labels, f);
+    Arc_function<F> arcs{f};
+    expand(&node, 1, labels, arcs);
   }
-
-  /// \cond SKIP_IN_MANUAL
-
-  // How many nodes a search should expand at a time.
-  static constexpr std::size_t nodes_at_a_time = 32;
-
-  // Appends the arcs of several nodes to `arcs`, as `Cone_front` does.
-  template <typename Labels, typename Arcs>
-  void append_arcs(const Node* const nodes,
-                   const std::size_t number,
-                   const Labels& labels,
-                   Arcs& arcs) const
-  {
-    boost::container::small_vector<Node, nodes_at_a_time> together;
-    for(std::size_t i = 0; i < number; ++i)
-      if(const Node node = nodes[i]; !advances_together() || labels.was_expanded(node))
-        for_each_arc(node, labels, [&](const Node target, const double length) {
-          arcs.make_room(1);
-          arcs.append(true, node, labels.distance(node), target, length);
-        });
-      else
-        together.push_back(node);
-    expand(together.data(), together.size(), labels, arcs);
-  }
-
-  // Whether several threads may look for arcs at the same time, and how they are called.
-  bool is_parallel() const { return m_loop.is_parallel(); }
-  const internal::Loop& loop() const { return m_loop; }
-
-  /// \endcond
 
   /*!
    * calls `f(h, t)` for every edge that the arc of the given length from `source` to `target`
@@ -265,6 +227,8 @@ public:
   /// @}
 
 private:
+  friend class internal::Cone_run<Lazy_discrete_geodesic_graph>;
+
   using Expansion = internal::Cone_expansion<internal::Unfolding>;
 
   // whether nodes that are expanded for the first time are expanded together
@@ -317,21 +281,40 @@ private:
         .expand(nodes, number);
   }
 
-  // In balanced fans, detours are left out: a hub's neighbors may all see each other.
+  // Finds the arcs of a node that is not expanded together with others.
   template <typename Labels, typename F>
-  void find_arcs_in_fans(const Node node, const Labels& labels, const F& f) const
+  void find_arcs_in_turn(const Node node,
+                         const bool was_expanded,
+                         const Labels& labels,
+                         const F& f) const
   {
-    using Visitor = internal::Leave_out_detours;
-    if(labels.was_expanded(node))
-      find_arcs(node, f, Visitor(), m_rules);
-    else
+    if(m_arc_cache.is_enabled())
+      for_each_kept_arc(node, f);
+    else if(!m_cone_triangulation.has_balanced_fans()) // for the second time
+      find_arcs(node, f, internal::Leave_out_nothing(), rules_of_longest_arcs());
+    else if(was_expanded)
+      find_arcs(node, f, internal::Leave_out_detours(), m_rules);
+    else // detours are left out, as a hub's neighbors may all see each other
       find_arcs(node, f,
-                internal::Label_pruning<Visitor, Labels>{{},
-                                                         m_cone_triangulation.get(m_triangulation),
-                                                         labels,
-                                                         labels.distance(node),
-                                                         m_rules.longest_detour},
+                internal::Label_pruning<internal::Leave_out_detours, Labels>{
+                    {},
+                    m_cone_triangulation.get(m_triangulation),
+                    labels,
+                    labels.distance(node),
+                    m_rules.longest_detour},
                 m_rules);
+  }
+
+  template <typename F>
+  void for_each_kept_arc(const Node node, const F& f) const
+  {
+    const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
+      internal::find_stored_arcs(node, m_unit, arcs, [&](const auto& f_of_arc) {
+        find_arcs(node, f_of_arc, internal::Leave_out_detours(), m_rules);
+      });
+    };
+    for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
+      f(arc.target, static_cast<double>(arc.length) * m_unit);
   }
 
   template <typename F, typename Visitor>

@@ -13,22 +13,16 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arc_visitor.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Line_tracer.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Saddle_run.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
-#include <limits>
-#include <tuple>
 #include <utility>
 
 namespace CGAL {
@@ -129,83 +123,15 @@ public:
   /// returns a summary of the lengths of the mesh's edges. Arcs can be longer.
   const Arc_lengths& arc_lengths() const { return m_edges.arc_lengths(); }
 
-  /// calls `f(target, length, arrival)` for arcs that may be of use to a search with these labels,
-  /// which know upper bounds of all distances, and how paths arrive.
-  template <typename Labels, typename F>
-  void for_each_arc(const Node node, const Labels& labels, F f) const
-  {
-    for_each_arc(node, labels, f, {});
-  }
+  /// what a search keeps: upper bounds of distances, and how paths arrive.
+#ifdef DOXYGEN_RUNNING
+  using Run = unspecified_type;
+#else
+  using Run = internal::Saddle_run<Saddle_vertex_graph>;
+#endif
 
-  /// \cond SKIP_IN_MANUAL
-
-  // How a path arrives at a node, for the search to keep.
-  using Arrival = internal::Arrival;
-
-  // The graph of the mesh's edges, which gives upper bounds of all distances.
-  const Edge_graph& edges() const { return m_edges; }
-
-  // The last edge of the shortest path along edges: the node before it, its length, and how the
-  // path arrives. The node is null if no neighbor has a label.
-  template <typename Labels>
-  std::tuple<Node, double, Arrival> last_edge(const Node node, const Labels& labels) const
-  {
-    std::tuple<Node, double, Arrival> result{Intrinsic_triangulation::null_index, 0, {}};
-    double shortest = std::numeric_limits<double>::infinity();
-    for(Node h = triangulation().first_halfedge(node); h < triangulation().beyond_halfedge(node);
-        ++h)
-    {
-      const Node from = triangulation().target(h);
-      const double label = labels.distance(from) + triangulation().length(h);
-      if(label < shortest)
-      {
-        shortest = label;
-        result = {from, triangulation().length(h), Arrival::along(triangulation().opposite(h))};
-      }
-    }
-    return result;
-  }
-
-  // Whether several threads may look for arcs at the same time, and how they are called.
+  /// returns whether several threads take part in each search.
   bool is_parallel() const { return m_loop.is_parallel(); }
-  const internal::Loop& loop() const { return m_loop; }
-
-  // Into how many parts the arcs of a node can be divided: those of a source, which can be most of
-  // all, into many, which differ in the sides that they take where sights are split.
-  template <typename Labels>
-  std::size_t number_of_parts(const Node node, const Labels& labels) const
-  {
-    if(labels.arrival(node).is_none())
-      return NUMBER_OF_PARTS;
-    return m_bends.is_possible(node) ? 1 : 0;
-  }
-
-  template <typename Labels, typename F>
-  void
-  for_each_arc_of_part(const Node node, const std::size_t part, const Labels& labels, F f) const
-  {
-    if(labels.arrival(node).is_none())
-      for_each_arc(node, labels, f, {part, NUMBER_OF_PARTS});
-    else
-      for_each_arc(node, labels, f, {});
-  }
-
-  // Calls `f(h, t)` for every edge that the line of the given length crosses on its way back from
-  // `node`, where it arrives as `arrival` says, to `end`. Returns the length of the line,
-  // or a negative number if it cannot be found.
-  template <typename F>
-  double for_each_crossing_back(const Node node,
-                                const Arrival& arrival,
-                                const Intrinsic_point& end,
-                                const double length,
-                                const double rounding,
-                                F f) const
-  {
-    return internal::Line_tracer(triangulation(), m_steps, m_bends)
-        .for_each_crossing(node, arrival, end, length, rounding, f);
-  }
-
-  /// \endcond
 
   /// attaches a point of the surface by straight lines: those in its faces if no labels are known,
   /// and else all that are of use.
@@ -226,24 +152,7 @@ public:
   /// @}
 
 private:
-  template <typename Labels, typename F>
-  void
-  for_each_arc(const Node node, const Labels& labels, F& f, const internal::Sight_part part) const
-  {
-    using Visitor = internal::Arc_visitor<Labels, F>;
-    Visitor visitor{{}, labels, f};
-    internal::Sight_expansion<Visitor> expansion(m_steps, m_bends, labels.distance(node), visitor,
-                                                 part);
-    internal::Vertex_sights(triangulation(), m_steps, m_bends)
-        .for_each(
-            node, labels.arrival(node),
-            [&](const Node h) {
-              f(triangulation().target(h), triangulation().length(h), Arrival::along(h));
-            },
-            [&](const internal::Sight& sight, const Node left_end, const Node right_end) {
-              expansion.look(sight, left_end, right_end);
-            });
-  }
+  friend class internal::Saddle_run<Saddle_vertex_graph>;
 
   template <typename NamedParameters>
   static Intrinsic_triangulation checked(Intrinsic_triangulation triangulation,
@@ -255,8 +164,6 @@ private:
         internal::reject("Saddle_vertex_graph gives exact distances: epsilon must be 0, if given");
     return triangulation;
   }
-
-  static constexpr std::size_t NUMBER_OF_PARTS = 64;
 
   internal::Loop m_loop; // first, as it is used to make the others
   Edge_graph m_edges;

@@ -168,7 +168,7 @@ public:
     const auto seeds = this->seeds(sources);
     const auto rule = rule_for_nodes(stop);
     run_and_adopt(sources, std::move(points), stop.maximum_distance,
-                  [&] { m_search.run(seeds, rule, visitor, seeds_found_from(sources)); });
+                  [&] { m_search.run(seeds, rule, visitor, starting_from(sources, seeds)); });
   }
 
   /*!
@@ -193,7 +193,7 @@ public:
     const auto rule = rule_for_nodes({limit, {target}});
     run_and_adopt(sources, std::move(points), maximum_distance, [&] {
       const auto search_toward = [&](const auto& heuristic) {
-        m_search.run_toward(seeds, rule, heuristic, seeds_found_from(sources));
+        m_search.run_toward(seeds, rule, heuristic, starting_from(sources, seeds));
       };
       if(positions.are_known() && is_goal_for_heuristic(target))
         search_toward(internal::Euclidean_heuristic<Graph>(*m_graph, positions, target));
@@ -319,67 +319,54 @@ private:
     return Points_by_face(m_graph->triangulation(), std::move(points));
   }
 
+  using Run = typename Search::Run;
+  using Payload = typename Run::Payload;
+
   // Where lines from a point that is not a vertex are found with the help of labels, all of these
   // have to be final that are smaller than its distance.
   static bool is_goal_for_heuristic(const Intrinsic_point& target)
   {
-    return !internal::needs_bounds<Graph> || target.is_vertex();
+    return !Run::attaches_by_labels || target.is_vertex();
   }
 
-  // Where a search starts: at the nodes around the sources, and for one with upper bounds at
-  // vertices, and where lines from other points end.
-  auto seeds_found_from([[maybe_unused]] const std::vector<Source_point>& sources) const
+  // Enters the seeds, or, where lines are found with the help of labels, the ends of those from the
+  // sources.
+  auto starting_from([[maybe_unused]] const std::vector<Source_point>& sources,
+                     [[maybe_unused]] const std::vector<typename Search::Seed>& seeds) const
   {
-    if constexpr(internal::needs_bounds<Graph>)
-      return [this, &sources](const auto& labels, const auto& enter) {
+    return [&](const auto& enter) {
+      if constexpr(Run::attaches_by_labels)
         for(std::size_t i = 0; i < sources.size(); ++i)
-          this->enter_lines(sources[i], i, labels, enter);
-      };
-    else
-      return internal::Same_seeds();
-  }
-
-  template <typename Labels, typename Enter>
-  void enter_lines(const Source_point& source,
-                   const std::size_t number,
-                   const Labels& labels,
-                   const Enter& enter) const
-  {
-    const double distance = source.distance;
-    if(source.point.is_vertex())
-      return enter({source.point.vertex, distance, number}, typename Graph::Arrival());
-    m_graph->attach(source.point)
-        .for_each_line(
-            distance / m_graph->unit(), [&](const Node node) { return labels.bound(node); },
-            Points_by_face(),
-            [&](const Node node, const double length, const auto& arrival) {
-              enter({node, distance + length * m_graph->unit(), number}, arrival);
-            },
-            [](std::size_t, double) {});
-  }
-
-  // What labels of nodes may be at most, if a path over them is to lead to a point at the given
-  // distance or a smaller one. Nodes that were not reached are farther away.
-  auto bound_before(const double distance) const
-  {
-    constexpr double rounding = 1e-12;
-    return [this, largest = distance * (1 + rounding)](const Node node) {
-      return (largest - (std::min)(largest, m_search.distance(node))) / m_graph->unit();
+          enter_lines(sources[i], i, enter);
+      else
+        for(const auto& seed : seeds)
+          enter(seed, Payload());
     };
+  }
+
+  template <typename Enter>
+  void enter_lines(const Source_point& source, const std::size_t number, const Enter& enter) const
+  {
+    const double unit = m_graph->unit();
+    m_search.graph_run().for_each_line_from(
+        source.point, source.distance / unit,
+        [&](const Node node, const double length, const Payload& payload) {
+          enter({node, source.distance + length * unit, number}, payload);
+        });
   }
 
   // Considers lines that leave the faces of the point, from other nodes and from sources.
   void consider_lines([[maybe_unused]] const Intrinsic_point& point,
                       [[maybe_unused]] Answer& best) const
   {
-    if constexpr(internal::needs_bounds<Graph>)
+    if constexpr(Run::attaches_by_labels)
     {
       const double largest = (std::min)(best.distance, m_maximum_distance);
       if(point.is_vertex() || std::isinf(largest))
         return;
-      m_graph->attach(point).for_each_line(
-          0, bound_before(largest), m_points,
-          [&](const Node node, const double length, const auto&) { consider(node, length, best); },
+      m_search.graph_run().for_each_line_to(
+          point, largest / m_graph->unit(), m_search.labels(), m_points,
+          [&](const Node node, const double length) { consider(node, length, best); },
           [&](const std::size_t i, const double length) { consider(m_sources, i, length, best); });
     }
   }
@@ -488,26 +475,16 @@ private:
   // Appends the line from where the path has got to, to a node or point `to`, which is at `end`.
   template <typename End>
   void append_line(const Intrinsic_point& from,
-                   [[maybe_unused]] const End& to,
+                   const End& to,
                    const Intrinsic_point& end,
                    const Answer& answer,
                    Path& path) const
   {
-    const auto append_crossing = [&](const auto h, const double t) {
-      path.points.push_back(Intrinsic_point::on_edge(h, t));
-    };
-    if constexpr(internal::needs_bounds<Graph>)
-    {
-      const double rounding = internal::rounding_of_line(0, m_graph->unit());
-      const auto bound = [&](const Node node, const double slack) {
-        return bound_before(answer.distance * (1 + slack))(node) + rounding;
-      };
-      path.length += m_graph->attach(from).for_each_crossing(0, bound, end, answer.last_length,
-                                                             rounding, append_crossing);
-    }
-    else
-      path.length +=
-          m_graph->attach(from).for_each_crossing(to, answer.last_length, append_crossing);
+    path.length += m_search.graph_run().for_each_crossing_to(
+        from, answer.distance / m_graph->unit(), to, answer.last_length, m_search.labels(),
+        [&](const auto h, const double t) {
+          path.points.push_back(Intrinsic_point::on_edge(h, t));
+        });
     internal::append(end, m_graph->triangulation(), path);
   }
 
@@ -516,14 +493,12 @@ private:
   {
     if(source.point.is_vertex())
       return;
-    const double length = (m_search.distance(first) - source.distance) / m_graph->unit();
-    if constexpr(internal::needs_bounds<Graph>)
-      return internal::append_line_back(m_search, first, source.point,
-                                        source.distance / m_graph->unit(), path);
-    else
-      internal::append_backward(
-          [&](auto f) { return m_graph->attach(source.point).for_each_crossing(first, length, f); },
-          path);
+    internal::append_backward(
+        [&](auto f) {
+          return m_search.graph_run().for_each_crossing_from(
+              source.point, source.distance / m_graph->unit(), first, m_search.labels(), f);
+        },
+        path);
     internal::append(source.point, m_graph->triangulation(), path);
   }
 

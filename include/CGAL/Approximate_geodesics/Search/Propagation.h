@@ -8,29 +8,26 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_rules.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Bounded_labels.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Candidate_list.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Goal.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Input_check.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Nearest_sources.h>
 #include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
-#include <CGAL/Approximate_geodesics/Search/internal/counters.h>
 #include <CGAL/Approximate_geodesics/Search/internal/heuristics.h>
 #include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
-#include <CGAL/Approximate_geodesics/Search/internal/search_edges.h>
 #include <CGAL/Approximate_geodesics/Search/internal/watches.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,8 +54,8 @@ namespace Approximate_geodesics {
  * the usual single loop, a processor spends most of its time on wrong predictions; the first two of
  * these loops have no branch that depends on a label.
  *
- * If the graph has threads, batches are larger, and these share the second loop
- * (Parallel_expansion.h).
+ * The second loop belongs to the graph's `Run`, if it has one: it may look at the arcs of several
+ * nodes together, or with several threads, for which it may ask for larger batches.
  *
  * A node whose label falls after it was expanded is entered again, so that any order leads to the
  * same labels: the smallest sum of arc lengths from a source, over all paths, added up in the order
@@ -70,9 +67,9 @@ namespace Approximate_geodesics {
  * become final, and may end the run: at targets, or if the visitor wishes. Then labels that are not
  * final are taken back.
  *
- * Some graphs find their arcs with the help of upper bounds of all distances. Then a first search,
- * of the mesh's edges, finds these bounds; and if there is a goal, how far the second one has to
- * go.
+ * Some graphs find their arcs with the help of upper bounds of all distances. Their `Run` asks for
+ * a first search, of another graph, which finds these bounds; and if there is a goal, how far the
+ * second one has to go.
  *
  * With a heuristic, this is the A* algorithm [3]: the key of a node is its label plus a lower bound
  * of the distance from there to the goal.
@@ -132,6 +129,9 @@ public:
   /// when a run may end early.
   using Stop_rule = Approximate_geodesics::Stop_rule;
 
+  /// what the graph needs for a search: its `Run`, or `Geodesic_run_base`.
+  using Run = internal::Run_of<Graph>;
+
   /// @}
 
   /// what `predecessor()` returns if there is none.
@@ -149,6 +149,7 @@ public:
    */
   explicit Propagation(const Graph& graph)
     : m_graph(&graph),
+      m_run(graph),
       m_labels(graph.number_of_nodes()),
       m_queue(graph.number_of_nodes(), graph.arc_lengths())
   {
@@ -182,25 +183,22 @@ public:
   template <typename Visitor = Geodesic_visitor_base>
   void run(const std::vector<Seed>& seeds, const Stop_rule& stop, Visitor&& visitor = Visitor())
   {
-    check(seeds, stop);
-    forget();
-    search(seeds, stop, visitor, internal::No_heuristic(), internal::Same_seeds());
+    run(seeds, stop, visitor, all_of(seeds));
   }
 
   /// \cond SKIP_IN_MANUAL
 
-  // For graphs that need bounds: runs from seeds that are found with the help of these, while
-  // `seeds` are only where the search for them starts. `find_seeds` is called with the labels, and
-  // with a function object that it calls with each seed, and with how the path arrives there.
-  template <typename Visitor, typename FindSeeds>
+  // Starts from seeds that are found with the help of the graph's `Run`: `enter_seeds(enter)` calls
+  // `enter(seed, payload)` for each of them. Upper bounds of distances are found from `seeds`.
+  template <typename Visitor, typename EnterSeeds>
   void run(const std::vector<Seed>& seeds,
            const Stop_rule& stop,
            Visitor&& visitor,
-           const FindSeeds& find_seeds)
+           const EnterSeeds& enter_seeds)
   {
     check(seeds, stop);
     forget();
-    search(seeds, stop, visitor, internal::No_heuristic(), find_seeds);
+    search(seeds, stop, visitor, internal::No_heuristic(), enter_seeds);
   }
 
   /// \endcond
@@ -231,25 +229,25 @@ public:
   void
   run_toward(const std::vector<Seed>& seeds, const Stop_rule& stop, const AStarHeuristic& heuristic)
   {
-    run_toward(seeds, stop, heuristic, internal::Same_seeds());
+    run_toward(seeds, stop, heuristic, all_of(seeds));
   }
 
   /// \cond SKIP_IN_MANUAL
 
-  // does the same from seeds that are found with the help of upper bounds
-  template <typename AStarHeuristic, typename FindSeeds>
+  // does the same from seeds that are found with the help of the graph's `Run`
+  template <typename AStarHeuristic, typename EnterSeeds>
   void run_toward(const std::vector<Seed>& seeds,
                   const Stop_rule& stop,
                   const AStarHeuristic& heuristic,
-                  const FindSeeds& find_seeds)
+                  const EnterSeeds& enter_seeds)
   {
     check(seeds, stop);
     forget();
-    search(seeds, stop, Geodesic_visitor_base(), heuristic, find_seeds);
+    search(seeds, stop, Geodesic_visitor_base(), heuristic, enter_seeds);
     if(internal::reopens_too_often(m_labels) || has_lost_goal(stop))
     {
       forget();
-      search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_seeds);
+      search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), enter_seeds);
     }
   }
 
@@ -268,8 +266,7 @@ public:
   {
     check(seeds, Stop_rule());
     m_sources.forget(m_labels);
-    search(seeds, Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic(),
-           internal::Same_seeds());
+    search(seeds, Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic(), all_of(seeds));
   }
 
   /// enables or disables statistics for subsequent runs, which they slow down slightly.
@@ -307,11 +304,8 @@ public:
 
   /// \cond SKIP_IN_MANUAL
 
-  // The distance in units of the graph, in which no digits are lost where the mesh is tiny.
-  double label(const Node node) const { return m_labels.distance(node); }
-
-  // How the path to `node`, which was reached, arrives there, if the graph needs bounds.
-  const auto& arrival(const Node node) const { return m_labels.arrival(node); }
+  // Distances in units of the graph, in which no digits are lost where the mesh is tiny.
+  const auto& labels() const { return m_labels; }
 
   /// \endcond
 
@@ -341,56 +335,97 @@ public:
   /// returns the graph.
   const Graph& graph() const { return *m_graph; }
 
+  /// returns what the graph keeps of the last run.
+  const Run& graph_run() const { return m_run; }
+
   /// returns the number of bytes that the workspace takes.
   std::size_t memory() const
   {
-    return m_labels.memory() + m_queue.memory() + m_sources.memory() +
+    return m_run.memory() + m_labels.memory() + m_queue.memory() + m_sources.memory() +
            m_seeds.capacity() * sizeof(Seed) + m_candidates.memory();
   }
 
 private:
+  using Labels = internal::Labels;
+
+  template <typename G, typename Heuristic>
+  using Relaxation = internal::Batch_relaxation<G, Queue, Heuristic>;
+
   // The algorithm.
-  template <typename Watch, typename Heuristic, typename Counter>
-  void
-  propagate(const Stop_rule& stop, Watch watch, const Heuristic& heuristic, const Counter& counter)
+  template <typename Watch, typename Heuristic>
+  void propagate(const Stop_rule& stop, Watch watch, const Heuristic& heuristic)
   {
-    internal::Batch_relaxation<Graph, Queue, Labels, Heuristic, Counter> batch(
-        *m_graph, m_queue, m_labels, m_candidates, heuristic, largest_label(stop), counter);
+    Relaxation<Graph, Heuristic> batch(*m_graph, m_run, m_queue, m_labels, m_candidates, heuristic,
+                                       largest_label(stop), m_counts ? &m_statistics : nullptr);
     while(!m_queue.is_empty())
     {
       if(!batch.run(watch))
         return end_early<Heuristic>(batch.size());
-      enter_lost_nodes<Heuristic>(stop);
+      if constexpr(!internal::is_heuristic<Heuristic>)
+      {
+        End end{*this, stop, {}};
+        m_run.finish(end);
+        end.enter();
+      }
     }
     watch.finish();
   }
 
-  // Where faces are thinner than numbers can tell, lines may be longer than upper bounds, and be
-  // given up. Nodes that no line has led to, or only longer ones, are reached along edges, as their
-  // bounds say.
+  // What the graph's run may do before a search.
   template <typename Heuristic>
-  void enter_lost_nodes([[maybe_unused]] const Stop_rule& stop)
+  struct Start
   {
-    if constexpr(internal::needs_bounds<Graph> && !internal::is_heuristic<Heuristic>)
+    // the largest label that is of interest, in units of the graph
+    double limit() const { return search.largest_label(stop); }
+
+    // a lower bound of the distance to the goal, for as long as the search lasts
+    std::function<double(Node)> heuristic() const
     {
-      std::vector<std::pair<Node, double>> lowered; // and by how much
-      m_labels.for_each_lost_node(largest_label(stop), [&](const Node node) {
-        const auto [from, length, arrival] = m_graph->last_edge(node, m_labels);
-        const double old = m_labels.distance(node);
-        if(from == null_node || !(m_labels.distance(from) + length < old))
-          return;
-        m_labels.set(node, m_labels.distance(from) + length, from);
-        m_labels.set_arrival(node, arrival);
-        lowered.emplace_back(node, old - m_labels.distance(node));
-      });
-      if(lowered.empty())
-        return;
-      m_labels.lower_successors(lowered);
-      m_queue.clear(); // it went past these nodes
-      for(const auto& [node, difference] : lowered)
-        m_queue.push(node, m_labels.distance(node));
+      if constexpr(internal::is_heuristic<Heuristic>)
+        return [h = &to_goal](const Node node) { return (*h)(node); };
+      else
+        return {};
     }
-  }
+
+    // Searches another graph of the same nodes and unit, until the goal is met, and calls
+    // `f(node, label)` for all nodes that this labels.
+    template <typename OtherGraph, typename F>
+    void find_upper_bounds(const OtherGraph& graph, F f)
+    {
+      search.find_upper_bounds(graph, seeds, stop, to_goal, f);
+    }
+
+    Propagation& search;
+    const std::vector<Seed>& seeds;
+    const Stop_rule& stop;
+    const Heuristic& to_goal;
+  };
+
+  // What the graph's run may do after a search, or what seemed to be all of it.
+  struct End
+  {
+    const Labels& labels() const { return search.m_labels; }
+    double limit() const { return search.largest_label(stop); }
+
+    // Lowers a label; the node will be expanded.
+    void lower(const Node node, const double label, const Node predecessor)
+    {
+      search.m_labels.set(node, label, predecessor);
+      lowered.push_back(node);
+    }
+
+    void enter()
+    {
+      if(!lowered.empty())
+        search.m_queue.clear(); // it went past these nodes
+      for(const Node node : lowered)
+        search.m_queue.push(node, search.m_labels.distance(node));
+    }
+
+    Propagation& search;
+    const Stop_rule& stop;
+    std::vector<Node> lowered;
+  };
 
   // What is still in the queue, or was extracted last, is not final, and is taken back. After A*,
   // nothing but the goal is asked for, and nodes on the path to it may still be in the queue, as
@@ -403,26 +438,71 @@ private:
       m_labels.append_to_order(m_queue);
     else
     {
-      m_labels.discard_last_of_order(size_of_batch);
+      auto& order = m_labels.order();
+      for(std::size_t i = 0; i < size_of_batch; ++i)
+      {
+        discard(order.back());
+        order.pop_back();
+      }
       m_queue.for_each_node([this](const Node node) {
         if(m_labels.is_reached(node) && !m_queue.is_final(m_labels.distance(node)))
-          m_labels.discard(node);
+          discard(node);
       });
     }
   }
 
-  // Finds upper bounds of all distances, and how far the goal can be.
-  template <typename Heuristic>
-  void
-  find_bounds(const std::vector<Seed>& seeds, const Stop_rule& stop, const Heuristic& heuristic)
+  void discard(const Node node)
+  {
+    m_labels.discard(node);
+    m_run.discard(node);
+  }
+
+  // Finds upper bounds of all distances, and how far the goal can be. Then takes the labels back.
+  template <typename OtherGraph, typename Heuristic, typename F>
+  void find_upper_bounds(const OtherGraph& graph,
+                         const std::vector<Seed>& seeds,
+                         const Stop_rule& stop,
+                         const Heuristic& heuristic,
+                         F f)
   {
     constexpr double slack = 1e-6; // much more than rounding, and not much more to search
-    const std::size_t size_of_order = m_labels.order().size();
-    internal::search_edges(m_graph->edges(), m_queue, m_labels, seeds, largest_label(stop),
-                           heuristic, goal(stop, heuristic));
+    auto& order = m_labels.order();
+    const std::size_t size_of_order = order.size();
+    label_nodes(graph, seeds, stop, heuristic);
     m_limit = goal(stop, heuristic).distance() * (1 + slack);
-    m_labels.turn_into_bounds(size_of_order, largest_label(stop), heuristic);
+    for(std::size_t i = size_of_order; i < order.size(); ++i)
+      if(m_labels.is_reached(order[i])) // or it occurs twice
+      {
+        f(order[i], m_labels.distance(order[i]));
+        m_labels.discard(order[i]);
+      }
+    order.resize(size_of_order);
     m_queue.clear();
+  }
+
+  // Searches a graph until the goal is met. All nodes that get labels are appended to the order.
+  template <typename OtherGraph, typename Heuristic>
+  void label_nodes(const OtherGraph& graph,
+                   const std::vector<Seed>& seeds,
+                   const Stop_rule& stop,
+                   const Heuristic& heuristic)
+  {
+    for(const Seed& seed : seeds)
+    {
+      const double distance = to_graph_unit(seed.distance);
+      if(!(distance < m_labels.distance(seed.node) && distance <= largest_label(stop)))
+        continue;
+      m_labels.set(seed.node, distance, null_node);
+      m_queue.push(seed.node, distance + heuristic(seed.node));
+    }
+    using Other_relaxation = Relaxation<OtherGraph, Heuristic>;
+    typename Other_relaxation::Run run(graph);
+    typename Other_relaxation::Candidates candidates;
+    Other_relaxation batch(graph, run, m_queue, m_labels, candidates, heuristic,
+                           largest_label(stop), nullptr);
+    internal::Goal_watch watch(m_labels, goal(stop, heuristic));
+    batch.run(watch);
+    m_labels.append_to_order(m_queue);
   }
 
   // Whether upper bounds say that the goal can be reached, and it was not.
@@ -438,34 +518,29 @@ private:
     return (std::min)(m_limit, to_graph_unit(stop.maximum_distance));
   }
 
-  template <typename Visitor, typename Heuristic, typename FindSeeds>
+  template <typename Visitor, typename Heuristic, typename EnterSeeds>
   void search(const std::vector<Seed>& seeds,
               const Stop_rule& stop,
               Visitor&& visitor,
               const Heuristic& heuristic,
-              const FindSeeds& find_seeds)
+              const EnterSeeds& enter_seeds)
   {
     try
     {
       prepare();
-      if constexpr(internal::needs_bounds<Graph>)
-        find_bounds(seeds, stop, heuristic);
-      enter_all(seeds, stop, heuristic, find_seeds);
-      if(m_counts)
-        count_and_propagate(stop, visitor, heuristic);
-      else if constexpr(!internal::is_idle_visitor<Visitor>)
-        propagate(stop, watch(stop, visitor, heuristic), heuristic, internal::No_counter());
-      else if(!stop.targets.empty() || !stop.points.empty())
-        propagate(stop, internal::Goal_watch(m_labels, goal(stop, heuristic)), heuristic,
-                  internal::No_counter());
-      else
-        propagate(stop, internal::No_watch(), heuristic, internal::No_counter());
+      Start<Heuristic> start{*this, seeds, stop, heuristic};
+      m_run.start(start);
+      enter_seeds(
+          [&](const Seed& seed, const auto& payload) { enter(seed, payload, stop, heuristic); });
+      propagate(stop, watch(stop, visitor, heuristic), heuristic);
+      count_all();
       m_sources.forget_all(); // a visitor may have asked, too early
     }
     catch(...)
     {
       m_sources.forget_all();
       m_labels.forget_all();
+      m_run.forget_all();
       m_seeds.clear();
       throw;
     }
@@ -479,37 +554,27 @@ private:
     m_limit = std::numeric_limits<double>::infinity();
   }
 
-  // Returns whether the seed is the best of its node so far.
+  static auto all_of(const std::vector<Seed>& seeds)
+  {
+    return [&seeds](const auto& enter) {
+      for(const Seed& seed : seeds)
+        enter(seed, typename Run::Payload());
+    };
+  }
+
   template <typename Heuristic>
-  bool enter(Seed seed, const Stop_rule& stop, const Heuristic& heuristic)
+  void enter(Seed seed,
+             const typename Run::Payload& payload,
+             const Stop_rule& stop,
+             const Heuristic& heuristic)
   {
     seed.distance = to_graph_unit(seed.distance);
     m_seeds.push_back(seed);
     if(!(seed.distance < m_labels.distance(seed.node) && seed.distance <= largest_label(stop)))
-      return false;
+      return;
     m_labels.set(seed.node, seed.distance, null_node);
-    if constexpr(internal::needs_bounds<Graph>)
-      m_labels.set_arrival(seed.node, {});
+    m_run.on_label(seed.node, seed.distance, payload);
     m_queue.push(seed.node, seed.distance + heuristic(seed.node));
-    return true;
-  }
-
-  template <typename Heuristic, typename FindSeeds>
-  void enter_all(const std::vector<Seed>& seeds,
-                 const Stop_rule& stop,
-                 const Heuristic& heuristic,
-                 [[maybe_unused]] const FindSeeds& find_seeds)
-  {
-    if constexpr(std::is_same_v<FindSeeds, internal::Same_seeds>)
-      for(const Seed& seed : seeds)
-        enter(seed, stop, heuristic);
-    else
-      find_seeds(
-          internal::Limited_labels<Labels, Heuristic>(m_labels, largest_label(stop), heuristic),
-          [&](const Seed& seed, const auto& arrival) {
-            if(enter(seed, stop, heuristic))
-              m_labels.set_arrival(seed.node, arrival);
-          });
   }
 
   template <typename Heuristic>
@@ -524,18 +589,24 @@ private:
   }
 
   template <typename Visitor, typename Heuristic>
-  auto watch(const Stop_rule& stop, Visitor& visitor, const Heuristic& heuristic)
+  auto watch(const Stop_rule& stop, [[maybe_unused]] Visitor& visitor, const Heuristic& heuristic)
   {
     using Goal = decltype(goal(stop, heuristic));
-    return internal::Progress_watch<Graph, Goal, Visitor>(*m_graph, m_labels, goal(stop, heuristic),
-                                                          visitor);
+    if constexpr(internal::is_idle_visitor<Visitor>)
+      return internal::Goal_watch<Goal>(m_labels, goal(stop, heuristic));
+    else
+      return internal::Progress_watch<Graph, Goal, Visitor>(*m_graph, m_labels,
+                                                            goal(stop, heuristic), visitor);
   }
 
-  template <typename Visitor, typename Heuristic>
-  void count_and_propagate(const Stop_rule& stop, Visitor& visitor, const Heuristic& heuristic)
+  void count_all()
   {
-    propagate(stop, watch(stop, visitor, heuristic), heuristic, internal::Counter{m_statistics});
-    m_statistics.settled_nodes = m_labels.order().size(); // a watched order has no repetitions
+    if(!m_counts)
+      return;
+    std::vector<Node> nodes = m_labels.order();
+    std::sort(nodes.begin(), nodes.end());
+    m_statistics.settled_nodes =
+        static_cast<std::size_t>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
     if constexpr(internal::counts_comparisons<Queue>)
       m_statistics.queue_comparisons =
           m_queue.statistics().visited_buckets + m_queue.statistics().comparisons;
@@ -544,6 +615,7 @@ private:
   void forget()
   {
     m_sources.forget(m_labels);
+    m_run.forget(m_labels.order());
     m_labels.forget();
     m_seeds.clear();
   }
@@ -555,14 +627,13 @@ private:
     internal::Input_check(m_graph->number_of_nodes(), m_graph->unit()).check(seeds, stop);
   }
 
-  using Labels = internal::Labels_of<Graph>;
-
   const Graph* m_graph;
+  Run m_run;
   Labels m_labels;
   Queue m_queue;
-  internal::Candidate_list<Graph> m_candidates; // of a batch; memory is kept
-  mutable internal::Nearest_sources m_sources;  // found when first asked for
-  std::vector<Seed> m_seeds;                    // of the last run, distances in units of the graph
+  internal::Candidate_list<typename Run::Payload> m_candidates; // of a batch; memory is kept
+  mutable internal::Nearest_sources m_sources;                  // found when first asked for
+  std::vector<Seed> m_seeds; // of the last run, distances in units of the graph
   Propagation_statistics m_statistics;
   bool m_counts = false;
   bool m_ended_early = false;

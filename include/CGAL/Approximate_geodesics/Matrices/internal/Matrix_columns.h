@@ -8,10 +8,10 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
-#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
@@ -124,7 +124,7 @@ private:
     {
       points_of_columns.push_back(points[column]);
       m_points.first_arc.push_back(m_points.arcs.size());
-      if constexpr(!needs_bounds<Graph>)
+      if constexpr(!Run_of<Graph>::attaches_by_labels)
         attach_target(graph, points[column])
             .for_each_node([this](const auto node, const double length) {
               m_points.arcs.push_back({node, length});
@@ -139,7 +139,7 @@ private:
   {
     if(are_vertices())
       return;
-    if constexpr(needs_bounds<Graph>)
+    if constexpr(Run_of<Graph>::attaches_by_labels)
       for(std::size_t i = 0; i < m_points.columns.size(); ++i)
         set(m_points.columns[i], search.distance(m_points.points[i]), row);
     else

@@ -8,16 +8,17 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_columns.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
-#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -119,7 +120,7 @@ private:
 
   // Whether arcs depend on labels, so that the range of a search affects the last bits of
   // distances.
-  static constexpr bool depends_on_limit = needs_bounds<Graph> || needs_expansion_history<Graph>;
+  static constexpr bool depends_on_limit = !std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
 
   // A search for few columns labels many nodes beyond them. Limiting the distance avoids this; the
   // estimate is that of the previous row, whose source is near.

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
@@ -119,7 +119,7 @@ struct Check_surface_graph
   static_assert(is_surface_graph<Graph>,
                 "A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation() "
                 "const`.");
-  static_assert(!has_crossing_arcs<Graph> || needs_bounds<Graph> ||
+  static_assert(!has_crossing_arcs<Graph> || Run_of<Graph>::attaches_by_labels ||
                     boost::is_detected_convertible_v<double, Crossing, Graph>,
                 "A model of SurfaceGraph must have `double for_each_crossing(Node source, Node "
                 "target, double length, F f) const`, unless `arcs_are_edges` is `true`.");

@@ -16,21 +16,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
 // Paths in the shortest-path tree of a search, whose lengths are in units of the graph.
-
-// What the length of a line may be wrong by, in units of the graph: it is a difference of labels,
-// and distances in the unit of the mesh may be multiples of the smallest number.
-inline double rounding_of_line(const double label, const double unit)
-{
-  constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
-  return epsilon * label + 4 * (std::numeric_limits<double>::denorm_min() / unit);
-}
 
 // Appends the edges that a line crosses, which `for_each_crossing(f)` finds in the opposite order
 // and whose length it returns.
@@ -44,40 +35,6 @@ void append_backward(ForEachCrossing for_each_crossing, Path& path)
   std::reverse(path.points.begin() + beyond, path.points.end());
 }
 
-// Appends the line that arrives at `node`, from there back to `end`, which has the label `start`.
-// Mostly, how it arrives leads back along it. Where that fails, the line is looked for from its
-// start, as the search did; that takes up to as long as all of the search.
-template <typename Search>
-void append_line_back(const Search& search,
-                      const typename Search::Node node,
-                      const Intrinsic_point& end,
-                      const double start,
-                      Path& path)
-{
-  using Node = typename Search::Node;
-  const auto& graph = search.graph();
-  const double label = search.label(node), length = label - start;
-  const double rounding = rounding_of_line(label, graph.unit());
-  const double found =
-      graph.for_each_crossing_back(node, search.arrival(node), end, length, rounding,
-                                   [&](const Intrinsic_point::Index h, const double t) {
-                                     path.points.push_back(Intrinsic_point::on_edge(h, t));
-                                   });
-  const auto bound = [&](const Node v, const double slack) {
-    return (std::min)(label, search.label(v)) * (1 + slack) + rounding;
-  };
-  if(found >= 0)
-    path.length += found;
-  else
-    append_backward(
-        [&](auto f) {
-          return graph.attach(end).for_each_crossing(start, bound, Intrinsic_point::at_vertex(node),
-                                                     length, rounding, f);
-        },
-        path);
-  append(end, graph.triangulation(), path);
-}
-
 // Appends the arc that a search has found from `previous` to `node`, in the opposite direction.
 template <typename Search>
 void append_arc_back(const Search& search,
@@ -86,17 +43,15 @@ void append_arc_back(const Search& search,
                      Path& path)
 {
   using Graph = typename Search::Graph;
-  const Graph& graph = search.graph();
-  const double length = (search.distance(node) - search.distance(previous)) / graph.unit();
-  const Intrinsic_point end = position(graph, previous);
-  if constexpr(needs_bounds<Graph>)
-    return append_line_back(search, node, end, search.label(previous), path);
-  else if constexpr(has_crossing_arcs<Graph>)
-    append_backward([&](auto f) { return graph.for_each_crossing(previous, node, length, f); },
-                    path);
+  if constexpr(has_crossing_arcs<Graph>)
+    append_backward(
+        [&](auto f) {
+          return search.graph_run().for_each_crossing(previous, node, search.labels(), f);
+        },
+        path);
   else
-    path.length += length;
-  append(end, graph.triangulation(), path);
+    path.length += search.labels().distance(node) - search.labels().distance(previous);
+  append(position(search.graph(), previous), search.graph().triangulation(), path);
 }
 
 // Appends what follows `node` on the path back to where the search has started. Returns the node

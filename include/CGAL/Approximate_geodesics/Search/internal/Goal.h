@@ -46,6 +46,9 @@ public:
   {
   }
 
+  // whether there are any
+  bool is_given() const { return m_is_given; }
+
   bool is_final(const Node node) const
   {
     return is_final_key(m_labels.distance(node) + m_heuristic(node));

@@ -52,16 +52,6 @@ public:
     m_predecessor[node] = predecessor;
   }
 
-  // whether a node was expanded before in this run; only for graphs that need this
-  bool was_expanded(const Node node) const { return !m_is_expanded.empty() && m_is_expanded[node]; }
-
-  void set_expanded(const Node node)
-  {
-    if(m_is_expanded.empty())
-      m_is_expanded.resize(m_distance.size());
-    m_is_expanded[node] = true;
-  }
-
   const std::vector<Node>& order() const { return m_order; }
   std::vector<Node>& order() { return m_order; }
 
@@ -72,21 +62,7 @@ public:
     queue.for_each_node([this](const Node node) { m_order.push_back(node); });
   }
 
-  void discard(const Node node)
-  {
-    m_distance[node] = infinity;
-    if(!m_is_expanded.empty())
-      m_is_expanded[node] = false;
-  }
-
-  void discard_last_of_order(std::size_t number)
-  {
-    for(; number > 0; --number)
-    {
-      discard(m_order.back());
-      m_order.pop_back();
-    }
-  }
+  void discard(const Node node) { m_distance[node] = infinity; }
 
   // Takes back the labels of a run that no exception has left.
   void forget()
@@ -101,13 +77,12 @@ public:
   void forget_all()
   {
     std::fill(m_distance.begin(), m_distance.end(), infinity);
-    m_is_expanded.clear();
     m_order.clear();
   }
 
   std::size_t memory() const
   {
-    return m_distance.capacity() * sizeof(double) + m_is_expanded.capacity() / 8 +
+    return m_distance.capacity() * sizeof(double) +
            (m_predecessor.capacity() + m_order.capacity()) * sizeof(Node);
   }
 
@@ -117,7 +92,6 @@ private:
   std::vector<double> m_distance;
   std::vector<Node> m_predecessor; // meaningful where the distance is finite
   std::vector<Node> m_order;
-  std::vector<bool> m_is_expanded; // empty unless the graph needs it
 };
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
 #include <boost/type_traits/detected.hpp>
@@ -72,7 +73,7 @@ struct Check_graph
   static_assert(boost::is_detected_convertible_v<Arc_lengths, Lengths, Graph>,
                 "A model of GeodesicGraph must have `Arc_lengths arc_lengths() const`.");
   static_assert(
-      boost::is_detected_v<For_each_arc, Graph>,
+      boost::is_detected_v<Own_run, Graph> || boost::is_detected_v<For_each_arc, Graph>,
       "A model of GeodesicGraph must have `for_each_arc(Node node, const Labels& labels, F f) "
       "const`, for all types `Labels` and `F`.");
 

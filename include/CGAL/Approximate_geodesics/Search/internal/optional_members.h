@@ -31,18 +31,6 @@ template <typename Graph>
 using Prefetch =
     decltype(std::declval<const Graph&>().prefetch(std::declval<typename Graph::Node>()));
 
-template <typename Graph>
-using Needs_expansion_history = std::bool_constant<Graph::needs_expansion_history>;
-
-template <typename Graph>
-using Arrival_at_node = typename Graph::Arrival;
-
-template <typename Graph>
-using Loop_of_threads = decltype(std::declval<const Graph&>().loop());
-
-template <typename Graph>
-using Nodes_at_a_time = std::integral_constant<std::size_t, Graph::nodes_at_a_time>;
-
 template <typename Queue>
 using Statistics = decltype(std::declval<const Queue&>().statistics());
 
@@ -57,40 +45,6 @@ constexpr bool has_maximum_degree =
 // Whether a graph wants to be told which nodes will be expanded soon.
 template <typename Graph>
 constexpr bool has_prefetch = boost::is_detected_v<Prefetch, Graph>;
-
-// Whether a graph asks which nodes were expanded before.
-template <typename Graph>
-constexpr bool needs_expansion_history =
-    boost::detected_or_t<std::false_type, Needs_expansion_history, Graph>::value;
-
-// Whether a graph finds its arcs with the help of upper bounds.
-template <typename Graph>
-constexpr bool needs_bounds = boost::is_detected_v<Arrival_at_node, Graph>;
-
-// How paths arrive, for graphs that do not tell.
-struct No_arrival
-{
-};
-
-template <typename Graph>
-using Arrival_of = boost::detected_or_t<No_arrival, Arrival_at_node, Graph>;
-
-// Whether a graph may have threads that look for arcs at the same time.
-template <typename Graph>
-constexpr bool may_have_threads = boost::is_detected_v<Loop_of_threads, Graph>;
-
-// Whether a graph with threads may divide the arcs of a node among them.
-template <typename Graph>
-constexpr bool has_parts = may_have_threads<Graph>&& needs_bounds<Graph>;
-
-// Whether a graph finds the arcs of several nodes together.
-template <typename Graph>
-constexpr bool expands_together = boost::is_detected_v<Nodes_at_a_time, Graph>;
-
-// How many nodes are expanded one after the other, by one thread.
-template <typename Graph>
-constexpr std::size_t nodes_at_a_time =
-    boost::detected_or_t<std::integral_constant<std::size_t, 8>, Nodes_at_a_time, Graph>::value;
 
 // Whether a queue can hand out batches that are larger than usual.
 template <typename Queue>

@@ -32,14 +32,7 @@ namespace internal {
  * larger keys. So it is enough to ask for the first of them.
  */
 
-// For runs without targets that nobody watches.
-struct No_watch
-{
-  bool go_further(std::size_t /* number_appended */) const { return true; }
-  void finish() const {}
-};
-
-// Ends a run when its goal is met.
+// Ends a run when its goal is met, if it has one.
 template <typename Goal>
 class Goal_watch
 {
@@ -48,6 +41,8 @@ public:
 
   bool go_further(const std::size_t number_appended)
   {
+    if(!m_goal.is_given())
+      return true;
     const std::size_t number_of_earlier = m_labels.order().size() - number_appended;
     if(m_number_final == number_of_earlier || !m_goal.is_final(m_labels.order()[m_number_final]))
       return true;

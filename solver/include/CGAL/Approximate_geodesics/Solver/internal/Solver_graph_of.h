@@ -8,13 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Workspaces.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
@@ -89,7 +89,7 @@ public:
                  Solver_visitor& visitor) const override
   {
     const auto search = m_workspaces.borrow();
-    if constexpr(needs_bounds<Graph>)
+    if constexpr(Run_of<Graph>::attaches_by_labels)
       search->run({{source}}, {std::numeric_limits<double>::infinity(), {target}},
                   Solver_visitor::Of_search(visitor, true));
     else

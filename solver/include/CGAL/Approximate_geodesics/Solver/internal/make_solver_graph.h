@@ -15,11 +15,11 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Optional_points.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph_of.h>
-#include <CGAL/Approximate_geodesics/Solver/internal/Watched_exact_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cstddef>
@@ -81,7 +81,7 @@ inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation t
   if(!bound.epsilon)
     return solver_graph(Edge_graph(std::move(triangulation)));
   if(*bound.epsilon == 0)
-    return solver_graph(Watched_exact_graph(std::move(triangulation)));
+    return solver_graph(Saddle_vertex_graph(std::move(triangulation)));
   if(saved != nullptr)
     return solver_graph(Discrete_geodesic_graph::load(*saved, std::move(triangulation)));
   return solver_graph(Discrete_geodesic_graph(

@@ -1,0 +1,151 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_BASE_GEODESIC_RUN_BASE_H
+#define CGAL_APPROXIMATE_GEODESICS_BASE_GEODESIC_RUN_BASE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <boost/type_traits/detected_or.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsBase
+ *
+ * What a search of a graph needs that has no `Run` of its own: nothing. It reports the arcs of one
+ * node after the other, as `for_each_arc()` and `for_each_crossing()` of the graph give them.
+ *
+ * A `Run` of a graph can derive from this class, and replace the member functions that it needs.
+ *
+ * \tparam GeodesicGraph a model of `GeodesicGraph`; for the functions that trace lines, of
+ *         `SurfaceGraph`
+ *
+ * \cgalModels{GeodesicRun}
+ */
+template <typename GeodesicGraph>
+class Geodesic_run_base
+{
+public:
+  /// the graph searched.
+  using Graph = GeodesicGraph;
+
+  /// the number of a node.
+  using Node = typename Graph::Node;
+
+  /// nothing is kept with labels.
+  struct Payload
+  {
+  };
+
+  /// what `attach()` of the graph finds is enough.
+  static constexpr bool attaches_by_labels = false;
+
+  /// nothing is needed for a search of `graph`, which is referred to, not copied.
+  explicit Geodesic_run_base(const Graph& graph) : m_graph(&graph) {}
+
+  /// finds nothing out in advance.
+  template <typename Search>
+  void start(Search& /* search */)
+  {
+  }
+
+  /// appends the arcs that `for_each_arc()` of the graph reports.
+  template <typename Labels, typename Candidates>
+  void expand(const Node* const nodes,
+              const std::size_t number,
+              const Labels& labels,
+              Candidates& candidates)
+  {
+    candidates.append_arcs(*m_graph, nodes, number, labels);
+  }
+
+  /// keeps nothing.
+  void on_label(Node /* node */, double /* distance */, const Payload& /* payload */) {}
+
+  /// has nothing to add.
+  template <typename Search>
+  void finish(Search& /* search */)
+  {
+  }
+
+  /// \name Forgetting
+  /// @{
+  void discard(Node /* node */) {}
+  void forget(const std::vector<Node>& /* nodes */) {}
+  void forget_all() {}
+  /// @}
+
+  /// asks for no larger batches.
+  static constexpr std::size_t largest_batch() { return 0; }
+
+  /// returns `0`.
+  std::size_t memory() const { return 0; }
+
+  /// \name Lines
+  /// @{
+
+  /// calls `f(h, t)` for the edges that the arc from `source` to `target` crosses, as the graph
+  /// does.
+  template <typename Labels, typename F>
+  double
+  for_each_crossing(const Node source, const Node target, const Labels& labels, const F& f) const
+  {
+    return m_graph->for_each_crossing(source, target,
+                                      labels.distance(target) - labels.distance(source), f);
+  }
+
+  /// does the same for the line from `point`, where a search has started with the label `distance`,
+  /// to the node that it has reached from there.
+  template <typename Point, typename Labels, typename F>
+  double for_each_crossing_from(const Point& point,
+                                const double distance,
+                                const Node target,
+                                const Labels& labels,
+                                const F& f) const
+  {
+    return m_graph->attach(point).for_each_crossing(target, labels.distance(target) - distance, f);
+  }
+
+  /// does the same for a line of the given length from `point` to `end`, a node or a point.
+  template <typename Point, typename End, typename Labels, typename F>
+  double for_each_crossing_to(const Point& point,
+                              double /* distance */,
+                              const End& end,
+                              const double length,
+                              const Labels& /* labels */,
+                              const F& f) const
+  {
+    return m_graph->attach(point).for_each_crossing(end, length, f);
+  }
+
+  /// @}
+
+protected:
+  /// returns the graph.
+  const Graph& graph() const { return *m_graph; }
+
+private:
+  const Graph* m_graph;
+};
+
+namespace internal {
+
+template <typename Graph>
+using Own_run = typename Graph::Run;
+
+// What a search needs for a graph.
+template <typename Graph>
+using Run_of = boost::detected_or_t<Geodesic_run_base<Graph>, Own_run, Graph>;
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_BASE_GEODESIC_RUN_BASE_H

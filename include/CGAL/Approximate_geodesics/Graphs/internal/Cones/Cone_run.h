@@ -1,0 +1,123 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_RUN_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_RUN_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * What a search of a lazy graph needs: which nodes were expanded before. Nodes that are expanded
+ * for the first time are expanded together; all arcs of those that are expanded again are computed,
+ * as their targets may rely on the larger label.
+ */
+template <typename Graph>
+class Cone_run : public Geodesic_run_base<Graph>
+{
+  using Base = Geodesic_run_base<Graph>;
+  using Base::graph;
+
+public:
+  using Node = Intrinsic_triangulation::Index;
+
+  explicit Cone_run(const Graph& searched) : Base(searched) {}
+
+  // Several threads take part if there is enough to do for them.
+  template <typename Labels, typename Candidates>
+  void expand(const Node* const nodes,
+              const std::size_t number,
+              const Labels& labels,
+              Candidates& candidates)
+  {
+    constexpr std::size_t fewest_nodes = 64;
+    const std::size_t number_of_turns = (number + NODES_AT_A_TIME - 1) / NODES_AT_A_TIME;
+    const auto expand_some = [&](const std::size_t i, Candidates& part) {
+      const Node* const first = nodes + i * NODES_AT_A_TIME;
+      const Node* const beyond = nodes + (std::min)((i + 1) * NODES_AT_A_TIME, number);
+      expand_together(first, beyond, labels, part);
+    };
+    if(graph().is_parallel() && number >= fewest_nodes)
+      candidates.append_in_parallel(graph().m_loop, number_of_turns, expand_some);
+    else
+      for(std::size_t i = 0; i < number_of_turns; ++i)
+        expand_some(i, candidates);
+    for(std::size_t i = 0; i < number; ++i)
+      set_expanded(nodes[i]);
+  }
+
+  void discard(const Node node)
+  {
+    if(!m_is_expanded.empty())
+      m_is_expanded[node] = false;
+  }
+
+  void forget(const std::vector<Node>& nodes)
+  {
+    if(nodes.size() > m_is_expanded.size() / 4) // streaming beats jumping
+      return forget_all();
+    for(const Node node : nodes)
+      discard(node);
+  }
+
+  void forget_all() { m_is_expanded.clear(); }
+
+  // The more nodes are expanded before labels change, the more of them get shorter paths by others
+  // of them, and are expanded again.
+  std::size_t largest_batch() const { return graph().is_parallel() ? 4 * NODES_AT_A_TIME : 0; }
+
+  std::size_t memory() const { return m_is_expanded.capacity() / 8; }
+
+private:
+  static constexpr std::size_t NODES_AT_A_TIME = 32;
+
+  template <typename Labels, typename Candidates>
+  void expand_together(const Node* const first,
+                       const Node* const beyond,
+                       const Labels& labels,
+                       Candidates& candidates) const
+  {
+    boost::container::small_vector<Node, NODES_AT_A_TIME> together;
+    for(const Node* n = first; n != beyond; ++n)
+      if(const Node node = *n; graph().advances_together() && !was_expanded(node))
+        together.push_back(node);
+      else
+        graph().find_arcs_in_turn(
+            node, was_expanded(node), labels, [&](const Node target, const double length) {
+              candidates.make_room(1);
+              candidates.append(true, node, labels.distance(node), target, length);
+            });
+    graph().expand(together.data(), together.size(), labels, candidates);
+  }
+
+  bool was_expanded(const Node node) const { return !m_is_expanded.empty() && m_is_expanded[node]; }
+
+  void set_expanded(const Node node)
+  {
+    if(m_is_expanded.empty())
+      m_is_expanded.resize(graph().number_of_nodes());
+    m_is_expanded[node] = true;
+  }
+
+  std::vector<bool> m_is_expanded; // empty before the first expansion
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_RUN_H

@@ -1,0 +1,388 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SADDLE_RUN_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SADDLE_RUN_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
+#include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arc_visitor.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Line_tracer.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Upper_bounds.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics {
+namespace internal {
+
+/*
+ * What a search of a saddle vertex graph needs: upper bounds of all distances, without which lines
+ * would go on and on, and how paths arrive at nodes. A search of the edges finds the bounds first.
+ */
+template <typename Graph>
+class Saddle_run : public Geodesic_run_base<Graph>
+{
+  using Base = Geodesic_run_base<Graph>;
+  using Base::graph;
+
+public:
+  using Node = Intrinsic_triangulation::Index;
+  using Payload = Arrival;
+
+  static constexpr bool attaches_by_labels = true;
+
+  // What the search knows, as `Arc_visitor` asks for it.
+  template <typename Labels>
+  struct Known
+  {
+    double bound(const Node v) const { return run.bound(v); }
+    double distance(const Node v) const { return labels.distance(v); }
+    Node predecessor(const Node v) const { return labels.predecessor(v); }
+    const Arrival& arrival(const Node v) const { return run.m_arrival[v]; }
+
+    const Saddle_run& run;
+    const Labels& labels;
+  };
+
+  explicit Saddle_run(const Graph& searched)
+    : Base(searched), m_bounds(searched.number_of_nodes()), m_arrival(searched.number_of_nodes())
+  {
+  }
+
+  template <typename Search>
+  void start(Search& search)
+  {
+    m_distance_to_goal = search.heuristic();
+    search.find_upper_bounds(graph().m_edges, [&](const Node node, const double label) {
+      m_limit = search.limit();
+      m_bounds.add(node, (std::min)(label, largest_label(node)));
+    });
+    m_limit = search.limit();
+  }
+
+  // Several threads take part if there is enough to do for them.
+  template <typename Labels, typename Candidates>
+  void expand(const Node* const nodes,
+              const std::size_t number,
+              const Labels& labels,
+              Candidates& candidates)
+  {
+    if(graph().is_parallel() && list_tasks(nodes, number, labels))
+      candidates.append_in_parallel(graph().m_loop, m_tasks.size(),
+                                    [&](const std::size_t i, Candidates& part) {
+                                      graph().prefetch(m_tasks[i].node);
+                                      append_arcs(m_tasks[i].node, m_tasks[i].part, labels, part);
+                                    });
+    else
+      for(std::size_t i = 0; i < number; ++i)
+        append_arcs(nodes[i], Sight_part(), labels, candidates);
+  }
+
+  void on_label(const Node node, const double distance, const Arrival& arrival)
+  {
+    m_arrival[node] = arrival;
+    m_bounds.lower(node, distance);
+  }
+
+  // Where faces are numerically degenerate, lines may be longer than upper bounds, and be given up.
+  // Nodes that no line has led to, or only longer ones, are reached along edges, as their bounds
+  // say.
+  template <typename Search>
+  void finish(Search& search)
+  {
+    constexpr double factor = 1 + 1e-12;          // for rounding
+    std::vector<std::pair<Node, double>> lowered; // and by how much
+    for(const Node node : m_bounds.nodes())
+    {
+      const double old = search.labels().distance(node);
+      if(!(old > m_bounds[node] * factor && m_bounds[node] < search.limit()))
+        continue;
+      const auto [from, label, arrival] = last_edge(node, search.labels());
+      if(!(label < old))
+        continue;
+      search.lower(node, label, from);
+      on_label(node, label, arrival);
+      lowered.emplace_back(node, old - label);
+    }
+    if(!lowered.empty())
+      lower_successors(lowered, search);
+  }
+
+  void discard(const Node node) { m_bounds.discard(node); }
+  void forget(const std::vector<Node>& nodes) { m_bounds.forget(nodes); }
+  void forget_all() { m_bounds.forget_all(); }
+
+  std::size_t largest_batch() const
+  {
+    return graph().is_parallel() ? (std::numeric_limits<std::size_t>::max)() : 0;
+  }
+
+  std::size_t memory() const
+  {
+    return m_bounds.memory() + m_arrival.capacity() * sizeof(Arrival) +
+           m_tasks.capacity() * sizeof(Task);
+  }
+
+  // Calls `f(node, length, arrival)` for the lines from a point where the search starts.
+  template <typename F>
+  void for_each_line_from(const Intrinsic_point& point, const double label, F f) const
+  {
+    if(point.is_vertex())
+      return f(point.vertex, 0., Arrival());
+    graph().attach(point).for_each_line(
+        label, [&](const Node node) { return bound(node); }, Points_by_face(), f,
+        [](std::size_t, double) {});
+  }
+
+  // Calls `on_node(node, length)` and `on_point(i, length)` for the lines from nodes and from
+  // `points` to a point that is not a vertex: for those on paths not longer than `distance`.
+  template <typename Labels, typename OnNode, typename OnPoint>
+  void for_each_line_to(const Intrinsic_point& point,
+                        const double distance,
+                        const Labels& labels,
+                        const Points_by_face& points,
+                        OnNode on_node,
+                        OnPoint on_point) const
+  {
+    graph().attach(point).for_each_line(
+        0, bound_before(distance, 0, labels), points,
+        [&](const Node node, const double length, const Arrival&) { on_node(node, length); },
+        on_point);
+  }
+
+  template <typename Labels, typename F>
+  double
+  for_each_crossing(const Node source, const Node target, const Labels& labels, const F& f) const
+  {
+    return for_each_crossing_from(Intrinsic_point::at_vertex(source), labels.distance(source),
+                                  target, labels, f);
+  }
+
+  // Mostly, how the line arrives leads back along it. Where that fails, it is looked for from its
+  // start, as the search did; that takes up to as long as all of the search.
+  template <typename Labels, typename F>
+  double for_each_crossing_from(const Intrinsic_point& point,
+                                const double distance,
+                                const Node target,
+                                const Labels& labels,
+                                const F& f) const
+  {
+    const double label = labels.distance(target), length = label - distance;
+    const double rounding = rounding_of_line(label);
+    std::vector<std::pair<Node, double>> crossings;
+    const double found =
+        Line_tracer(graph().triangulation(), graph().m_steps, graph().m_bends)
+            .for_each_crossing(target, m_arrival[target], point, length, rounding,
+                               [&](const Node h, const double t) { crossings.emplace_back(h, t); });
+    const auto bound = [&](const Node v, const double slack) {
+      return (std::min)(label, labels.distance(v)) * (1 + slack) + rounding;
+    };
+    if(!(found >= 0))
+      return graph().attach(point).for_each_crossing(
+          distance, bound, Intrinsic_point::at_vertex(target), length, rounding, f);
+    std::for_each(crossings.rbegin(), crossings.rend(),
+                  [&](const auto& crossing) { f(crossing.first, crossing.second); });
+    return found;
+  }
+
+  template <typename Labels, typename F>
+  double for_each_crossing_to(const Intrinsic_point& point,
+                              const double distance,
+                              const Intrinsic_point& end,
+                              const double length,
+                              const Labels& labels,
+                              const F& f) const
+  {
+    const double rounding = rounding_of_line(0);
+    const auto bound = [&](const Node v, const double slack) {
+      return bound_before(distance * (1 + slack), rounding, labels)(v);
+    };
+    return graph().attach(point).for_each_crossing(0, bound, end, length, rounding, f);
+  }
+
+  template <typename Labels, typename F>
+  double for_each_crossing_to(const Intrinsic_point& point,
+                              const double distance,
+                              const Node end,
+                              const double length,
+                              const Labels& labels,
+                              const F& f) const
+  {
+    return for_each_crossing_to(point, distance, Intrinsic_point::at_vertex(end), length, labels,
+                                f);
+  }
+
+private:
+  struct Task
+  {
+    Node node;
+    Sight_part part;
+  };
+
+  double largest_label(const Node node) const
+  {
+    return m_distance_to_goal ? m_limit - m_distance_to_goal(node) : m_limit;
+  }
+
+  double bound(const Node node) const
+  {
+    const double result = m_bounds[node];
+    return result < std::numeric_limits<double>::infinity() ? result : largest_label(node);
+  }
+
+  // Lists what there is to do. The arcs of a source can be most of all, so they are divided: the
+  // parts differ in the sides that they take where sights are split. Returns whether threads are
+  // worth their while.
+  template <typename Labels>
+  bool list_tasks(const Node* const nodes, const std::size_t number, const Labels&)
+  {
+    constexpr std::size_t number_of_parts = 64, fewest_tasks = 16;
+    m_tasks.clear();
+    for(std::size_t i = 0; i < number; ++i)
+      if(m_arrival[nodes[i]].is_none())
+        for(std::size_t part = number_of_parts; part > 0; --part)
+          m_tasks.push_back({nodes[i], {part - 1, number_of_parts}});
+      else if(graph().m_bends.is_possible(nodes[i]))
+        m_tasks.push_back({nodes[i], Sight_part()});
+    return m_tasks.size() >= fewest_tasks;
+  }
+
+  // It can be interrupted, as on a convex surface the arcs of the source are the whole search. Not
+  // inline, so that there is one compilation of it: it may round otherwise in another one.
+  template <typename Labels, typename Candidates>
+  BOOST_NOINLINE void append_arcs(const Node node,
+                                  const Sight_part part,
+                                  const Labels& labels,
+                                  Candidates& candidates) const
+  {
+    constexpr unsigned arcs_between_checks = 256;
+    unsigned number = 0;
+    const double label = labels.distance(node);
+    for_each_arc(node, part, Known<Labels>{*this, labels},
+                 [&](const Node target, const double length, const Arrival& arrival) {
+                   if(++number % arcs_between_checks == 0)
+                     check_for_interruption();
+                   candidates.make_room(1);
+                   candidates.append(true, node, label, target, length, arrival);
+                 });
+  }
+
+  // Calls `f(target, length, arrival)` for arcs that may be of use.
+  template <typename Known, typename F>
+  void for_each_arc(const Node node, const Sight_part part, const Known& known, F f) const
+  {
+    const Intrinsic_triangulation& t = graph().triangulation();
+    using Visitor = Arc_visitor<Known, F>;
+    Visitor visitor{{}, known, f};
+    Sight_expansion<Visitor> expansion(graph().m_steps, graph().m_bends, known.distance(node),
+                                       visitor, part);
+    Vertex_sights(t, graph().m_steps, graph().m_bends)
+        .for_each(
+            node, known.arrival(node),
+            [&](const Node h) { f(t.target(h), t.length(h), Arrival::along(h)); },
+            [&](const Sight& sight, const Node left_end, const Node right_end) {
+              expansion.look(sight, left_end, right_end);
+            });
+  }
+
+  struct Last_edge
+  {
+    Node from;
+    double label; // over this edge
+    Arrival arrival;
+  };
+
+  // the last edge of the shortest path along edges
+  template <typename Labels>
+  Last_edge last_edge(const Node node, const Labels& labels) const
+  {
+    const Intrinsic_triangulation& t = graph().triangulation();
+    Last_edge result{
+        Intrinsic_triangulation::null_index, std::numeric_limits<double>::infinity(), {}};
+    for(Node h = t.first_halfedge(node); h < t.beyond_halfedge(node); ++h)
+    {
+      const double label = labels.distance(t.target(h)) + t.length(h);
+      if(label < result.label)
+        result = {t.target(h), label, Arrival::along(t.opposite(h))};
+    }
+    return result;
+  }
+
+  // Lowers the labels of all nodes that paths over these nodes lead to by as much as theirs were,
+  // as the lines to them are the same. Takes time in proportion to the number of all nodes times
+  // the number of arcs on the longest of these paths.
+  template <typename Search>
+  void lower_successors(const std::vector<std::pair<Node, double>>& lowered, Search& search) const
+  {
+    const auto& labels = search.labels();
+    std::vector<double> difference(labels.number_of_nodes(), 0);
+    for(const auto& [node, by] : lowered)
+      if(by < std::numeric_limits<double>::infinity())
+        difference[node] = by;
+    for(bool goes_on = true; goes_on;)
+    {
+      goes_on = false;
+      for(const Node node : m_bounds.nodes())
+      {
+        if(!labels.is_reached(node) || difference[node] > 0)
+          continue;
+        const Node from = labels.predecessor(node);
+        const double by = from == Intrinsic_triangulation::null_index ? 0 : difference[from];
+        if(!(by > 0 && labels.distance(node) - by >= labels.distance(from)))
+          continue;
+        search.lower(node, labels.distance(node) - by, from);
+        difference[node] = by;
+        goes_on = true;
+      }
+    }
+  }
+
+  // What the length of a line may be wrong by: it is a difference of labels, and distances in the
+  // unit of the mesh may be multiples of the smallest number.
+  double rounding_of_line(const double label) const
+  {
+    constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
+    return epsilon * label + 4 * (std::numeric_limits<double>::denorm_min() / graph().unit());
+  }
+
+  // What labels of nodes may be at most, if a path over them is to lead to a point at the given
+  // distance or a smaller one. Nodes that were not reached are farther away.
+  template <typename Labels>
+  static auto bound_before(const double distance, const double rounding, const Labels& labels)
+  {
+    return [&labels, largest = distance * (1 + 1e-12), rounding](const Node node) {
+      return largest - (std::min)(largest, labels.distance(node)) + rounding;
+    };
+  }
+
+  Upper_bounds m_bounds;
+  std::vector<Arrival> m_arrival;                 // meaningful where there is a label
+  double m_limit = 0;                             // of labels
+  std::function<double(Node)> m_distance_to_goal; // during a search; empty without a heuristic
+  std::vector<Task> m_tasks;
+};
+
+} // namespace internal
+} // namespace Approximate_geodesics
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SADDLE_RUN_H
