@@ -116,7 +116,8 @@ struct Matrix_job
 
   // by several threads, if there can be any
   template <typename Rows>
-  bool compute(Rows&& rows, Matrix_watcher& watcher, const int number_of_threads) const
+  bool
+  compute(Rows&& rows, Matrix_watcher& watcher, [[maybe_unused]] const int number_of_threads) const
   {
 #ifdef CGAL_LINKED_WITH_TBB
     if(number_of_threads > 1)
