@@ -77,7 +77,7 @@ public:
 
   void write(const std::size_t row, const Column* const columns, const T* const distances)
   {
-    const std::size_t size = m_starts[row + 1] - m_starts[row];
+    const auto size = static_cast<std::size_t>(m_starts[row + 1] - m_starts[row]);
     m_indices.write(m_starts[row], columns, size);
     m_data.write(m_starts[row], distances, size);
   }

@@ -52,8 +52,8 @@ public:
   /*!
   ends the matrix.
 
-  \param is_done whether this process was not told to stop. If there is only one, all blocks were
-         added.
+  \param is_done whether this process was not stopped by a visitor. If it is the only one, all
+  blocks were added then.
 
   \return whether the matrix is complete
   */
@@ -65,12 +65,12 @@ public:
   /// whether the sink makes the matrix symmetric in `finish()` if the plan says so.
   static constexpr bool can_be_symmetric = true;
 
-  /// returns the number of columns that are wanted of each row, the nearest ones, or `0` for all of
-  /// them. A search that has found them ends.
+  /// returns the number of nearest columns to keep of each row, or `0` for all columns. A search
+  /// ends when it has found them.
   std::size_t number_of_nearest() const;
 
-  /// returns the block to be computed next, if there is one: for a sink that has some blocks
-  /// already, or shares them with others. If it is missing, all blocks are computed.
+  /// returns the next block to compute, if there is one: for a sink that has some blocks already,
+  /// or shares them with other processes. Without this function, all blocks are computed.
   std::optional<std::size_t> next_block();
 
   /// returns the number of rows that are done, if `next_block()` is there.
