@@ -307,6 +307,24 @@ TEST_F(Bad_part, is_refused_if_a_face_of_it_is_too_small)
         number(near), number(at(11, 10)), number(at(11, 11)));
 }
 
+TEST_F(Bad_part, is_refused_if_it_takes_too_many_points)
+{
+  const auto np = parameters::maximum_number_of_points(1000).number_of_points_per_edge(500);
+  const auto message = [&](const auto& all) {
+    try
+    {
+      bare_length(m_mesh, near, near_too, all);
+    }
+    catch(const std::length_error& e)
+    {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(message(np), "");
+  EXPECT_EQ(message(np), message(np.visitor(AG::Geodesic_visitor_base())));
+}
+
 // The walk around a vertex from one border of the part to the next enters a cycle outside of it.
 TEST_F(Bad_part, is_refused_if_its_border_leads_into_a_cycle)
 {

@@ -9,8 +9,11 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
@@ -215,7 +218,20 @@ private:
   std::vector<Source> m_sources;
 };
 
-// Calls `f` with a search of a part, as `search_once()` does. Returns false if the part is invalid;
+// Returns whether graphs accept the triangulation of a part. Their messages would give vertices the
+// numbers of the part.
+template <typename NamedParameters>
+bool is_accepted_by_graphs(const Intrinsic_triangulation& triangulation,
+                           [[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::number_of_points_per_edge_t>)
+    if(has_more_points(triangulation, Fixed_number_of_points(np),
+                       maximum_number_of_points(triangulation, maximum_number_of_points(np))))
+      return false;
+  return triangulation.face_without_shape() == Intrinsic_triangulation::null_index;
+}
+
+// Calls `f` with a search of a part, as `search_once()` does. Returns false if the part is refused;
 // reading the whole mesh then diagnoses the error.
 template <typename TriangleMesh, typename NamedParameters, typename F>
 bool search_part_once(const Mesh_part<TriangleMesh>& part,
@@ -225,8 +241,7 @@ bool search_part_once(const Mesh_part<TriangleMesh>& part,
 {
   Intrinsic_triangulation triangulation;
   Triangulation_builder<Mesh_part<TriangleMesh>, NamedParameters> builder(triangulation, part, np);
-  if(!builder.try_to_build() ||
-     triangulation.face_without_shape() != Intrinsic_triangulation::null_index)
+  if(!builder.try_to_build() || !is_accepted_by_graphs(triangulation, np))
     return false;
   with_graph_on<Lazy_discrete_geodesic_graph, Saddle_vertex_graph>(
       std::move(triangulation), np,
