@@ -500,7 +500,7 @@ private:
     typename Other_relaxation::Candidates candidates;
     Other_relaxation batch(graph, run, m_queue, m_labels, candidates, heuristic,
                            largest_label(stop), nullptr);
-    internal::Goal_watch watch(m_labels, goal(stop, heuristic));
+    internal::Goal_watch watch(m_labels, goal(stop, heuristic), false);
     batch.run(watch);
     m_labels.append_to_order(m_queue);
   }
@@ -593,7 +593,7 @@ private:
   {
     using Goal = decltype(goal(stop, heuristic));
     if constexpr(internal::is_idle_visitor<Visitor>)
-      return internal::Goal_watch<Goal>(m_labels, goal(stop, heuristic));
+      return internal::Goal_watch<Goal>(m_labels, goal(stop, heuristic), m_counts);
     else
       return internal::Progress_watch<Graph, Goal, Visitor>(*m_graph, m_labels,
                                                             goal(stop, heuristic), visitor);
@@ -603,10 +603,7 @@ private:
   {
     if(!m_counts)
       return;
-    std::vector<Node> nodes = m_labels.order();
-    std::sort(nodes.begin(), nodes.end());
-    m_statistics.settled_nodes =
-        static_cast<std::size_t>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
+    m_statistics.settled_nodes = m_labels.order().size(); // a watched order has no repetitions
     if constexpr(internal::counts_comparisons<Queue>)
       m_statistics.queue_comparisons =
           m_queue.statistics().visited_buckets + m_queue.statistics().comparisons;

@@ -32,29 +32,54 @@ namespace internal {
  * larger keys. So it is enough to ask for the first of them.
  */
 
-// Ends a run when its goal is met, if it has one.
+// Sorts a part of the order by distance, with each node once. Returns where it ends then.
+inline std::size_t sort_order(Labels& labels, const std::size_t first, const std::size_t end)
+{
+  auto& order = labels.order();
+  const auto position = [&](const std::size_t i) {
+    return order.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  std::sort(position(first), position(end), [&](const Labels::Node a, const Labels::Node b) {
+    return std::make_pair(labels.distance(a), a) < std::make_pair(labels.distance(b), b);
+  });
+  const auto repetitions = std::unique(position(first), position(end));
+  const auto number = static_cast<std::size_t>(position(end) - repetitions);
+  order.erase(repetitions, position(end));
+  return end - number;
+}
+
+// Ends a run when its goal is met, if it has one. Sorts the order if it is to be counted.
 template <typename Goal>
 class Goal_watch
 {
 public:
-  Goal_watch(const Labels& labels, Goal goal) : m_labels(labels), m_goal(std::move(goal)) {}
+  Goal_watch(Labels& labels, Goal goal, const bool sorts)
+    : m_labels(labels), m_goal(std::move(goal)), m_sorts(sorts)
+  {
+  }
 
   bool go_further(const std::size_t number_appended)
   {
-    if(!m_goal.is_given())
+    if(!m_goal.is_given() && !m_sorts)
       return true;
     const std::size_t number_of_earlier = m_labels.order().size() - number_appended;
     if(m_number_final == number_of_earlier || !m_goal.is_final(m_labels.order()[m_number_final]))
       return true;
-    m_number_final = number_of_earlier;
+    settle(number_of_earlier);
     return !m_goal.is_met();
   }
 
-  void finish() const {}
+  void finish() { settle(m_labels.order().size()); }
 
 private:
-  const Labels& m_labels;
+  void settle(const std::size_t end)
+  {
+    m_number_final = m_sorts ? sort_order(m_labels, m_number_final, end) : end;
+  }
+
+  Labels& m_labels;
   Goal m_goal;
+  bool m_sorts;
   std::size_t m_number_final = 0;
 };
 
@@ -107,21 +132,10 @@ private:
   // Settles the nodes of the order up to `end`: by distance, and each of them once.
   void tell_nodes(const std::size_t end)
   {
-    auto& order = m_labels.order();
-    const auto position = [&](const std::size_t i) {
-      return order.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    std::sort(position(m_number_settled), position(end), [this](const Node a, const Node b) {
-      return std::make_pair(m_labels.distance(a), a) < std::make_pair(m_labels.distance(b), b);
-    });
-    const auto repetitions = std::unique(position(m_number_settled), position(end));
-    const auto number_of_repetitions = position(end) - repetitions;
-    order.erase(repetitions, position(end));
-
-    const std::size_t beyond = end - static_cast<std::size_t>(number_of_repetitions);
+    const std::size_t beyond = sort_order(m_labels, m_number_settled, end);
     while(m_number_settled < beyond)
     {
-      const Node node = order[m_number_settled++];
+      const Node node = m_labels.order()[m_number_settled++];
       m_visitor.on_settled(node, m_labels.distance(node) * m_graph.unit());
     }
   }
