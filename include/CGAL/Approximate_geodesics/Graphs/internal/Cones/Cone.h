@@ -113,7 +113,6 @@ struct Window
   Plane_vector left_position, right_position;
   double left_distance, right_distance; // ... and their distances, if the visitor wants them
   std::uint32_t trail;                  // the windows before it, as the visitor records them
-  Plane_vector edge; // from the left to the right end, if it is carried: see `Cone_expansion`
 };
 
 /*

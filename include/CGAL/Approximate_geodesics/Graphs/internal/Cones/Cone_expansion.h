@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -59,14 +60,21 @@ struct Leave_out_nothing_in_doubt : Leave_out_nothing
  * Finds the arcs of a vertex in a discrete geodesic graph: unfolds the faces around it outwards and
  * follows the cones of straight lines through them. The technical report proves the error bound.
  *
- * If there are extreme needles, windows carry the vectors of their edges: those of short edges that
- * are far away would be lost in differences of positions, and with them the directions of needles.
+ * If there are extreme needles, cones carry the vectors of the edges that they come to: those of
+ * short edges that are far away would be lost in differences of positions, and with them the
+ * directions of needles.
  */
 template <typename Unfolding>
 class Cone_expansion
 {
   using Index = Intrinsic_triangulation::Index;
-  using Stack = boost::container::small_vector<Cone, 32>;
+
+  struct Stack
+  {
+    boost::container::small_vector<Cone, 32> cones;
+    Plane_vector edge; // that of the window ahead, from left to right, if it is carried
+    std::vector<Plane_vector> edges; // likewise, of the cones
+  };
 
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
@@ -94,7 +102,7 @@ public:
     {
       const double distance = m_triangulation.length(h);
       f(Straight_arc{m_triangulation.target(h), distance, {distance, 0}, h, 0});
-      bool is_open = open_first_cone(cone, source, h, visitor);
+      bool is_open = open_first_cone(cone, cones, source, h, visitor);
       while(is_open || pop(cones, cone))
         is_open = advance(cone, cones, source, h, f, visitor);
     }
@@ -116,19 +124,24 @@ public:
               0,
               {}};
     cone.window.trail = visitor.record_window(window.halfedge, 0);
-    cone.window.edge = window.right_position - window.left_position;
+    cones.edge = window.right_position - window.left_position;
     bool is_open = true;
     while(is_open || pop(cones, cone))
       is_open = advance(cone, cones, null_index, start, f, visitor);
   }
 
 private:
-  static bool pop(Stack& cones, Cone& cone)
+  bool pop(Stack& stack, Cone& cone) const
   {
-    if(cones.empty())
+    if(stack.cones.empty())
       return false;
-    cone = cones.back();
-    cones.pop_back();
+    cone = stack.cones.back();
+    stack.cones.pop_back();
+    if(m_carries_edges)
+    {
+      stack.edge = stack.edges.back();
+      stack.edges.pop_back();
+    }
     return true;
   }
 
@@ -146,7 +159,8 @@ private:
   // What is seen across the face to the left of `h`, from its source. All functions that open a
   // cone or change its window return whether there is something to be seen.
   template <typename Visitor>
-  bool open_first_cone(Cone& cone, const Index source, const Index h, const Visitor& visitor) const
+  bool open_first_cone(
+      Cone& cone, Stack& cones, const Index source, const Index h, const Visitor& visitor) const
   {
     const Unfolded_face& face = m_unfolding.face(h);
     if(face.apex == null_index || face.right == null_index)
@@ -160,11 +174,11 @@ private:
     const Plane_vector right{distance, 0};
     const Plane_vector left{distance * face.along, distance * face.across};
     cone.window = {face.right,       face.apex, m_triangulation.target(h),           left, right,
-                   distance_of_apex, distance,  visitor.record_window(face.right, 0), {}};
-    if(m_carries_edges)
-      cone.window.edge = right_side(m_triangulation, h, face, right);
+                   distance_of_apex, distance,  visitor.record_window(face.right, 0)};
     if(visitor.prune(cone.window))
       return false;
+    cones.edge = right;
+    carry_edge(cones, h, face, false);
     cone.left = side(left, distance_of_apex);
     cone.right = side(right, distance);
     cone.has_middle = false;
@@ -189,7 +203,7 @@ private:
       return false; // a shortest path does not come back to a face that it has left
     const Plane_vector apex =
         m_carries_edges
-            ? cone.window.left_position + face.left_side(cone.window.edge)
+            ? cone.window.left_position + face.left_side(cones.edge)
             : face.position_of_apex(cone.window.left_position, cone.window.right_position);
     if constexpr(Visitor::wants_faces)
       visitor.on_face(cone, apex);
@@ -197,9 +211,15 @@ private:
     if constexpr(Visitor::slack > 0)
       slack = Visitor::slack * length(apex);
     if(cone.left.is_passed(apex, cross(cone.left.direction, apex) - slack))
+    {
+      carry_edge(cones, cone.window.halfedge, face, false);
       return go_right(cone.window, face, apex, visitor);
+    }
     if(cone.right.is_passed(apex, cross(apex, cone.right.direction) - slack))
+    {
+      carry_edge(cones, cone.window.halfedge, face, true);
       return go_left(cone.window, face, apex, visitor);
+    }
 
     const double distance = length(apex);
     if(!(distance > 0)) // the apex is where the source is, and sees the same
@@ -212,10 +232,22 @@ private:
       const bool left = cone.left.serves(apex, distance, cone.left.large_saving);
       const bool right = cone.right.serves(apex, distance, cone.right.large_saving);
       if(left || right)
+      {
+        carry_edge(cones, cone.window.halfedge, face, left);
         return !(left && right) && pass(cone, face, apex, distance, left, visitor);
+      }
     }
     f(Straight_arc{face.apex, distance, apex, start, cone.window.trail});
     return split(cone, cones, face, apex, distance, visitor);
+  }
+
+  // Replaces the vector of `h` by that of a side of the face to its left.
+  void
+  carry_edge(Stack& stack, const Index h, const Unfolded_face& face, const bool goes_left) const
+  {
+    if(m_carries_edges)
+      stack.edge = goes_left ? face.left_side(stack.edge)
+                             : right_side(m_triangulation, h, face, stack.edge);
   }
 
   // Whether nothing that lies behind the window is of interest. Lines may come back to new edges,
@@ -248,13 +280,11 @@ private:
 
   // The window becomes part of the edge between the apex and the right end.
   template <typename Visitor>
-  bool go_right(Window& window,
-                const Unfolded_face& face,
-                const Plane_vector apex,
-                const Visitor& visitor) const
+  static bool go_right(Window& window,
+                       const Unfolded_face& face,
+                       const Plane_vector apex,
+                       const Visitor& visitor)
   {
-    if(m_carries_edges)
-      window.edge = right_side(m_triangulation, window.halfedge, face, window.edge);
     window.halfedge = face.right;
     window.left_end = face.apex;
     window.left_position = apex;
@@ -267,13 +297,11 @@ private:
   }
 
   template <typename Visitor>
-  bool go_left(Window& window,
-               const Unfolded_face& face,
-               const Plane_vector apex,
-               const Visitor& visitor) const
+  static bool go_left(Window& window,
+                      const Unfolded_face& face,
+                      const Plane_vector apex,
+                      const Visitor& visitor)
   {
-    if(m_carries_edges)
-      window.edge = face.left_side(window.edge);
     window.halfedge = face.left;
     window.right_end = face.apex;
     window.right_position = apex;
@@ -287,12 +315,12 @@ private:
 
   // One of the sides serves the apex, and so all that is seen between the two.
   template <typename Visitor>
-  bool pass(Cone& cone,
-            const Unfolded_face& face,
-            const Plane_vector apex,
-            const double distance,
-            const bool left,
-            const Visitor& visitor) const
+  static bool pass(Cone& cone,
+                   const Unfolded_face& face,
+                   const Plane_vector apex,
+                   const double distance,
+                   const bool left,
+                   const Visitor& visitor)
   {
     (left ? cone.left : cone.right).move_to(apex, distance);
     cone.has_middle = false;
@@ -312,7 +340,12 @@ private:
     cone.has_middle = false;
     Window window = cone.window;
     if(go_right(window, face, apex, visitor))
-      cones.push_back({window, between, cone.right, cone.depth, cone.milestone});
+    {
+      cones.cones.push_back({window, between, cone.right, cone.depth, cone.milestone});
+      if(m_carries_edges)
+        cones.edges.push_back(right_side(m_triangulation, cone.window.halfedge, face, cones.edge));
+    }
+    carry_edge(cones, cone.window.halfedge, face, true);
     cone.right = between;
     return go_left(cone.window, face, apex, visitor);
   }

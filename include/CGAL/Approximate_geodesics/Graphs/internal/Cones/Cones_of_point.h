@@ -237,8 +237,7 @@ private:
             right,
             length(left),
             length(right),
-            0,
-            {}};
+            0};
   }
 
   // Whether two points that are in one line with the origin are on either side of it, and not so

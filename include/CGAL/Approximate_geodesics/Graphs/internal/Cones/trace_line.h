@@ -121,8 +121,7 @@ private:
     const Plane_vector right{right_distance, 0};
     const Window window{
         face.right, face.apex,     m_mesh.target(h), face.position_of_apex({0, 0}, right),
-        right,      left_distance, right_distance,   0,
-        {}};
+        right,      left_distance, right_distance,   0};
     const Cone_rules no_end(1e-300); // cones are as narrow as they can be
     Cone_expansion<Unfolding_on_demand>(m_mesh, unfolding, no_end)
         .expand_through(
