@@ -251,12 +251,10 @@ private:
   template <typename F>
   double trace(const Line_search& search, F f) const
   {
-    const std::vector<Index> halfedges = search.tree.halfedges(search.found.trail);
-    if(!halfedges.empty())
+    if(search.found.trail != 0)
     {
       const Window first = window(search.found.start);
-      for_each_crossed_edge(m_triangulation, halfedges, first.left_position, first.right_position,
-                            search.found.position, f);
+      search.for_each_crossing(m_triangulation, first.left_position, first.right_position, f);
     }
     return search.found.length;
   }

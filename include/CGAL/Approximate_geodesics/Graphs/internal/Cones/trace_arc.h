@@ -112,54 +112,91 @@ private:
 };
 
 // Calls `f(h, t)` for the halfedges that the line from the origin to `end` crosses, at the part `t`
-// of the way from their source to their target. The first of them has its source at `left` and its
-// target at `right`.
-template <typename F>
-void for_each_crossed_edge(const Intrinsic_triangulation& triangulation,
-                           const std::vector<Intrinsic_triangulation::Index>& halfedges,
-                           Plane_vector left,
-                           Plane_vector right,
+// of the way from their source to their target. `edge` has the positions `left` and `right()` of
+// these for the first one; `cross_face(edge, h, next)` makes it the edge of `next`, across the face
+// to the left of `h`.
+template <typename Edge, typename CrossFace, typename F>
+void for_each_crossed_edge(const std::vector<Intrinsic_triangulation::Index>& halfedges,
+                           Edge edge,
                            const Plane_vector end,
+                           CrossFace cross_face,
                            F f)
 {
-  const Unfolding_on_demand unfolding(triangulation);
   Line_walk walk(end);
   for(std::size_t i = 0; i < halfedges.size(); ++i)
   {
-    f(halfedges[i], walk.cross_edge(left, right));
-    if(i + 1 == halfedges.size())
-      return;
-    const Unfolded_face face = unfolding.face(halfedges[i]);
-    const Plane_vector apex = face.position_of_apex(left, right);
-    (halfedges[i + 1] == face.right ? left : right) = apex;
+    if(i > 0)
+      cross_face(edge, halfedges[i - 1], halfedges[i]);
+    f(halfedges[i], walk.cross_edge(edge.left, edge.right()));
   }
 }
 
-// The line whose length is closest to a given one, and the windows that it goes through.
-struct Line_search
+// The line whose length is closest to a given one.
+template <typename Line>
+struct Sought_line
 {
-  void consider(const Straight_arc& line)
+  // Considers a line of that length, which `line()` returns.
+  template <typename F>
+  void consider(const double other_length, F line)
   {
-    const double difference = std::abs(line.length - length);
-    if(difference < smallest_difference)
-    {
-      smallest_difference = difference;
-      found = line;
-    }
+    const double difference = std::abs(other_length - length);
+    if(!(difference < smallest_difference))
+      return;
+    smallest_difference = difference;
+    found = line();
   }
 
-  // There are no lines but those of about this length: what else was found leads round something.
-  bool is_found() const
+  // Other lines belong to another homotopy class.
+  bool is_found(const double tolerance) const
   {
-    constexpr double tolerance = 1e-6; // single precision, and flat faces
-    return smallest_difference <= tolerance * length ||
+    return smallest_difference <= tolerance * length + rounding ||
            smallest_difference < std::numeric_limits<double>::min();
   }
 
-  double length;
+  double length;   // what is sought
+  double rounding; // what this may be wrong by
+  Line found;
   double smallest_difference = std::numeric_limits<double>::infinity();
-  Straight_arc found = {Intrinsic_triangulation::null_index, 0, {0, 0}, 0, 0};
-  Window_tree tree = {};
+};
+
+// Looks for an arc, and for the windows that it goes through.
+struct Line_search : Sought_line<Straight_arc>
+{
+  explicit Line_search(const double arc_length)
+    : Sought_line{arc_length, 0, {Intrinsic_triangulation::null_index, 0, {0, 0}, 0, 0}}
+  {
+  }
+
+  void consider(const Straight_arc& arc)
+  {
+    Sought_line::consider(arc.length, [&] { return arc; });
+  }
+
+  bool is_found() const { return Sought_line::is_found(1e-6); } // single precision, flat faces
+
+  // Calls `f(h, t)` for the edges that the arc found crosses, the first of which has these ends.
+  template <typename F>
+  void for_each_crossing(const Intrinsic_triangulation& triangulation,
+                         const Plane_vector left,
+                         const Plane_vector right,
+                         F f) const
+  {
+    struct Edge
+    {
+      Plane_vector right() const { return right_end; }
+      Plane_vector left, right_end;
+    };
+    const Unfolding_on_demand unfolding(triangulation);
+    const auto cross_face = [&](Edge& edge, const Window::Index h, const Window::Index next) {
+      const Unfolded_face face = unfolding.face(h);
+      const Plane_vector apex = face.position_of_apex(edge.left, edge.right_end);
+      (next == face.right ? edge.left : edge.right_end) = apex;
+    };
+    for_each_crossed_edge(tree.halfedges(found.trail), Edge{left, right}, found.position,
+                          cross_face, f);
+  }
+
+  Window_tree tree;
 };
 
 // Looks for the arc of the graph with these rules from one vertex to another.
@@ -207,8 +244,7 @@ double report_line(const Intrinsic_triangulation& triangulation,
   const Plane_vector right{triangulation.length(arc.start), 0};
   const Plane_vector left =
       Unfolding_on_demand(triangulation).face(arc.start).position_of_apex({0, 0}, right);
-  for_each_crossed_edge(triangulation, search.tree.halfedges(arc.trail), left, right, arc.position,
-                        f);
+  search.for_each_crossing(triangulation, left, right, f);
   return arc.length;
 }
 

@@ -14,8 +14,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_trail.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Tracing_visitor.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_search.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -90,27 +89,103 @@ public:
                            const double rounding,
                            F f) const
   {
-    Sought_line line{length, rounding};
+    Sight_search line(length, rounding);
     const auto is_found_roughly = [&] {
       constexpr double rough = 1e-9;
       return line.is_found(rough) || line.smallest_difference <= rough * label;
     };
     consider_lines_in_faces(end, line);
+    const auto look = [&](const double slack) {
+      look_for(
+          end, label, [&](const Index v) { return bound(v, slack); },
+          [&](const auto& on_sight) {
+            for_each_sight([&](const Sight& sight) {
+              on_sight(sight, triangulation().source(sight.halfedge),
+                       triangulation().target(sight.halfedge));
+            });
+          },
+          line);
+    };
     if(!line.is_found())
-      look_for(end, label, with_slack(bound, 1e-6), line);
+      look(1e-6);
     for(const double slack : {1e-3, 1., 1e3})
       if(!is_found_roughly())
-        look_for(end, label, with_slack(bound, slack), line);
+        look(slack);
     if(!is_found_roughly())
       reject("the line from or to vertex " + std::to_string(vertex_at(end)) +
              " cannot be traced: faces along it are nearly degenerate");
     return line.for_each_crossing(m_steps, f);
   }
 
-  // The lines to `end` that cross no edge.
-  void consider_lines_in_faces(const Intrinsic_point& end, Sought_line& line) const
+  /*
+   * Calls `f(h, t)` for the edges that the line from here crosses on its way back from the vertex
+   * where it arrives. Its length is known, up to `rounding`, and its direction nearly so; there are
+   * hardly any vertices so close to it that the search has to look on both sides of them. Returns
+   * its length, or a negative number if it is not found: the direction says too little at edges of
+   * length zero, and in faces that are nearly degenerate.
+   */
+  template <typename F>
+  double for_each_crossing_back(const Index vertex,
+                                const Arrival& arrival,
+                                const double length,
+                                const double rounding,
+                                F f) const
   {
-    const auto consider = [&](const double length) { line.consider(length, {0, 0}, {}, {}); };
+    Sight_search line(length, rounding);
+    if(!point().is_vertex())
+      consider_lines_in_faces(Intrinsic_point::at_vertex(vertex), line);
+    for(double angle = 4 * Arrival::ROUNDING; angle < 1 && !line.is_found(); angle *= 1000)
+      look_back(vertex, arrival, angle, line);
+    return line.is_found() ? line.for_each_crossing(m_steps, f) : -1;
+  }
+
+private:
+  // Considers the lines to `end` through sights that `for_each_sight` calls its argument with.
+  template <typename Bound, typename ForEachSight>
+  void look_for(const Intrinsic_point& end,
+                const double label,
+                const Bound& bound,
+                ForEachSight for_each_sight,
+                Sight_search& line) const
+  {
+    Tracing_visitor<Bound> visitor{{}, triangulation(), bound, end, line, {}, {}};
+    Sight_expansion<Tracing_visitor<Bound>> expansion(m_steps, m_bends, label, visitor);
+    for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
+      visitor.first = sight;
+      expansion.look(sight, left_end, right_end);
+    });
+  }
+
+  void look_back(const Index vertex,
+                 const Arrival& arrival,
+                 const double angle,
+                 Sight_search& line) const
+  {
+    constexpr double slack = 1e-6;
+    const double length = line.length * (1 + slack) + line.rounding;
+    const auto consider_edge = [&](const Index h) {
+      if(triangulation().target(h) == point().vertex)
+        consider(triangulation().length(h), line);
+    };
+    look_for(
+        point(), 0, [=](Index) { return length; }, // no part of a line is longer than the whole
+        [&](const auto& on_sight) {
+          Vertex_sights(triangulation(), m_steps, m_bends)
+              .for_each_back(vertex, arrival, angle, consider_edge, on_sight);
+        },
+        line);
+  }
+
+  // A line that crosses no edge.
+  static void consider(const double length, Sight_search& line)
+  {
+    line.consider(length, [&] { return Sight_line{length}; });
+  }
+
+  // The lines to `end` that cross no edge.
+  void consider_lines_in_faces(const Intrinsic_point& end, Sight_search& line) const
+  {
+    const auto consider = [&](const double length) { Lines_of_sight::consider(length, line); };
     if(point().is_vertex())
       consider_edges(end, consider);
     else if(end.is_vertex())
@@ -125,29 +200,6 @@ public:
     else
       Lines_in_faces::for_each_point(Points_by_face(triangulation(), {end}),
                                      [&](std::size_t, const double length) { consider(length); });
-  }
-
-private:
-  template <typename Bound>
-  static auto with_slack(const Bound& bound, const double slack)
-  {
-    return [&bound, slack](const Index v) { return bound(v, slack); };
-  }
-
-  // Considers the lines to `end` across other faces.
-  template <typename Bound>
-  void look_for(const Intrinsic_point& end,
-                const double label,
-                const Bound& bound,
-                Sought_line& line) const
-  {
-    Tracing_visitor<Bound> visitor{{}, triangulation(), bound, end, line, {}, {}};
-    Sight_expansion<Tracing_visitor<Bound>> expansion(m_steps, m_bends, label, visitor);
-    for_each_sight([&](const Sight& sight) {
-      visitor.first = sight;
-      expansion.look(sight, triangulation().source(sight.halfedge),
-                     triangulation().target(sight.halfedge));
-    });
   }
 
   template <typename Bound, typename OnNode, typename OnPoint>

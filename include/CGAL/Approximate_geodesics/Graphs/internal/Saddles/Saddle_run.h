@@ -12,7 +12,6 @@
 #include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arc_visitor.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Line_tracer.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Upper_bounds.h>
@@ -190,9 +189,9 @@ public:
     const double rounding = rounding_of_line(label);
     std::vector<std::pair<Node, double>> crossings;
     const double found =
-        Line_tracer(graph().triangulation(), graph().m_steps, graph().m_bends)
-            .for_each_crossing(target, m_arrival[target], point, length, rounding,
-                               [&](const Node h, const double t) { crossings.emplace_back(h, t); });
+        graph().attach(point).for_each_crossing_back(
+            target, m_arrival[target], length, rounding,
+            [&](const Node h, const double t) { crossings.emplace_back(h, t); });
     const auto bound = [&](const Node v, const double slack) {
       return (std::min)(label, labels.distance(v)) * (1 + slack) + rounding;
     };
