@@ -32,9 +32,9 @@ using namespace geodesics_test;
 using AG::Discrete_geodesic_graph;
 using AG::Lazy_discrete_geodesic_graph;
 using AG::internal::Balanced_fans;
-using AG::internal::Retriangulation;
 using AG::internal::Cone_rules;
 using AG::internal::Cone_triangulation;
+using AG::internal::Retriangulation;
 using AG::internal::Unfolding;
 using CGAL::parameters::epsilon;
 

@@ -176,10 +176,7 @@ public:
   }
 
   /// returns where a node is, which may be one of the vertices.
-  Intrinsic_point position(const Node node) const
-  {
-    return m_cone_triangulation.position(node);
-  }
+  Intrinsic_point position(const Node node) const { return m_cone_triangulation.position(node); }
 
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
   /// from a vertex are followed. So the bound holds for it, too.
@@ -214,7 +211,8 @@ public:
    */
   void save(std::ostream& out) const
   {
-    internal::Arc_file::save(out, m_triangulation, m_rules.epsilon, m_rows);
+    internal::Arc_file::save(out, m_triangulation, m_cone_triangulation.get(m_triangulation),
+                             m_rules.epsilon, m_rows);
   }
 
   /*!
@@ -230,7 +228,8 @@ public:
     result.m_triangulation = std::move(triangulation);
     result.m_cone_triangulation = internal::Cone_triangulation(result.m_triangulation);
     double epsilon = 0;
-    internal::Arc_file::load(in, result.m_triangulation, result.number_of_nodes(), epsilon,
+    internal::Arc_file::load(in, result.m_triangulation,
+                             result.m_cone_triangulation.get(result.m_triangulation), epsilon,
                              result.m_rows);
     result.m_rules = internal::Cone_rules(epsilon);
     result.m_rows.shrink_to_fit();

@@ -190,10 +190,7 @@ public:
   }
 
   /// returns where a node is, which may be one of the vertices.
-  Intrinsic_point position(const Node node) const
-  {
-    return m_cone_triangulation.position(node);
-  }
+  Intrinsic_point position(const Node node) const { return m_cone_triangulation.position(node); }
 
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
   /// from a vertex are followed. So the bound holds for it, too.

@@ -175,7 +175,7 @@ public:
    *         weight or a cost is negative or not a number, if paths cost more than a `double` holds,
    *         if an index is out of range or given twice, or if the halfedges around a vertex do not
    *         form one cycle. The message names the element.
-   * \throws std::length_error if `tmesh` has more halfedges than 32-bit numbers can tell apart.
+   * \throws std::length_error if `tmesh` has too many halfedges for 32-bit indices.
    *
    * Run time and memory are \cgalBigO{n} for `n` vertices. The header
    * `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h` has to be included.

@@ -28,20 +28,22 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The file of a discrete geodesic graph: what it is, the mesh that it belongs to, epsilon, and the
- * arcs of each node.
+ * The file of a discrete geodesic graph: what it is, the mesh that it belongs to, epsilon, the
+ * triangulation whose vertices are the nodes, and the arcs of each node.
  */
 class Arc_file
 {
   using Index = Intrinsic_triangulation::Index;
 
   static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4747444741; // AGDGG, and what text modes spoil
-  static constexpr std::uint32_t VERSION = 3;
+  static constexpr std::uint32_t VERSION = 4;
   static constexpr const char* CONTENTS = "the graph"; // in messages
 
 public:
+  // The vertices of `nodes` are the nodes: it is `triangulation`, or made from that.
   static void save(std::ostream& out,
                    const Intrinsic_triangulation& triangulation,
+                   const Intrinsic_triangulation& nodes,
                    const double epsilon,
                    const Compressed_arcs& rows)
   {
@@ -51,11 +53,14 @@ public:
     writer.write(triangulation.number_of_vertices());
     writer.write(triangulation.number_of_edges());
     writer.write(triangulation.number_of_faces());
-    writer.write(fingerprint(triangulation));
+    const std::uint32_t mark = fingerprint(triangulation);
+    writer.write(mark);
     writer.write(epsilon);
     writer.write(double(Cone_rules::SHARE_OF_ENDS));
     writer.write(double(Cone_rules::SHARE_OF_DETOURS));
     writer.write(double(Cone_rules::SHARE_OF_BENDS));
+    writer.write(nodes.number_of_vertices());
+    writer.write(&nodes == &triangulation ? mark : fingerprint(nodes));
     for(Index v = 0; v < rows.number_of_rows(); ++v)
     {
       writer.write(static_cast<std::uint32_t>(rows.degree(v)));
@@ -67,17 +72,20 @@ public:
     writer.finish();
   }
 
-  // Reads what was written for the same triangulation, whose graph has so many nodes.
+  // Reads what was written for the same triangulations.
   static void load(std::istream& in,
                    const Intrinsic_triangulation& triangulation,
-                   const std::size_t number_of_nodes,
+                   const Intrinsic_triangulation& nodes,
                    double& epsilon,
                    Compressed_arcs& rows)
   {
     Binary_reader reader(in, CONTENTS);
-    check_header(reader, triangulation);
+    const std::uint32_t mark = fingerprint(triangulation);
+    check_header(reader, triangulation, mark);
     epsilon = reader.read<double>();
     check_shares(reader);
+    check_nodes(reader, nodes, &nodes == &triangulation ? mark : fingerprint(nodes));
+    const Index number_of_nodes = nodes.number_of_vertices();
     rows = Compressed_arcs(unit_of_arcs(triangulation));
     rows.reserve(number_of_nodes);
     std::vector<Stored_arc> arcs;
@@ -106,7 +114,9 @@ private:
     return result.value();
   }
 
-  static void check_header(Binary_reader& reader, const Intrinsic_triangulation& triangulation)
+  static void check_header(Binary_reader& reader,
+                           const Intrinsic_triangulation& triangulation,
+                           const std::uint32_t mark)
   {
     if(reader.read<std::uint64_t>() != SIGNATURE)
       reject("the file is not that of a discrete geodesic graph");
@@ -117,7 +127,7 @@ private:
     check_size(reader, triangulation.number_of_vertices(), "vertices");
     check_size(reader, triangulation.number_of_edges(), "edges");
     check_size(reader, triangulation.number_of_faces(), "faces");
-    if(reader.read<std::uint32_t>() != fingerprint(triangulation))
+    if(reader.read<std::uint32_t>() != mark)
       reject("the file of the graph belongs to another mesh of the same size, or to the same one "
              "with other lengths or indices, or with lengths in place of coordinates");
   }
@@ -133,6 +143,20 @@ private:
       reject("the graph of the file was built by other rules than those of this version");
   }
 
+  // Nodes inside long thin faces have to be where they were when the graph was built.
+  static void
+  check_nodes(Binary_reader& reader, const Intrinsic_triangulation& nodes, const std::uint32_t mark)
+  {
+    const auto number = reader.read<std::uint32_t>();
+    if(number != nodes.number_of_vertices())
+      reject("the graph of the file has " + std::to_string(number) +
+             " nodes, vertices and points in long thin faces; this version makes " +
+             std::to_string(nodes.number_of_vertices()) + " for the mesh");
+    if(reader.read<std::uint32_t>() != mark)
+      reject("the graph of the file has nodes at other points of long thin faces than this version "
+             "makes for the mesh");
+  }
+
   static void check_size(Binary_reader& reader, const Index expected, const char* kind)
   {
     const auto size = reader.read<std::uint32_t>();
@@ -142,7 +166,7 @@ private:
   }
 
   static void read_arcs(Binary_reader& reader,
-                        const std::size_t number_of_nodes,
+                        const Index number_of_nodes,
                         const Index node,
                         std::vector<Stored_arc>& arcs)
   {

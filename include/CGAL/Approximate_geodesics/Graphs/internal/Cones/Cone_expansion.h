@@ -201,25 +201,16 @@ private:
       return false;
     if(face.apex == source && !face.is_face_new && !m_winding.may_return())
       return false; // a shortest path does not come back to a face that it has left
-    const Plane_vector apex =
-        m_carries_edges
-            ? cone.window.left_position + face.left_side(cones.edge)
-            : face.position_of_apex(cone.window.left_position, cone.window.right_position);
+    const Plane_vector apex = position_of_apex(cone.window, cones, face);
     if constexpr(Visitor::wants_faces)
       visitor.on_face(cone, apex);
     double slack = 0;
     if constexpr(Visitor::slack > 0)
       slack = Visitor::slack * length(apex);
     if(cone.left.is_passed(apex, cross(cone.left.direction, apex) - slack))
-    {
-      carry_edge(cones, cone.window.halfedge, face, false);
-      return go_right(cone.window, face, apex, visitor);
-    }
+      return go_on(cone.window, cones, face, apex, false, visitor);
     if(cone.right.is_passed(apex, cross(apex, cone.right.direction) - slack))
-    {
-      carry_edge(cones, cone.window.halfedge, face, true);
-      return go_left(cone.window, face, apex, visitor);
-    }
+      return go_on(cone.window, cones, face, apex, true, visitor);
 
     const double distance = length(apex);
     if(!(distance > 0)) // the apex is where the source is, and sees the same
@@ -232,13 +223,30 @@ private:
       const bool left = cone.left.serves(apex, distance, cone.left.large_saving);
       const bool right = cone.right.serves(apex, distance, cone.right.large_saving);
       if(left || right)
-      {
-        carry_edge(cones, cone.window.halfedge, face, left);
-        return !(left && right) && pass(cone, face, apex, distance, left, visitor);
-      }
+        return !(left && right) && pass(cone, cones, face, apex, distance, left, visitor);
     }
     f(Straight_arc{face.apex, distance, apex, start, cone.window.trail});
     return split(cone, cones, face, apex, distance, visitor);
+  }
+
+  Plane_vector
+  position_of_apex(const Window& window, const Stack& stack, const Unfolded_face& face) const
+  {
+    return m_carries_edges ? window.left_position + face.left_side(stack.edge)
+                           : face.position_of_apex(window.left_position, window.right_position);
+  }
+
+  // The window becomes part of a side of the face ahead of it.
+  template <typename Visitor>
+  bool go_on(Window& window,
+             Stack& stack,
+             const Unfolded_face& face,
+             const Plane_vector apex,
+             const bool goes_left,
+             const Visitor& visitor) const
+  {
+    carry_edge(stack, window.halfedge, face, goes_left);
+    return goes_left ? go_left(window, face, apex, visitor) : go_right(window, face, apex, visitor);
   }
 
   // Replaces the vector of `h` by that of a side of the face to its left.
@@ -246,8 +254,8 @@ private:
   carry_edge(Stack& stack, const Index h, const Unfolded_face& face, const bool goes_left) const
   {
     if(m_carries_edges)
-      stack.edge = goes_left ? face.left_side(stack.edge)
-                             : right_side(m_triangulation, h, face, stack.edge);
+      stack.edge =
+          goes_left ? face.left_side(stack.edge) : right_side(m_triangulation, h, face, stack.edge);
   }
 
   // Whether nothing that lies behind the window is of interest. Lines may come back to new edges,
@@ -315,17 +323,17 @@ private:
 
   // One of the sides serves the apex, and so all that is seen between the two.
   template <typename Visitor>
-  static bool pass(Cone& cone,
-                   const Unfolded_face& face,
-                   const Plane_vector apex,
-                   const double distance,
-                   const bool left,
-                   const Visitor& visitor)
+  bool pass(Cone& cone,
+            Stack& cones,
+            const Unfolded_face& face,
+            const Plane_vector apex,
+            const double distance,
+            const bool left,
+            const Visitor& visitor) const
   {
     (left ? cone.left : cone.right).move_to(apex, distance);
     cone.has_middle = false;
-    return left ? go_right(cone.window, face, apex, visitor)
-                : go_left(cone.window, face, apex, visitor);
+    return go_on(cone.window, cones, face, apex, !left, visitor);
   }
 
   template <typename Visitor>
@@ -345,9 +353,8 @@ private:
       if(m_carries_edges)
         cones.edges.push_back(right_side(m_triangulation, cone.window.halfedge, face, cones.edge));
     }
-    carry_edge(cones, cone.window.halfedge, face, true);
     cone.right = between;
-    return go_left(cone.window, face, apex, visitor);
+    return go_on(cone.window, cones, face, apex, true, visitor);
   }
 
   const Intrinsic_triangulation& m_triangulation;

@@ -237,14 +237,8 @@ private:
               const Index halfedge,
               const bool is_open)
   {
-    *m_end = {left,
-              right,
-              left_side,
-              right_side,
-              halfedge,
-              before.tip,
-              before.depth + 1,
-              next_way(before, face, halfedge)};
+    *m_end = {left,     right,      left_side,        right_side,
+              halfedge, before.tip, before.depth + 1, next_way(before, face, halfedge)};
     // a halfedge that there is, where there is none ahead
     const Index edge = halfedge == null_index ? before.halfedge : halfedge;
     m_unfolding.prefetch(edge);
@@ -339,8 +333,8 @@ private:
   Arcs& m_arcs;
   const Winding m_winding;
   const bool m_carries_edges; // if the front is general
-  double m_factor;     // of what is left of the way, in comparisons
-  double m_part_saved; // of the distance of a vertex, by going over it
+  double m_factor;            // of what is left of the way, in comparisons
+  double m_part_saved;        // of the distance of a vertex, by going over it
   double m_part_lost;
   Cone_memory<Cone> m_cones, m_next;
   Cone* m_end = nullptr; // where the next one goes

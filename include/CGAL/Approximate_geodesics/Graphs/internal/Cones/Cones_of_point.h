@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -26,6 +27,14 @@
 namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
+
+// Throws if no line of about the given length was found.
+inline void check_is_found(const Line_search& search)
+{
+  if(!search.is_found())
+    reject("the graph has an arc of length " + text_of(search.length) +
+           " that the mesh has not; was it read from a file that was changed?");
+}
 
 /*
  * The straight lines from a point that is not a vertex, across the faces around, as far as a
@@ -107,6 +116,7 @@ public:
   {
     Line_search search{length};
     find_line(end, visitor, search);
+    check_is_found(search);
     return trace(search, f);
   }
 

@@ -82,6 +82,7 @@ double trace_segment(const Intrinsic_triangulation& mesh,
   const Within_reach within_reach(length);
   Line_search search{length};
   find_arc(mesh, without_end(), source.vertex, target.vertex, within_reach, search);
+  check_is_found(search);
   return report_line(mesh, search, target.vertex, f);
 }
 

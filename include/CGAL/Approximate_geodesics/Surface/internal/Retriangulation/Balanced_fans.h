@@ -21,8 +21,8 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Flips edges of hubs, vertices with very many neighbors, every other one at a time, until hubs have
- * few neighbors. So their faces, which were a fan, become a balanced tree, and a straight line
+ * Flips edges of hubs, vertices with very many neighbors, every other one at a time, until hubs
+ * have few neighbors. So their faces, which were a fan, become a balanced tree, and a straight line
  * crosses few of them.
  *
  * Edges stay where the hub's neighbors turn inwards, as those can be connected to nothing else.
@@ -48,9 +48,7 @@ public:
 
 private:
   explicit Balanced_fans(Edge_flips& flips)
-    : m_flips(flips),
-      m_gained(flips.number_of_vertices(), 0),
-      m_left(flips.number_of_vertices(), 0)
+    : m_flips(flips), m_gained(flips.number_of_vertices(), 0), m_left(flips.number_of_vertices(), 0)
   {
     for(Index h = 0; h < flips.number_of_halfedges(); ++h)
       ++m_left[flips[h].target];

@@ -332,8 +332,8 @@ private:
   void connect(const Index h, const Index clockwise, const Index target, const Index hub, double l)
   {
     const Index counterclockwise = m_halfedges[clockwise].counterclockwise;
-    m_halfedges[h] = {
-        target, m_halfedges[h].opposite, counterclockwise, clockwise, l, 0, 0, hub, true};
+    m_halfedges[h] = {target, m_halfedges[h].opposite, counterclockwise, clockwise, l, 0, 0, hub,
+                      true};
     m_halfedges[clockwise].counterclockwise = h;
     m_halfedges[counterclockwise].clockwise = h;
   }

@@ -174,8 +174,7 @@ private:
     const Index h = needle.short_side;
     const Plane_vector origin{start * needle.length, 0}, to_apex = needle.apex - origin;
     const double part = distance / length(to_apex);
-    if(!(part < LARGEST_PART) || m_flips.is_flipped(h) ||
-       m_covered[m_flips[h].target] >= distance)
+    if(!(part < LARGEST_PART) || m_flips.is_flipped(h) || m_covered[m_flips[h].target] >= distance)
       return false;
     const Plane_vector p = origin + part * to_apex;
     const std::optional<Place> place = find_place(h, origin, p);

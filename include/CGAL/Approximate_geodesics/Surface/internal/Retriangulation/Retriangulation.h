@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  Index m_number_of_vertices; // of the mesh
+  Index m_number_of_vertices;               // of the mesh
   std::vector<Intrinsic_point> m_positions; // of added vertices
   bool m_has_balanced_fans = false;
 };
