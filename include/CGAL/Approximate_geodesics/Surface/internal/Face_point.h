@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -76,21 +77,46 @@ struct Face_point
   }
 };
 
+/*
+ * The steps of the weights from one point of a face to another. Their sum is zero, but a weight
+ * that was found as 1 - t - s, or is next to 1, is rounded: between near points, that of the
+ * largest weight is made of the two others, so that it is the same from either of them. Sets
+ * `corner` to one at whose sides the two other steps have opposite signs.
+ */
+inline std::array<double, 3>
+steps_between(const Face_point& p, const Face_point& q, std::size_t& corner)
+{
+  std::array<double, 3> step{};
+  for(std::size_t i = 0; i < 3; ++i)
+    step[i] = q.weight[i] - p.weight[i];
+  constexpr double near = 1. / 1024;
+  if((std::max)({std::abs(step[0]), std::abs(step[1]), std::abs(step[2])}) < near)
+  {
+    std::size_t largest = 0;
+    for(const std::size_t i : {std::size_t(1), std::size_t(2)})
+      if(p.weight[i] + q.weight[i] > p.weight[largest] + q.weight[largest])
+        largest = i;
+    const std::size_t second = (largest + 1) % 3, third = (largest + 2) % 3;
+    step[largest] = -(step[second] + step[third]);
+    corner = step[second] * step[third] > 0 ? second : largest;
+    return step;
+  }
+  corner = 0;
+  while(corner < 2 && step[(corner + 1) % 3] * step[(corner + 2) % 3] > 0)
+    ++corner;
+  return step;
+}
+
 // The distance of two points of a face. That of two points of an edge is accurate, as it is for any
-// two points of a needle.
+// two points of a needle, and for near points.
 inline double
 distance(const Intrinsic_triangulation& triangulation, const Face_point& p, const Face_point& q)
 {
   const Face_point r = q.seen_from(triangulation, p.halfedge);
-  std::array<double, 3> step{};
-  for(std::size_t i = 0; i < 3; ++i)
-    step[i] = r.weight[i] - p.weight[i];
   if(p.is_on_edge() && r.is_on_edge()) // there may be no face to the left
-    return std::abs(step[1]) * triangulation.length(p.halfedge);
-  // Their sum is zero: two of them point away from the third vertex and toward it.
+    return std::abs(r.weight[1] - p.weight[1]) * triangulation.length(p.halfedge);
   std::size_t i = 0;
-  while(i < 2 && step[(i + 1) % 3] * step[(i + 2) % 3] > 0)
-    ++i;
+  const std::array<double, 3> step = steps_between(p, r, i);
   const auto halfedges = triangulation.halfedges_of_face(p.halfedge);
   const auto length = [&](const std::size_t j) { return triangulation.length(halfedges[j % 3]); };
   const double a = length(i), opposite = length(i + 1), b = length(i + 2);
