@@ -216,6 +216,41 @@ TEST(Hostile_surfaces, have_exact_distances)
   comparison.report();
 }
 
+struct Hard_surfaces
+{
+  const char* reason;
+  std::vector<std::uint64_t> seeds;
+};
+
+// Each was found by trying millions of them, when what is named here was done in another way.
+const std::vector<Hard_surfaces> hard_surfaces{
+    {"a path arrives by a last line so short that its direction is unknown",
+     {1832602, 1352018, 2167122, 863790, 821147, 952751}},
+    {"a path arrives through a face that is thinner than rounding errors", {851785, 1887466}},
+    {"a path goes straight on along the border, and a face there is folded back", {1597977}},
+    {"a part of a sight without width leads to a vertex that no other part sees",
+     {901000, 951383, 1013542, 2035897}},
+    {"a sight is narrower than the tolerance of its rays", {2133178, 1012100, 9003373, 9004149}},
+    {"several vertices are almost on a ray, and the next one is nearer to the tip",
+     {919699, 921795, 984673, 1246973, 1426617, 1562128, 1568095, 1829796, 1924721, 2224856}},
+    {"no line is found to a vertex, and it is reached along edges", {9002997}},
+    {"some of these, not told apart",
+     {836690, 1145772, 1157777, 1300727, 1320409, 1345694, 1409884, 1621502, 1622211, 1772066,
+      2013510, 2139889, 2233395}}};
+
+TEST(Hostile_surfaces, have_exact_distances_where_they_were_hard)
+{
+  Comparison comparison("exact", 0, 1e-9);
+  for(const Hard_surfaces& surfaces : hard_surfaces)
+    for(const std::uint64_t seed : surfaces.seeds)
+    {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ": " << surfaces.reason);
+      const Mesh mesh = to_mesh(Hostile_surface(seed).soup());
+      comparison.add(mesh, Visibility_distances(mesh), Saddle_vertex_graph(Triangulation(mesh)));
+    }
+  comparison.report();
+}
+
 TEST(Hostile_surfaces, have_distances_within_bounds)
 {
   constexpr double epsilon = 0.1;

@@ -47,6 +47,13 @@ namespace Approximate_geodesics {
  * user manual compares times. On smooth surfaces, the time per vertex grows with the square root of
  * their number; a bound is far cheaper there.
  *
+ * Where faces are thinner than rounding errors, a search may lose all lines to a vertex. It finds
+ * that out at its end, when no other vertex is left: then it reaches the vertex along edges, and
+ * goes on from there. So a visitor may be told of such a vertex, and of those behind it, after
+ * vertices that are farther away, and a second time if they had a longer path before. A run that
+ * ends early, and one toward a goal, do not come to this: their paths do not lead over such a
+ * vertex, unless it is the goal or a target. On ordinary meshes, no vertex is lost.
+ *
  * An object of this class never changes after its construction and may be used by several threads.
  *
  * \cgalModels{SurfaceGraph}

@@ -37,10 +37,10 @@ struct Arc_visitor : Sight_visitor_base
   void on_vertex(const Node v,
                  const Sight_path& path,
                  const Sight& sight,
-                 const Plane_vector /* apex */,
+                 const Plane_vector apex,
                  const Plane_vector left_edge)
   {
-    f(v, path.length, Arrival::across(sight.halfedge, path.last_line, left_edge));
+    f(v, path.length, sight.arrival(path, apex, left_edge));
   }
 
   const Labels& labels;

@@ -22,6 +22,10 @@ namespace internal {
  * ends at the vertex; or through a face, and then it has crossed the halfedge whose face is that
  * one. The direction back is a number from 0 to 2 that grows with the angle, from 0 to pi, to the
  * left of the side from the vertex to the source of the halfedge.
+ *
+ * The direction is unknown where the face is so thin at the vertex that rounding errors of
+ * positions could change it. Then paths may go on in all directions: this costs time, and changes
+ * no distance.
  */
 struct Arrival
 {
@@ -31,6 +35,7 @@ struct Arrival
   float direction = 0;
 
   static constexpr float ALONG_HALFEDGE = -1;
+  static constexpr float UNKNOWN = -2;
   static constexpr double ROUNDING = 1e-6; // of the angle
 
   static Arrival along(const Index halfedge) { return {halfedge, ALONG_HALFEDGE}; }
@@ -45,8 +50,12 @@ struct Arrival
     return {halfedge, static_cast<float>(x < 0 ? 1 - x / sum : y / sum)};
   }
 
+  static Arrival in_unknown_direction(const Index halfedge) { return {halfedge, UNKNOWN}; }
+
   // whether the vertex is where lines start from
   bool is_none() const { return halfedge == Intrinsic_triangulation::null_index; }
+  bool is_unknown() const { return direction == UNKNOWN; }
+  bool has_direction() const { return direction >= 0; }
   bool is_along_halfedge() const { return direction == ALONG_HALFEDGE; }
 
   // the direction back, as a unit vector, where the side is the x axis

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -50,7 +51,10 @@ public:
 
   // What angles of faces that are not too thin may be wrong by.
   static constexpr double ROUNDING = 1e-11;
-  static constexpr double FLAT = 1e-9;
+  static constexpr double FLAT = 1e-11;
+  // At a border vertex, there is no other side that sees what rounding hides on this one. Where its
+  // angle is less than pi, paths that arrive are continued only if their slack makes up for that.
+  static constexpr double ROUNDING_AT_BORDER = -Arrival::ROUNDING;
 
   Bends(const Intrinsic_triangulation& triangulation, const Face_steps& steps)
   {
@@ -104,7 +108,7 @@ private:
     if(number_of_borders > 1)
       return Bend_kind::ANY;
     const double excess = sum.value() - (2 - number_of_borders) * straight_angle;
-    if(excess > ROUNDING)
+    if(excess > (number_of_borders > 0 ? ROUNDING_AT_BORDER : ROUNDING))
       return number_of_borders > 0 ? Bend_kind::BORDER : Bend_kind::SADDLE;
     return excess >= -FLAT ? Bend_kind::NONE_AS_FLAT : Bend_kind::NONE;
   }

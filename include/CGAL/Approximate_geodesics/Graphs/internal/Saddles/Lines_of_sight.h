@@ -212,10 +212,10 @@ private:
     void on_vertex(const Index v,
                    const Sight_path& path,
                    const Sight& sight,
-                   const Plane_vector /* apex */,
+                   const Plane_vector apex,
                    const Plane_vector left_edge)
     {
-      on_node(v, path.length, Arrival::across(sight.halfedge, path.last_line, left_edge));
+      on_node(v, path.length, sight.arrival(path, apex, left_edge));
     }
 
     void on_face(const Sight& sight, const Plane_vector apex)

@@ -108,8 +108,7 @@ public:
   template <typename Search>
   void finish(Search& search)
   {
-    constexpr double factor = 1 + 1e-12;          // for rounding
-    std::vector<std::pair<Node, double>> lowered; // and by how much
+    constexpr double factor = 1 + 1e-12; // for rounding
     for(const Node node : m_bounds.nodes())
     {
       const double old = search.labels().distance(node);
@@ -120,10 +119,7 @@ public:
         continue;
       search.lower(node, label, from);
       on_label(node, label, arrival);
-      lowered.emplace_back(node, old - label);
     }
-    if(!lowered.empty())
-      lower_successors(lowered, search);
   }
 
   void discard(const Node node) { m_bounds.discard(node); }
@@ -310,7 +306,8 @@ private:
     Arrival arrival;
   };
 
-  // the last edge of the shortest path along edges
+  // The last edge of the shortest path along edges. The path may stand for a line next to it, so its
+  // direction is unknown.
   template <typename Labels>
   Last_edge last_edge(const Node node, const Labels& labels) const
   {
@@ -321,38 +318,9 @@ private:
     {
       const double label = labels.distance(t.target(h)) + t.length(h);
       if(label < result.label)
-        result = {t.target(h), label, Arrival::along(t.opposite(h))};
+        result = {t.target(h), label, Arrival::in_unknown_direction(t.opposite(h))};
     }
     return result;
-  }
-
-  // Lowers the labels of all nodes that paths over these nodes lead to by as much as theirs were,
-  // as the lines to them are the same. Takes time in proportion to the number of all nodes times
-  // the number of arcs on the longest of these paths.
-  template <typename Search>
-  void lower_successors(const std::vector<std::pair<Node, double>>& lowered, Search& search) const
-  {
-    const auto& labels = search.labels();
-    std::vector<double> difference(labels.number_of_nodes(), 0);
-    for(const auto& [node, by] : lowered)
-      if(by < std::numeric_limits<double>::infinity())
-        difference[node] = by;
-    for(bool goes_on = true; goes_on;)
-    {
-      goes_on = false;
-      for(const Node node : m_bounds.nodes())
-      {
-        if(!labels.is_reached(node) || difference[node] > 0)
-          continue;
-        const Node from = labels.predecessor(node);
-        const double by = from == Intrinsic_triangulation::null_index ? 0 : difference[from];
-        if(!(by > 0 && labels.distance(node) - by >= labels.distance(from)))
-          continue;
-        search.lower(node, labels.distance(node) - by, from);
-        difference[node] = by;
-        goes_on = true;
-      }
-    }
   }
 
   // What the length of a line may be wrong by: it is a difference of labels, and distances in the

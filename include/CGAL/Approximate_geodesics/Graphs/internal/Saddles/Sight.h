@@ -8,14 +8,15 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arrival.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
 
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -47,10 +48,11 @@ struct Sight_part
 // What closes a sight on one side: a vertex, or the boundary of a sector.
 struct Sight_ray
 {
-  // Vertices at smaller angles from a ray are on it.
-  static constexpr double TOLERANCE = 1e-9;
+  // Vertices at smaller angles from a ray are on it. On flat meshes, this is far more than sums of
+  // rounding errors along a row of vertices; on thin faces, it is far less than their angles.
+  static constexpr double TOLERANCE = 1e-11;
   // What rounding changes, as a part of that.
-  static constexpr double ROUNDING = 1e-3;
+  static constexpr double ROUNDING = 0.1;
 
   Plane_vector direction = {0, 0}; // the position of the vertex
   double margin = 0;               // the length of the direction, times the tolerance
@@ -86,7 +88,7 @@ struct Sight_path
     const double distance = internal::length(vertex);
     const bool is_nearer = line.length < distance;
     const double rounding = Sight_ray::ROUNDING * Sight_ray::TOLERANCE * distance * line.length;
-    if(!(beyond > (is_nearer && !is_narrow ? rounding : 0)))
+    if(!(beyond >= (is_nearer && !is_narrow ? rounding : 0))) // in line with the vertex counts, too
       return;
     const Plane_vector way = line.last_line - vertex;
     const double length_over_vertex = distance + internal::length(way);
@@ -110,7 +112,7 @@ struct Sight
   static constexpr double SHORTEST_EDGE = 1e-100;
 
   Index halfedge = 0;                         // that of the edge whose face lies ahead, to its left
-  Crossing milestone;                         // one of the halfedges on the way
+  Index milestone = 0;                        // one of the halfedges on the way
   std::uint32_t depth = 0;                    // the number of faces on the way
   std::uint32_t splits = 0;                   // how often the sight was divided in two parts
   Plane_vector left = {0, 0}, right = {0, 0}; // the positions of source and target
@@ -178,6 +180,21 @@ struct Sight
     const double squared_length = dot(edge, edge);
     return (excess > 0 && excess * excess > factor * squared_length) ||
            !(squared_length > SHORTEST_EDGE * SHORTEST_EDGE);
+  }
+
+  // How a path arrives at the apex of the face ahead. Rounding errors of positions are in
+  // proportion to the largest of them. A direction is known to `Arrival::ROUNDING` if the last line
+  // and the height of the face are so much longer.
+  Arrival
+  arrival(const Sight_path& path, const Plane_vector apex, const Plane_vector left_edge) const
+  {
+    constexpr double smallest_part = 1e-9;
+    const double shortest =
+        smallest_part * (std::max)({left_distance, right_distance, length(apex)});
+    const double height_by_edge = std::abs(cross(edge, left_edge));
+    if(!(height_by_edge > shortest * length(edge) && length(path.last_line) > shortest))
+      return Arrival::in_unknown_direction(halfedge);
+    return Arrival::across(halfedge, path.last_line, left_edge);
   }
 
   // Whether a point on the line of both rays is on the other side of the tip: the corner of a face

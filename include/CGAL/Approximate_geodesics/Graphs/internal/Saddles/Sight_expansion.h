@@ -14,11 +14,15 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
 
 #include <boost/config.hpp>
 #include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Approximate_geodesics {
@@ -67,7 +71,7 @@ public:
   // Looks through an edge, of whose sight the bounds are found here.
   void look(Sight sight, const Index left_end, const Index right_end)
   {
-    sight.milestone = Crossing();
+    sight.milestone = null_index;
     sight.depth = 0;
     sight.splits = 0;
     sight.left_bound = bound(left_end);
@@ -110,22 +114,19 @@ private:
     const double left_margin = sight.left_ray.margin * distance;
     const double right_margin = sight.right_ray.margin * distance;
 
-    if(beyond_left <= left_margin && beyond_right <= right_margin &&
-       m_label_of_tip + distance <= bound)
-      report(sight, step, apex, left_edge, distance, bound);
-    if(!(distance > 0)) // nothing is seen through an edge with both ends where the tip is
-      return sight.right_distance > 0 ? go_right(sight, step, apex, distance, bound)
-                                      : go_left(sight, step, apex, left_edge, distance, bound);
-    const bool hides_nothing = m_bends.hides_nothing(step.apex);
-    if(is_beyond(sight.left_ray, apex, beyond_left, left_margin, hides_nothing))
+    int side = beyond_left > left_margin ? 1 : beyond_right > right_margin ? -1 : 0;
+    if(side == 0)
+    {
+      if(m_label_of_tip + distance <= bound)
+        report(sight, step, apex, left_edge, distance, bound);
+      if(BOOST_UNLIKELY(!(beyond_left < -left_margin && beyond_right < -right_margin)))
+        side = side_at_ray(sight, step, apex, left_edge, distance, beyond_left, beyond_right);
+    }
+    if(side > 0)
       return go_right(sight, step, apex, distance, bound);
-    if(is_beyond(sight.right_ray, apex, beyond_right, right_margin, hides_nothing))
+    if(side < 0)
       return go_left(sight, step, apex, left_edge, distance, bound);
-    if(BOOST_UNLIKELY(beyond_left > -left_margin && beyond_right > -right_margin) &&
-       sight.is_behind(apex))
-      return beyond_left > beyond_right ? go_right(sight, step, apex, distance, bound)
-                                        : go_left(sight, step, apex, left_edge, distance, bound);
-    int side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
+    side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
     if(side == 0)
       side = m_part.side(sight.splits++);
     return split(sight, step, apex, left_edge, distance, bound, side);
@@ -145,31 +146,89 @@ private:
   }
 
   // Whether a sight comes back to an edge, and is given up there. If not, it goes on.
-  bool has_returned(Sight& sight, const double height_of_face) const
+  bool has_returned(Sight& sight, const double height_of_face)
   {
     const Crossing here{sight.halfedge, sight.left, sight.right};
-    if(m_steps.winding().is_over(here, sight.milestone, sight.left_ray.direction,
-                                 sight.right_ray.direction, height_of_face))
+    if(BOOST_UNLIKELY(sight.halfedge == sight.milestone) &&
+       m_steps.winding().is_over(here, m_milestones[number_of_milestones(sight.depth) - 1],
+                                 sight.left_ray.direction, sight.right_ray.direction,
+                                 height_of_face))
       return true;
     if(Winding::is_milestone(sight.depth))
-      sight.milestone = here;
+    {
+      sight.milestone = sight.halfedge;
+      m_milestones.resize(number_of_milestones(sight.depth));
+      m_milestones.push_back(here);
+    }
     ++sight.depth;
     return false;
   }
 
-  // Whether a sight goes on only on the side of the apex that is away from the ray: what it gives
-  // up then is no wider than rounding errors are. If the sight is as wide as half a plane, an apex
-  // on the other ray is in line with this one, too.
-  static bool is_beyond(const Sight_ray& ray,
-                        const Plane_vector apex,
-                        const double beyond,
-                        const double margin,
-                        const bool hides_nothing)
+  // The number of milestones among the first faces on the way, so many.
+  static std::size_t number_of_milestones(std::uint32_t depth)
   {
-    if(std::abs(beyond) > margin)
-      return beyond > 0;
-    const bool is_inside = !(beyond > (hides_nothing ? -Sight_ray::ROUNDING * margin : 0));
-    return !is_inside && dot(ray.direction, apex) > 0;
+    std::size_t result = 0;
+    for(; depth > 0; depth >>= 1)
+      ++result;
+    return result;
+  }
+
+  /*
+   * Where a sight goes on if the apex is on a ray, give or take rounding errors: only on the side
+   * of the apex that is away from the ray, as what it gives up then is no wider than these errors;
+   * and if it is as narrow itself, on the side that the apex leaves more of. Returns a positive
+   * number for the right side, a negative one for the left side, and 0 if the sight is to be
+   * divided.
+   */
+  BOOST_NOINLINE int side_at_ray(const Sight& sight,
+                                 const Face_step& step,
+                                 const Plane_vector apex,
+                                 const Plane_vector left_edge,
+                                 const double distance,
+                                 const double beyond_left,
+                                 const double beyond_right) const
+  {
+    if(!(distance > 0)) // nothing is seen through an edge with both ends where the tip is
+      return sight.right_distance > 0 ? 1 : -1;
+    const Plane_vector right_edge = step.right_edge(sight.edge);
+    const bool hides_nothing = m_bends.hides_nothing(step.apex);
+    const bool is_left_empty =
+        hides_nothing && leads_away(left_edge, sight.left_distance, distance);
+    const bool is_right_empty =
+        hides_nothing && leads_away(right_edge, sight.right_distance, distance);
+    const bool is_on_left = is_on(sight.left_ray, apex, distance, beyond_left, is_left_empty);
+    const bool is_on_right = is_on(sight.right_ray, apex, distance, beyond_right, is_right_empty);
+    if(is_on_left != is_on_right)
+      return is_on_left ? 1 : -1;
+    const bool is_narrow = beyond_left > -sight.left_ray.margin * distance &&
+                           beyond_right > -sight.right_ray.margin * distance;
+    if(is_on_left || (is_narrow && sight.is_behind(apex)))
+      return beyond_left * sight.right_ray.margin < beyond_right * sight.left_ray.margin ? -1 : 1;
+    return 0;
+  }
+
+  // Whether an apex on the inside of a ray counts as one on it depends on whether all that is seen
+  // between the two is also seen by others. If the sight is as wide as half a plane, an apex on the
+  // other ray is in line with this one, too.
+  static bool is_on(const Sight_ray& ray,
+                    const Plane_vector apex,
+                    const double distance,
+                    const double beyond,
+                    const bool is_rest_empty)
+  {
+    const double rounding = is_rest_empty ? Sight_ray::ROUNDING * ray.margin * distance : 0;
+    return beyond > -rounding && dot(ray.direction, apex) > 0;
+  }
+
+  // Whether an edge along a ray, from one end of the sight to the apex, leads away from the tip and
+  // is not short: a vertex next to it is then in line with both of its ends, up to the rounding
+  // errors of arrivals, and found by paths over these.
+  static bool
+  leads_away(const Plane_vector edge, const double distance_of_end, const double distance_of_apex)
+  {
+    constexpr double smallest_part = 1e-6;
+    const double shortest = smallest_part * distance_of_apex;
+    return distance_of_apex > distance_of_end && dot(edge, edge) > shortest * shortest;
   }
 
   /*
@@ -190,7 +249,7 @@ private:
          m_visitor.has_predecessor(step.apex)) // a line from a source may have started in the face
       {
         const Arrival& other = m_visitor.arrival(step.apex);
-        if(other.halfedge == sight.halfedge && !other.is_along_halfedge())
+        if(other.halfedge == sight.halfedge && other.has_direction())
         {
           const double way = Arrival::across(sight.halfedge, apex, left_edge).direction;
           return int(way > other.direction + Arrival::ROUNDING) -
@@ -262,6 +321,8 @@ private:
   Visitor& m_visitor;
   const Sight_part m_part;
   Stack m_stack;
+  // of the sight that is followed; those on the stack share the first of them
+  boost::container::static_vector<Crossing, 33> m_milestones;
 };
 
 } // namespace internal

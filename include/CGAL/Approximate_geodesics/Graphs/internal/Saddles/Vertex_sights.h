@@ -43,7 +43,8 @@ public:
   {
     const Index first = m_triangulation.first_halfedge(v),
                 beyond = m_triangulation.beyond_halfedge(v);
-    if(arrival.is_none() || m_bends[v] == Bend_kind::ANY)
+    if(arrival.is_none() || m_bends[v] == Bend_kind::ANY ||
+       (arrival.is_unknown() && m_bends.is_possible(v)))
     {
       for(Index h = first; h < beyond; ++h)
       {
@@ -70,6 +71,8 @@ public:
                      OnEdge on_edge,
                      OnSight on_sight) const
   {
+    if(arrival.is_unknown())
+      return for_each(v, Arrival(), on_edge, on_sight);
     const Bend_sectors sectors(m_triangulation, m_steps, v);
     const Boundary right = sectors.right_of(arrival, angle);
     Boundary left = sectors.left_of(arrival, angle);
