@@ -184,10 +184,9 @@ public:
     const double label = labels.distance(target), length = label - distance;
     const double rounding = rounding_of_line(label);
     std::vector<std::pair<Node, double>> crossings;
-    const double found =
-        graph().attach(point).for_each_crossing_back(
-            target, m_arrival[target], length, rounding,
-            [&](const Node h, const double t) { crossings.emplace_back(h, t); });
+    const double found = graph().attach(point).for_each_crossing_back(
+        target, m_arrival[target], length, rounding,
+        [&](const Node h, const double t) { crossings.emplace_back(h, t); });
     const auto bound = [&](const Node v, const double slack) {
       return (std::min)(label, labels.distance(v)) * (1 + slack) + rounding;
     };
@@ -306,8 +305,8 @@ private:
     Arrival arrival;
   };
 
-  // The last edge of the shortest path along edges. The path may stand for a line next to it, so its
-  // direction is unknown.
+  // The last edge of the shortest path along edges. The path may stand for a line next to it, so
+  // its direction is unknown.
   template <typename Labels>
   Last_edge last_edge(const Node node, const Labels& labels) const
   {
