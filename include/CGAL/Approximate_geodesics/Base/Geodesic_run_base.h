@@ -76,10 +76,18 @@ public:
   }
 
   /// \name Forgetting
+  /// There is nothing to forget.
   /// @{
+
+  /// does nothing.
   void discard(Node /* node */) {}
+
+  /// does nothing.
   void forget(const std::vector<Node>& /* nodes */) {}
+
+  /// does nothing.
   void forget_all() {}
+
   /// @}
 
   /// asks for no larger batches.
