@@ -228,9 +228,7 @@ struct Two_threads
 class Square_with_bounds : public Square_with_detours
 {
 public:
-  explicit Square_with_bounds(const Node side) : Square_with_detours(side), plain(side), side(side)
-  {
-  }
+  explicit Square_with_bounds(const Node s) : Square_with_detours(s), plain(s), side(s) {}
 
   class Run : public AG::Geodesic_run_base<Square_with_bounds>
   {
