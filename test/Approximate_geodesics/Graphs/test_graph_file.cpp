@@ -90,7 +90,7 @@ TEST_F(Graph_file, gives_the_same_graph)
 
 TEST_F(Graph_file, has_the_size_that_is_documented)
 {
-  constexpr std::size_t header_and_checksum = 64;
+  constexpr std::size_t header_and_checksum = 72;
   EXPECT_EQ(m_file.size(),
             8 * m_graph.number_of_arcs() + 4 * m_graph.number_of_nodes() + header_and_checksum);
 }

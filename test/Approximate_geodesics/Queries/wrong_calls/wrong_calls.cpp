@@ -79,6 +79,7 @@ void call_wrongly(const Mesh& mesh,
                                   parameters::targets(vertices));
 
   // maximum_number_of_points_per_edge, accept_weaker_bound: they are for epsilon with
+  // maximum_number_of_points_per_edge, accept_weaker_bound: the bound of this graph
   CGAL::approximate_geodesic_distances(mesh, distances, Vertex(0),
                                        parameters::epsilon(0.1).accept_weaker_bound(true));
 

@@ -52,15 +52,17 @@ public:
   // What angles of faces that are not too thin may be wrong by.
   static constexpr double ROUNDING = 1e-11;
   static constexpr double FLAT = 1e-11;
-  // At a border vertex, there is no other side that sees what rounding hides on this one. Where its
-  // angle is less than pi, paths that arrive are continued only if their slack makes up for that.
-  static constexpr double ROUNDING_AT_BORDER = -Arrival::ROUNDING;
 
   Bends(const Intrinsic_triangulation& triangulation, const Face_steps& steps)
   {
+    // At a border vertex, there is no other side that sees what rounding hides on this one, and
+    // across needles, it may hide lines along a straight border. Where the angle is less than pi,
+    // paths that arrive are continued only if their slack makes up for that.
+    const double largest_at_border =
+        has_needles(triangulation, steps) ? -Arrival::ROUNDING : ROUNDING;
     m_bends.reserve(triangulation.number_of_vertices());
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-      m_bends.push_back(bend(triangulation, steps, v));
+      m_bends.push_back(bend(triangulation, steps, v, largest_at_border));
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(steps[h].has_face() && is_degenerate(triangulation, steps, h))
         m_bends[steps[h].apex] = Bend_kind::ANY;
@@ -79,6 +81,16 @@ public:
   std::size_t memory() const { return m_bends.capacity() * sizeof(Bend_kind); }
 
 private:
+  // Whether any face is so thin that positions across it lose a third of their digits.
+  static bool has_needles(const Intrinsic_triangulation& triangulation, const Face_steps& steps)
+  {
+    constexpr double smallest_height = 1e-6; // over a side, as a part of it
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if(steps[h].has_face() && !(steps[h].across > smallest_height))
+        return true;
+    return false;
+  }
+
   static bool is_degenerate(const Intrinsic_triangulation& triangulation,
                             const Face_steps& steps,
                             const Index h)
@@ -93,8 +105,10 @@ private:
     return !has_area || !(shortest > (std::max)(Sight::SHORTEST_EDGE, smallest_part * longest));
   }
 
-  static Bend_kind
-  bend(const Intrinsic_triangulation& triangulation, const Face_steps& steps, const Index v)
+  static Bend_kind bend(const Intrinsic_triangulation& triangulation,
+                        const Face_steps& steps,
+                        const Index v,
+                        const double largest_at_border)
   {
     Angle_sum sum;
     int number_of_borders = 0;
@@ -108,7 +122,7 @@ private:
     if(number_of_borders > 1)
       return Bend_kind::ANY;
     const double excess = sum.value() - (2 - number_of_borders) * straight_angle;
-    if(excess > (number_of_borders > 0 ? ROUNDING_AT_BORDER : ROUNDING))
+    if(excess > (number_of_borders > 0 ? largest_at_border : ROUNDING))
       return number_of_borders > 0 ? Bend_kind::BORDER : Bend_kind::SADDLE;
     return excess >= -FLAT ? Bend_kind::NONE_AS_FLAT : Bend_kind::NONE;
   }
