@@ -234,6 +234,8 @@ const std::vector<Hard_surfaces> hard_surfaces{
     {"several vertices are almost on a ray, and the next one is nearer to the tip",
      {919699, 921795, 984673, 1246973, 1426617, 1562128, 1568095, 1829796, 1924721, 2224856}},
     {"no line is found to a vertex, and it is reached along edges", {9002997}},
+    {"a face is folded back on a ray, and its apex is nearer than the edge, but for rounding",
+     {20042116, 20042827}},
     {"some of these, not told apart",
      {836690, 1145772, 1157777, 1300727, 1320409, 1345694, 1409884, 1621502, 1622211, 1772066,
       2013510, 2139889, 2233395}}};

@@ -78,17 +78,16 @@ struct Sight_path
   Plane_vector last_line = {0, 0}; // straight to the end
 
   // Leads the path over a vertex next to the straight line if this hides the end, which is so far
-  // beyond it, times its distance; unless a vertex is known that hides the end more. No end that is
-  // nearer than the vertex is hidden, but for rounding, unless that is all that the sight is wide.
+  // beyond it, times its distance; unless a vertex is known that hides the end more. If the end is
+  // nearer than the vertex, it has to be farther beyond, by `least` times what rounding changes.
   void lead_over(const Plane_vector vertex,
                  const double beyond,
-                 const bool is_narrow,
+                 const double least,
                  const Sight_path& line)
   {
     const double distance = internal::length(vertex);
-    const bool is_nearer = line.length < distance;
     const double rounding = Sight_ray::ROUNDING * Sight_ray::TOLERANCE * distance * line.length;
-    if(!(beyond >= (is_nearer && !is_narrow ? rounding : 0))) // in line with the vertex counts, too
+    if(!(beyond >= (line.length < distance ? least * rounding : 0))) // in line counts, too
       return;
     const Plane_vector way = line.last_line - vertex;
     const double length_over_vertex = distance + internal::length(way);
@@ -150,17 +149,23 @@ struct Sight
       return result;
     if(is_on_left && is_on_right && is_behind(point))
       return {};
-    // next to a ray, only the corner of a face that is folded back is nearer than the whole edge
+    // next to a ray, only the corner of a face that is folded back is no farther than the whole
+    // edge
     const bool is_before_edge =
-        distance < (std::min)(left_distance, right_distance) && dot(left, right) > 0;
+        distance < (1 + ROUNDING) * (std::min)(left_distance, right_distance) &&
+        dot(left, right) > 0;
     const bool is_narrow =
         is_before_edge || (is_on_left && is_on_right && dot(left_ray.direction, point) > 0 &&
                            dot(right_ray.direction, point) > 0);
+    const double least = is_narrow ? 0 : 1;
+    // a path to what is before the edge leads around its nearer end, on whichever side that is
+    const double least_of_nearer = is_before_edge ? -1 : least;
+    const bool is_left_nearer = left_distance < right_distance;
     const Sight_path line = result;
-    result.lead_over(left_ray.direction, beyond_left, is_narrow, line);
-    result.lead_over(left, cross(left, point), is_narrow, line);
-    result.lead_over(right_ray.direction, beyond_right, is_narrow, line);
-    result.lead_over(right, cross(point, right), is_narrow, line);
+    result.lead_over(left_ray.direction, beyond_left, least, line);
+    result.lead_over(left, cross(left, point), is_left_nearer ? least_of_nearer : least, line);
+    result.lead_over(right_ray.direction, beyond_right, least, line);
+    result.lead_over(right, cross(point, right), is_left_nearer ? least : least_of_nearer, line);
     return result;
   }
 
