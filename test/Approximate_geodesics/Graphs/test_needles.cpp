@@ -342,7 +342,7 @@ TEST(Needles, have_no_lines_of_other_lengths)
   const auto expect_none = [&](const AG::Intrinsic_point& a, const AG::Intrinsic_point& b) {
     const double length = 0.9 * mesh.length(0);
     const auto trace = [&] {
-      AG::internal::trace_segment(mesh, a, b, length, [](Node, double) {});
+      AG::internal::trace_segment(mesh, a, b, length, 0, [](Node, double) {});
     };
     expect_message<std::invalid_argument>(trace, "an arc of length");
   };
@@ -385,6 +385,37 @@ TEST(Needles, have_paths_on_the_mesh)
     SCOPED_TRACE(m.name);
     expect_paths<Lazy_discrete_geodesic_graph>(to_mesh(m.soup), rounding);
     expect_paths<Discrete_geodesic_graph>(to_mesh(m.soup), rounding_of_arcs);
+  }
+}
+
+// A length of an arc is a difference of labels, which are rounded.
+template <typename Graph>
+void expect_paths_from_afar(const double distance_of_source)
+{
+  const Triangulation t(to_mesh(tube(200, 5, 40)));
+  const Graph graph(t, epsilon(0.1));
+  AG::Surface_search<Graph> search(graph);
+  const double rounding = 1e-12 * distance_of_source;
+  for(const AG::Intrinsic_point& source :
+      {AG::Intrinsic_point::at_vertex(t.vertex(1)),
+       AG::Intrinsic_point::in_face(t.first_halfedge(t.vertex(300)), 0.3, 0.3)})
+  {
+    search.run({{source, distance_of_source}});
+    for(Node v = 0; v < t.number_of_vertices(); v += 29)
+    {
+      const AG::Intrinsic_point end = AG::Intrinsic_point::at_vertex(v);
+      const double distance = search.distance(end) - distance_of_source;
+      EXPECT_NEAR(search.find_path(end).length, distance, 1e-6 * distance + rounding);
+    }
+  }
+}
+
+TEST(Needles, have_paths_from_sources_with_large_distances)
+{
+  for(const double distance : {1e8, 1e10, 1e12})
+  {
+    expect_paths_from_afar<Lazy_discrete_geodesic_graph>(distance);
+    expect_paths_from_afar<Discrete_geodesic_graph>(distance);
   }
 }
 

@@ -16,6 +16,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_run.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_triangulation.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
@@ -29,6 +30,7 @@
 #include <atomic>
 #include <cstddef>
 #include <istream>
+#include <limits>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -133,6 +135,13 @@ public:
     return (std::max)(m_rules.epsilon, m_rules.longest_detour * (1 + of_rounding) - 1);
   }
 
+  /// what a search needs for paths.
+#ifdef DOXYGEN_RUNNING
+  using Run = unspecified_type;
+#else
+  using Run = internal::Arc_run<Discrete_geodesic_graph>;
+#endif
+
   /// returns the number of nodes.
   std::size_t number_of_nodes() const
   {
@@ -171,8 +180,7 @@ public:
   template <typename F>
   double for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
-    return m_cone_triangulation.trace<internal::Leave_out_detours>(m_triangulation, m_rules, source,
-                                                                   target, length, f);
+    return trace(source, target, length, 0, f);
   }
 
   /// returns where a node is, which may be one of the vertices.
@@ -239,9 +247,19 @@ public:
   /// @}
 
 private:
+  friend class internal::Arc_run<Discrete_geodesic_graph>;
+
   // Blocks of nodes, each of which is worked on by one thread. They do not depend on the number of
   // threads, so that the graph does not either.
   static constexpr Node SIZE_OF_BLOCK = 1024;
+
+  template <typename F>
+  double
+  trace(const Node source, const Node target, const double length, const double rounding, F f) const
+  {
+    return m_cone_triangulation.trace<internal::Leave_out_detours>(m_triangulation, m_rules, source,
+                                                                   target, length, rounding, f);
+  }
 
   template <typename ConcurrencyTag>
   void build()

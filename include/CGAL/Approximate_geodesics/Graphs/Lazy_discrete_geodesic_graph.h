@@ -181,12 +181,7 @@ public:
   template <typename F>
   double for_each_crossing(const Node source, const Node target, const double length, F f) const
   {
-    if(!advances_together())
-      return m_cone_triangulation.trace<internal::Leave_out_detours>(m_triangulation, m_rules,
-                                                                     source, target, length, f);
-    else
-      return m_cone_triangulation.trace<internal::Leave_out_nothing>(
-          m_triangulation, rules_of_longest_arcs(), source, target, length, f);
+    return trace(source, target, length, 0, f);
   }
 
   /// returns where a node is, which may be one of the vertices.
@@ -224,6 +219,7 @@ public:
   /// @}
 
 private:
+  friend class internal::Arc_run<Lazy_discrete_geodesic_graph>;
   friend class internal::Cone_run<Lazy_discrete_geodesic_graph>;
 
   using Expansion = internal::Cone_expansion<internal::Unfolding>;
@@ -241,6 +237,18 @@ private:
   }
 
   template <typename F>
+  double
+  trace(const Node source, const Node target, const double length, const double rounding, F f) const
+  {
+    if(!advances_together())
+      return m_cone_triangulation.trace<internal::Leave_out_detours>(
+          m_triangulation, m_rules, source, target, length, rounding, f);
+    else
+      return m_cone_triangulation.trace<internal::Leave_out_nothing>(
+          m_triangulation, rules_of_longest_arcs(), source, target, length, rounding, f);
+  }
+
+  template <typename F>
   struct Arc_function
   {
     void make_room(std::size_t /* number */) const {}
@@ -254,8 +262,7 @@ private:
     F& f;
   };
 
-  // Not inline, so that there is one compilation of it, whoever calls it: it may round otherwise in
-  // another one.
+  // Not inline, so that there is one compilation of it: it may round otherwise in another one.
   template <typename Labels, typename Arcs>
   BOOST_NOINLINE void
   expand(const Node* const nodes, const std::size_t number, const Labels& labels, Arcs& arcs) const

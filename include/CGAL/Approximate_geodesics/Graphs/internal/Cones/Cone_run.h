@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -22,14 +23,42 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
+ * What a search of a discrete geodesic graph needs for paths: what lengths of arcs may be wrong by,
+ * as they are differences of labels.
+ */
+template <typename Graph>
+class Arc_run : public Geodesic_run_base<Graph>
+{
+  using Base = Geodesic_run_base<Graph>;
+
+public:
+  using Node = Intrinsic_triangulation::Index;
+
+  explicit Arc_run(const Graph& searched) : Base(searched) {}
+
+  template <typename Labels, typename F>
+  double
+  for_each_crossing(const Node source, const Node target, const Labels& labels, const F& f) const
+  {
+    const double label = labels.distance(target), length = label - labels.distance(source);
+    const double rounding = std::numeric_limits<double>::epsilon() * label;
+    // lines more than twice as long are not looked for, which could take very long
+    return graph().trace(source, target, length, (std::min)(rounding, length), f);
+  }
+
+protected:
+  using Base::graph;
+};
+
+/*
  * What a search of a lazy graph needs: which nodes were expanded before. Nodes that are expanded
  * for the first time are expanded together; all arcs of those that are expanded again are computed,
  * as their targets may rely on the larger label.
  */
 template <typename Graph>
-class Cone_run : public Geodesic_run_base<Graph>
+class Cone_run : public Arc_run<Graph>
 {
-  using Base = Geodesic_run_base<Graph>;
+  using Base = Arc_run<Graph>;
   using Base::graph;
 
 public:

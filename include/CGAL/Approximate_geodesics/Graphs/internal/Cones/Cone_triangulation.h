@@ -90,19 +90,20 @@ public:
           f(mesh.target(h), mesh.length(h));
   }
 
-  // Does what `trace_arc()` does, with edges of the mesh.
+  // Does what `trace_arc()` does, with edges of the mesh. The length may be wrong by `rounding`.
   template <typename Visitor, typename F>
   double trace(const Intrinsic_triangulation& mesh,
                const Cone_rules& rules,
                const Index source,
                const Index target,
                const double length,
+               const double rounding,
                F f) const
   {
     if(!m_other)
       return trace_arc<Visitor>(mesh, rules, source, target, length, f);
     if(m_other->has_refined_needles())
-      return trace_segment(mesh, position(source), position(target), length, f);
+      return trace_segment(mesh, position(source), position(target), length, rounding, f);
     return trace_arc_of_fans<Visitor>(mesh, *m_other, rules, source, target, length, f);
   }
 

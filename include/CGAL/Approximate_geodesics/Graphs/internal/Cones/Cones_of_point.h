@@ -29,10 +29,10 @@ namespace Approximate_geodesics {
 namespace internal {
 
 // Throws if no line of about the given length was found.
-inline void check_is_found(const Line_search& search)
+inline void check_is_found(const Line_search& search, const double unit)
 {
   if(!search.is_found())
-    reject("the graph has an arc of length " + text_of(search.length) +
+    reject("the graph has an arc of length " + text_of(search.length * unit) +
            " that the mesh has not; was it read from a file that was changed?");
 }
 
@@ -110,13 +110,15 @@ public:
     return trace(search, f);
   }
 
-  // The same for a line to a vertex or a point through windows that `visitor` does not prune.
+  // The same for a line to a vertex or a point through windows that `visitor` does not prune, of a
+  // length that may be wrong by `rounding`. Throws if there is none.
   template <typename End, typename Visitor, typename F>
-  double trace_within(const End& end, const double length, const Visitor& visitor, F f) const
+  double trace_within(
+      const End& end, const double length, const double rounding, const Visitor& visitor, F f) const
   {
-    Line_search search{length};
+    Line_search search(length, rounding);
     find_line(end, visitor, search);
-    check_is_found(search);
+    check_is_found(search, m_triangulation.unit());
     return trace(search, f);
   }
 

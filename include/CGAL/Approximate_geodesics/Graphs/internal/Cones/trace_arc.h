@@ -162,8 +162,9 @@ struct Sought_line
 // Looks for an arc, and for the windows that it goes through.
 struct Line_search : Sought_line<Straight_arc>
 {
-  explicit Line_search(const double arc_length)
-    : Sought_line{arc_length, 0, {Intrinsic_triangulation::null_index, 0, {0, 0}, 0, 0}}
+  explicit Line_search(const double arc_length, const double rounding_of_length = 0)
+    : Sought_line{
+          arc_length, rounding_of_length, {Intrinsic_triangulation::null_index, 0, {0, 0}, 0, 0}}
   {
   }
 

@@ -50,39 +50,41 @@ double trace_from_point(const Intrinsic_triangulation& mesh,
                         const Intrinsic_point& source,
                         const Intrinsic_point& target,
                         const double length,
+                        const double rounding,
                         F f)
 {
   const Cones_of_point cones(mesh, without_end(), source);
-  const Within_reach within_reach(length);
-  return target.is_vertex() ? cones.trace_within(target.vertex, length, within_reach, f)
-                            : cones.trace_within(target, length, within_reach, f);
+  const Within_reach within_reach(length + rounding);
+  return target.is_vertex() ? cones.trace_within(target.vertex, length, rounding, within_reach, f)
+                            : cones.trace_within(target, length, rounding, within_reach, f);
 }
 
-// Calls `f(h, t)` for every edge of the mesh that a straight line of the given length between two
-// points crosses. Returns its length.
+// Calls `f(h, t)` for every edge of the mesh that a straight line of the given length, up to
+// `rounding`, between two points crosses. Returns its length; throws if there is none.
 template <typename F>
 double trace_segment(const Intrinsic_triangulation& mesh,
                      const Intrinsic_point& source,
                      const Intrinsic_point& target,
                      const double length,
+                     const double rounding,
                      F f)
 {
   if(!source.is_vertex())
-    return trace_from_point(mesh, source, target, length, f);
+    return trace_from_point(mesh, source, target, length, rounding, f);
   if(!target.is_vertex())
   {
     std::vector<std::pair<Intrinsic_point::Index, double>> crossings;
     const double result =
-        trace_from_point(mesh, target, source, length,
+        trace_from_point(mesh, target, source, length, rounding,
                          [&](const auto h, const double t) { crossings.emplace_back(h, t); });
     for(auto crossing = crossings.rbegin(); crossing != crossings.rend(); ++crossing)
       f(crossing->first, crossing->second);
     return result;
   }
-  const Within_reach within_reach(length);
-  Line_search search{length};
+  const Within_reach within_reach(length + rounding);
+  Line_search search(length, rounding);
   find_arc(mesh, without_end(), source.vertex, target.vertex, within_reach, search);
-  check_is_found(search);
+  check_is_found(search, mesh.unit());
   return report_line(mesh, search, target.vertex, f);
 }
 
