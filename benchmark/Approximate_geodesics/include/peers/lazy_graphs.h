@@ -152,12 +152,12 @@ public:
         m_number_of_first_faces +=
             triangulation().beyond_halfedge(node) - triangulation().first_halfedge(node);
       }
-    const auto expand = [&](auto may_return) {
-      Cone_front<may_return, Counting_unfolding, Labels, Arcs>(triangulation(), m_unfolding,
+    const auto expand = [&](auto is_general) {
+      Cone_front<is_general, Counting_unfolding, Labels, Arcs>(triangulation(), m_unfolding,
                                                                epsilon(), labels, arcs)
           .expand(together.data(), together.size());
     };
-    if(triangulation().lines_may_return())
+    if(Cone_front<true, Counting_unfolding, Labels, Arcs>::is_general_needed(triangulation()))
       expand(std::true_type());
     else
       expand(std::false_type());
