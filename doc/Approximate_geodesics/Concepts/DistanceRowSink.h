@@ -10,7 +10,7 @@ Rows come in blocks, of which each thread computes one at a time. For each row, 
 the same time, each with a block of its own. `start()` is called before all of them, and `finish()`
 after all of them, but not if an exception ends the computation.
 
-Who needs less writes a function object instead, which gets one row after the other.
+Where less is needed, a function object can take its place, which gets one row after the other.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Dense_rows}

@@ -10,7 +10,7 @@ paths between any points of the surface with it, and
 The first nodes are the vertices of `triangulation()`, with the numbers that they have there; a
 graph may add nodes of its own after them.
 
-Whoever writes a graph whose arcs are edges needs three members more than a `GeodesicGraph` has:
+A graph whose arcs are edges needs three members more than a `GeodesicGraph` has:
 
 \code{.cpp}
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h> // to read meshes

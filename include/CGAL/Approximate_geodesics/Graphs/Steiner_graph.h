@@ -17,7 +17,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>

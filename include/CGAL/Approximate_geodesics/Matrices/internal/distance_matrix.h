@@ -31,11 +31,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>

@@ -92,7 +92,7 @@ Intrinsic_point position(const SurfaceGraph& graph, const typename SurfaceGraph:
   return Intrinsic_point::at_vertex(node);
 }
 
-// Whoever searches a surface with a graph that lacks a member is told so in one line.
+// A graph that lacks a member is reported in one line.
 template <typename Graph>
 struct Check_surface_graph
 {

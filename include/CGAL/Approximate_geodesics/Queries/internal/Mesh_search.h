@@ -33,7 +33,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>

@@ -29,7 +29,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>

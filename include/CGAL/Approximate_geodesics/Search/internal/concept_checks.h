@@ -12,13 +12,11 @@
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
-#include <boost/type_traits/detected.hpp>
 #include <boost/type_traits/is_detected.hpp>
 #include <boost/type_traits/is_detected_convertible.hpp>
 #include <boost/type_traits/is_detected_exact.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -26,7 +24,7 @@ namespace CGAL {
 namespace Approximate_geodesics {
 namespace internal {
 
-// Whoever searches a graph, or with a queue, that lacks a member is told so in one line.
+// A graph or a queue that lacks a member is reported in one line.
 
 // Arguments that convert to nothing but what they stand for: a node is not a distance.
 struct Some_node

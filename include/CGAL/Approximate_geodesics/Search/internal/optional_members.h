@@ -10,12 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
 
-#include <boost/type_traits/detected_or.hpp>
 #include <boost/type_traits/is_detected.hpp>
 #include <boost/type_traits/is_detected_convertible.hpp>
 
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL {

@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
-#include <boost/type_traits/is_detected.hpp>
+#include <boost/type_traits/detected_or.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,7 +23,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * Who watches a run, between the loops that work through a batch of entries:
+ * Watches follow a run, between the loops that work through a batch of entries:
  * - `go_further(n)` is called after `n` nodes were appended to the order, and returns whether these
  *   shall be expanded, or else the run ends;
  * - `finish()` is called when the queue is empty.

@@ -153,7 +153,7 @@ private:
 };
 
 /*
- * The same for those who need few of them: each is computed when asked for.
+ * The same where few of them are needed: each is computed when asked for.
  */
 class Unfolding_on_demand
 {

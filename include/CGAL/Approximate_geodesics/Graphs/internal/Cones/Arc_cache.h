@@ -21,7 +21,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * The arcs of those nodes that somebody has asked about. Several threads may ask at a time: the
+ * The arcs of those nodes that were asked for. Several threads may ask at a time: the
  * first one that has computed the arcs of a node leaves them for the others.
  */
 class Arc_cache
@@ -55,7 +55,7 @@ public:
   // Whether there is room for any.
   bool is_enabled() const { return m_arcs != nullptr; }
 
-  // The arcs of `node`, found by `find(arcs)` if nobody has asked before.
+  // The arcs of `node`, found by `find(arcs)` when first asked for.
   template <typename F>
   const Arcs& arcs(const std::size_t node, F find)
   {

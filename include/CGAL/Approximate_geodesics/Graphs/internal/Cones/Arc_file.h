@@ -16,7 +16,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <ostream>

@@ -16,7 +16,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 

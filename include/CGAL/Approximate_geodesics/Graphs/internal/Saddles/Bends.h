@@ -72,7 +72,7 @@ public:
 
   bool is_possible(const Index v) const { return m_bends[v] >= Bend_kind::SADDLE; }
 
-  // Whether a vertex on one of the rays of a sight hides nothing from those who look past it on the
+  // Whether a vertex on one of the rays of a sight hides nothing from lines that pass it on the
   // inside only: what is beyond lies straight ahead on all sides, or paths can bend there. If
   // lines went on between two border vertices on them, one to the left and one to the right,
   // rounding would decide whether a line is found on the way back.

@@ -26,7 +26,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics {

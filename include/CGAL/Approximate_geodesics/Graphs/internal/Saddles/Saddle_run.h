@@ -35,7 +35,8 @@ namespace internal {
 
 /*
  * What a search of a saddle vertex graph needs: upper bounds of all distances, without which lines
- * would go on and on, and how paths arrive at nodes. A search of the edges finds the bounds first.
+ * would be followed without end, and how paths arrive at nodes. A search of the edges finds the
+ * bounds first.
  */
 template <typename Graph>
 class Saddle_run : public Geodesic_run_base<Graph>
@@ -85,7 +86,7 @@ public:
               const Labels& labels,
               Candidates& candidates)
   {
-    if(graph().is_parallel() && list_tasks(nodes, number, labels))
+    if(graph().is_parallel() && list_tasks(nodes, number))
       candidates.append_in_parallel(graph().m_loop, m_tasks.size(),
                                     [&](const std::size_t i, Candidates& part) {
                                       graph().prefetch(m_tasks[i].node);
@@ -172,8 +173,8 @@ public:
                                   target, labels, f);
   }
 
-  // Mostly, how the line arrives leads back along it. Where that fails, it is looked for from its
-  // start, as the search did; that takes up to as long as all of the search.
+  // Follows the line back from where it arrives. Where that fails, looks for it from its start, as
+  // the search did, which can take as long as the search.
   template <typename Labels, typename F>
   double for_each_crossing_from(const Intrinsic_point& point,
                                 const double distance,
@@ -244,10 +245,9 @@ private:
   }
 
   // Lists what there is to do. The arcs of a source can be most of all, so they are divided: the
-  // parts differ in the sides that they take where sights are split. Returns whether threads are
-  // worth their while.
-  template <typename Labels>
-  bool list_tasks(const Node* const nodes, const std::size_t number, const Labels&)
+  // parts differ in the sides that they take where sights are split. Returns whether there are
+  // enough tasks for threads.
+  bool list_tasks(const Node* const nodes, const std::size_t number)
   {
     constexpr std::size_t number_of_parts = 64, fewest_tasks = 16;
     m_tasks.clear();

@@ -20,7 +20,6 @@
 #include <boost/container/small_vector.hpp>
 #include <boost/container/static_vector.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 

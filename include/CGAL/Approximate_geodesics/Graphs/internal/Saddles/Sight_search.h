@@ -17,7 +17,6 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
-#include <cstddef>
 #include <limits>
 #include <vector>
 

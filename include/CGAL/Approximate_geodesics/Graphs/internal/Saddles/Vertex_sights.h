@@ -21,7 +21,7 @@ namespace Approximate_geodesics {
 namespace internal {
 
 /*
- * What is seen from a vertex by those who arrive there on a given line: edges, and sights across
+ * What is seen from a vertex by paths that arrive there on a given line: edges, and sights across
  * the faces around.
  */
 class Vertex_sights
@@ -63,7 +63,7 @@ public:
       open_sector(v, {first_after_border(v)}, left, on_edge, on_sight);
   }
 
-  // The same for those who look back along the line, give or take an angle.
+  // The same in the opposite direction, back along the line, up to an angle.
   template <typename OnEdge, typename OnSight>
   void for_each_back(const Index v,
                      const Arrival& arrival,

@@ -53,7 +53,7 @@ private:
   double m_sum = 0; // exact as far as it is told
 };
 
-// Whether there are more points than so on the edges that paths may cross.
+// Whether there are more points than the limit on the edges that paths may cross.
 template <typename Placement>
 bool has_more_points(const Intrinsic_triangulation& triangulation,
                      const Placement& placement,

@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -164,7 +163,7 @@ private:
   // Whether going in directions `i` and `k` in turn costs no more than going in direction `j`.
   bool is_needless(const Id i, const Id j, const Id k) const
   {
-    constexpr double rounding = 1e-12; // lest it depends on the order of insertion
+    constexpr double rounding = 1e-12; // so that the order of insertion does not matter
     const Direction &a = m_directions[i], &b = m_directions[j], &c = m_directions[k];
     const double sine = cross(a.vector, c.vector);
     return sine > SMALLEST_SINE &&

@@ -29,7 +29,7 @@ namespace internal {
 class Gauge_samples
 {
 public:
-  // there are no more directions than so
+  // no directions are added to this number
   static constexpr std::size_t LARGEST_NUMBER = 2048;
 
   Gauge_samples()
