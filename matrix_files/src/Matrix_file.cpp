@@ -154,6 +154,8 @@ void Matrix_file::on_first(const F& f)
 
 std::vector<std::uint64_t> Matrix_file::find_missing(const std::uint64_t bytes_per_row)
 {
+  if(m_file.empty())
+    reject("the name of a matrix file is empty");
   if(!fs::is_directory(folder()))
     reject("there is no folder " + folder().string());
   m_lock.reset(); // left by a failed computation

@@ -49,11 +49,13 @@ class File_lock
 {
 public:
   File_lock(const std::string& name, const std::string& subject)
-    : m_name(fs::weakly_canonical(name).string())
+    : m_name(fs::weakly_canonical(fs::absolute(name)).string()) // the same before it exists
   {
     const std::lock_guard guard(s_mutex);
     if(s_locked.count(m_name) > 0)
       reject(subject + " is already being computed by another object of this program");
+    if(is_something_else(name)) // which would be emptied, and removed
+      reject(name + " exists, but is not a lock; delete it, or choose another name");
     write_file(name, "");
     m_lock = boost::interprocess::file_lock(name.c_str());
     if(!try_lock() || !fs::exists(name)) // the file vanishes if the owner just ended
@@ -71,6 +73,17 @@ public:
   }
 
 private:
+  // Whether there is something by this name that no program that was killed has left.
+  static bool is_something_else(const std::string& name)
+  {
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(name, error);
+    if(!fs::exists(status) || !fs::is_regular_file(status))
+      return fs::exists(status);
+    const std::uintmax_t size = fs::file_size(name, error);
+    return !error && size > 0; // its owner may just end
+  }
+
   // Succeeds on file systems without locks.
   bool try_lock()
   {

@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -121,17 +120,6 @@ TYPED_TEST(Npy_file_of, can_be_symmetric_and_large)
     expect_all_distances<TypeParam>(job);
   }
 }
-
-// Changes the current folder meanwhile.
-class Current_folder
-{
-public:
-  explicit Current_folder(const std::string& name) { std::filesystem::current_path(name); }
-  ~Current_folder() { std::filesystem::current_path(m_before); }
-
-private:
-  std::filesystem::path m_before = std::filesystem::current_path();
-};
 
 TEST(Npy_file, can_be_of_the_present_folder)
 {

@@ -81,6 +81,53 @@ TEST(Refused_file, has_a_part_folder_of_something_else)
     }
 }
 
+TEST(Refused_file, has_something_else_in_place_of_its_lock)
+{
+  const Temporary_folder folder;
+  folder.fill({{"distances.lock", "something"}, {"another", ""}});
+  std::filesystem::create_symlink("another", folder.file("linked.lock"));
+  std::filesystem::create_directory(folder.file("nested.lock"));
+  for(const char* const name : {"distances", "linked", "nested"})
+    expect_refusal<std::invalid_argument>(
+        folder,
+        [&] {
+          (Matrix_file_job{"npy", folder.file(name)}).compute(Matrix_job(4));
+        },
+        folder.file(name) + ".lock exists, but is not a lock");
+}
+
+TEST(Refused_file, has_no_name)
+{
+  const Temporary_folder folder;
+  const Current_folder current(folder.name());
+  for(const std::string& kind : kinds_of_matrix_files())
+    expect_refusal<std::invalid_argument>(
+        folder,
+        [&] {
+          (Matrix_file_job{kind, ""}).compute(Matrix_job(4));
+        },
+        "the name of a matrix file is empty");
+}
+
+// Whether its name has a folder or not, and although a lock file is there by then.
+TEST(Refused_file, is_computed_by_another_object)
+{
+  const Matrix_job job(4);
+  const Temporary_folder folder;
+  const Current_folder current(folder.name());
+  for(const std::string& name : {std::string("distances"), folder.file("others")})
+  {
+    const Matrix_file_job file{"npy", name};
+    Matrix_watcher watcher([&](const std::size_t number_done) {
+      if(number_done == 2)
+        expect_message<std::invalid_argument>(
+            [&] { file.compute(job); }, name + " is already being computed by another object");
+      return true;
+    });
+    EXPECT_TRUE(file.compute(job, watcher));
+  }
+}
+
 TEST(Refused_file, has_no_part_folder_by_a_similar_name)
 {
   const Matrix_job job(4);

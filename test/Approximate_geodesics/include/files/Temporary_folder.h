@@ -92,6 +92,17 @@ private:
   std::filesystem::path m_path;
 };
 
+// Changes the current folder meanwhile.
+class Current_folder
+{
+public:
+  explicit Current_folder(const std::string& name) { std::filesystem::current_path(name); }
+  ~Current_folder() { std::filesystem::current_path(m_before); }
+
+private:
+  std::filesystem::path m_before = std::filesystem::current_path();
+};
+
 } // namespace geodesics_test
 
 #endif // APPROXIMATE_GEODESICS_TEST_TEMPORARY_FOLDER_H
