@@ -117,6 +117,8 @@ bool Matrix_file::finish()
     {
       check_is_not_there(); // it may have been created meanwhile
       complete();
+      sync_to_disk(result()); // if it is a folder, its files are on disk, but maybe not their names
+      check_is_not_there();   // completing takes a while, too
       fs::rename(result(), m_file);
       sync_to_disk(folder().string()); // before the markers are removed
     }

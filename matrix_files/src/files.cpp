@@ -10,6 +10,7 @@
 #include <boost/interprocess/exceptions.hpp>
 #include <boost/interprocess/sync/file_lock.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <iterator>
@@ -118,7 +119,9 @@ void write_file(const std::string& name, const std::string& contents)
   std::ofstream out(name, std::ios::binary);
   if(!out)
     fail_to("opened for writing", name);
-  if(!out.write(contents.data(), static_cast<std::streamsize>(contents.size())).flush())
+  out.write(contents.data(), static_cast<std::streamsize>(contents.size()));
+  out.close(); // when network file systems may tell that the disk is full
+  if(!out)
     fail_to("written", name);
 }
 
@@ -140,6 +143,13 @@ void sync_to_disk([[maybe_unused]] const std::string& name)
   const int reason = errno;
   if(descriptor >= 0)
     ::close(descriptor);
+  // Some file systems cannot sync folders. A folder that files are written to may be unreadable.
+  constexpr int of_folders[] = {EACCES, EBADF, EINVAL, ENOSYS, ENOTSUP};
+  std::error_code ignored;
+  if(!is_done &&
+     std::find(std::begin(of_folders), std::end(of_folders), reason) != std::end(of_folders) &&
+     fs::is_directory(name, ignored))
+    return;
   errno = reason;
   if(!is_done)
     fail_to("flushed to disk", name);
