@@ -7,6 +7,13 @@ set(PORT approximate-geodesics)
 set(CURRENT_PACKAGES_DIR ${FOLDER}/installed)
 file(REMOVE_RECURSE ${FOLDER})
 
+function(vcpkg_check_linkage)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "ONLY_STATIC_LIBRARY;ONLY_DYNAMIC_LIBRARY" "" "")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "vcpkg_check_linkage() does not know ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+endfunction()
+
 function(vcpkg_download_distfile result)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "FILENAME;SHA512" "URLS")
   file(SHA512 ${TARBALL} sha512)
