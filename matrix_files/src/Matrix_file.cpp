@@ -199,11 +199,14 @@ std::vector<std::uint64_t> Matrix_file::missing_blocks() const
   return result;
 }
 
+// On a network file system, the list of names may be of some time ago, and lack what other machines
+// have written since. So a file that it lacks is asked for.
 bool Matrix_file::are_all_blocks_marked() const
 {
   const std::set<std::string> names = names_in(m_part);
   std::size_t block = 0;
-  while(block < m_plan->number_of_blocks() && names.count(std::to_string(block)) > 0)
+  while(block < m_plan->number_of_blocks() &&
+        (names.count(std::to_string(block)) > 0 || fs::exists(marker(block))))
     ++block;
   return block == m_plan->number_of_blocks();
 }
