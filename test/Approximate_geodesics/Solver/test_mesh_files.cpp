@@ -13,9 +13,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 // Files that hold no mesh: the message says why, with the line, the vertex or the face.
@@ -113,6 +115,19 @@ TEST(Mesh_file, that_is_none_is_refused_with_the_reason)
     expect_texts<std::invalid_argument>([&] { read_mesh_file(folder.file(name)); },
                                         {folder.file(name) + ": ", wrong.reason});
   }
+}
+
+TEST(Mesh_file, that_cannot_be_opened_is_not_called_empty)
+{
+  const Temporary_folder folder;
+  folder.fill({{"folder.off/", ""}});
+  const auto reason = [](const int number) { return std::generic_category().message(number); };
+  expect_texts<std::invalid_argument>([&] { read_mesh_file(folder.file("missing.off")); },
+                                      {folder.file("missing.off") + ": " + reason(ENOENT)});
+#ifdef __linux__ // where a folder can be opened, but not read
+  expect_texts<std::invalid_argument>([&] { read_mesh_file(folder.file("folder.off")); },
+                                      {folder.file("folder.off") + ": " + reason(EISDIR)});
+#endif
 }
 
 // Wherever a file ends, it is read or refused with a reason, but for what cannot be told.

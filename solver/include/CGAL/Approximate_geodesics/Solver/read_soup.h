@@ -15,12 +15,14 @@
 #include <CGAL/IO/polygon_soup_io.h>
 
 #include <cctype>
+#include <cerrno>
 #include <cstddef>
 #include <fstream>
 #include <ios>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace CGAL {
@@ -82,7 +84,8 @@ inline std::string error_in_mesh_file(const std::string& file)
  * It wraps `CGAL::IO::read_polygon_soup()`, and adds the reason of a failure.
  *
  * \throws std::invalid_argument if reading fails, or a face has a vertex that does not exist. The
- *         message names the line, the vertex or the face, if it is known.
+ *         message names the line, the vertex or the face, if it is known, or says why the file
+ *         cannot be opened.
  */
 template <typename Point>
 void read_soup(const std::string& file,
@@ -92,8 +95,12 @@ void read_soup(const std::string& file,
   const auto fail = [&](const std::string& reason) {
     throw std::invalid_argument("cannot read a mesh from " + file + ": " + reason);
   };
+  errno = 0;
   std::ifstream in(file, std::ios::binary);
-  if(in.peek() == std::ifstream::traits_type::eof())
+  const bool is_at_end = in.peek() == std::ifstream::traits_type::eof();
+  if(in.fail())
+    fail(errno != 0 ? std::generic_category().message(errno) : "it cannot be opened");
+  if(is_at_end)
     fail("it is empty");
   bool is_read = false;
   if(internal::ending_of(file) != "off" || internal::is_long_enough_for_off(in))
