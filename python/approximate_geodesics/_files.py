@@ -50,8 +50,8 @@ def replace(name: str, write: Callable[[str], None]) -> None:
     """
     target = os.path.realpath(name)
     try:
-        if os.path.exists(target) and not os.path.isfile(target):
-            write(target)
+        if os.path.exists(name) and not os.path.isfile(name):
+            write(name)  # the target of a link like /dev/stdout may be no path
             return
         place = _new_file(target)
         try:
@@ -64,8 +64,7 @@ def replace(name: str, write: Callable[[str], None]) -> None:
                 os.unlink(place)
             raise
     except OSError as error:
-        error.filename, error.filename2 = name, None
-        raise
+        raise OSError(error.errno, error.strerror, name) from error
 
 
 def _new_file(target: str) -> str:

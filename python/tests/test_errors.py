@@ -1,3 +1,4 @@
+import os
 import resource
 import sys
 
@@ -188,7 +189,7 @@ def test_a_file_is_replaced_when_the_new_one_is_complete(tmp_path):
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100, hard))  # bytes
     try:
-        with pytest.raises(OSError, match="File too large: .*link.bin"):
+        with pytest.raises(OSError, match="File too large: '.*link.bin'$"):
             SOLVER.save(link)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
@@ -201,9 +202,14 @@ def test_a_file_is_replaced_when_the_new_one_is_complete(tmp_path):
 
 
 def test_devices_are_not_replaced():
-    with pytest.raises(OSError, match="No space left on device: '/dev/full'"):
+    with pytest.raises(OSError, match="No space left on device: '/dev/full'$"):
         SOLVER.save("/dev/full")
     SOLVER.save("/dev/null")
+    to_read, to_write = os.pipe()
+    SOLVER.save(f"/dev/fd/{to_write}")
+    os.close(to_write)
+    with open(to_read, "rb") as pipe:
+        assert pipe.read() == SOLVER.__getstate__()[0]
 
 
 @pytest.mark.parametrize("name, contents, message", [
