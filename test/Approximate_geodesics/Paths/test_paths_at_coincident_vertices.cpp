@@ -124,7 +124,9 @@ void expect_paths(const Mesh& mesh, Random& random, const std::size_t number_of_
 
 TEST(Coincident_vertices, leave_paths_as_long_as_distances)
 {
-  for(const std::uint64_t seed : seeds_of_small_soups())
+  std::vector<std::uint64_t> seeds = seeds_of_small_soups();
+  seeds.push_back(1493); // paths led around vertices on the other side of their start
+  for(const std::uint64_t seed : seeds)
     for(const std::size_t number : {std::size_t(3), std::size_t(12)})
     {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << number << " places");

@@ -161,11 +161,18 @@ struct Sight
     // a path to what is before the edge leads around its nearer end, on whichever side that is
     const double least_of_nearer = is_before_edge ? -1 : least;
     const bool is_left_nearer = left_distance < right_distance;
-    const Sight_path line = result;
-    result.lead_over(left_ray.direction, beyond_left, least, line);
-    result.lead_over(left, cross(left, point), is_left_nearer ? least_of_nearer : least, line);
-    result.lead_over(right_ray.direction, beyond_right, least, line);
-    result.lead_over(right, cross(point, right), is_left_nearer ? least : least_of_nearer, line);
+    // in a sight as wide as half a plane, the tip is on the edge: the other side hides nothing
+    const bool is_tip_on_edge =
+        is_on_left && is_on_right && dot(left_ray.direction, right_ray.direction) < 0;
+    const auto lead_over = [&, line = result](const Plane_vector vertex, const double beyond,
+                                              const double factor) {
+      if(!is_tip_on_edge || !(dot(vertex, point) < 0))
+        result.lead_over(vertex, beyond, factor, line);
+    };
+    lead_over(left_ray.direction, beyond_left, least);
+    lead_over(left, cross(left, point), is_left_nearer ? least_of_nearer : least);
+    lead_over(right_ray.direction, beyond_right, least);
+    lead_over(right, cross(point, right), is_left_nearer ? least : least_of_nearer);
     return result;
   }
 
