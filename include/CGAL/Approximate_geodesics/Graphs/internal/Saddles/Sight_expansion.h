@@ -215,8 +215,8 @@ private:
                     const double beyond,
                     const bool is_rest_empty)
   {
-    const double rounding = is_rest_empty ? Sight_ray::ROUNDING * ray.margin * distance : 0;
-    return beyond > -rounding && dot(ray.direction, apex) > 0;
+    const double allowed = is_rest_empty ? Sight_ray::ROUNDING * ray.margin * distance : 0;
+    return beyond > -allowed && dot(ray.direction, apex) > 0;
   }
 
   // Whether an edge along a ray, from one end of the sight to the apex, leads away from the tip and
