@@ -219,7 +219,10 @@ private:
     else if(before.is_bridge != behind.is_bridge)
       s.error_at_start = s.error_at_end = error_of_drop(before.is_bridge ? at_end : at_start);
     else if(at_start > 0 && at_end > 0)
-      s.error_at_start = s.error_at_end = error_of_drop(1 / (1 / at_start + 1 / at_end));
+    {
+      const double sum = 1 / at_start + 1 / at_end; // zero if both are infinite
+      s.error_at_start = s.error_at_end = error_of_drop(sum > 0 ? 1 / sum : at_start);
+    }
   }
 
   // By which part of itself the gauge of a finite sector drops in the direction `d` to what another
