@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -175,18 +174,18 @@ typename Csr_file<T>::Block Csr_file<T>::read(const std::size_t number) const
 {
   const auto rows = plan().rows_of_block(number);
   const std::string bytes = internal::read_file(marker(number));
-  constexpr std::size_t first = internal::Fletcher_checksum::SIZE;
-  Block result;
-  if(bytes.size() < first || bytes.size() % sizeof(std::uint32_t) != 0)
-    return result;
+  const std::size_t first = internal::Fletcher_checksum::SIZE;
+  const std::size_t columns = first + rows.size() * sizeof(std::uint32_t);
+  if(bytes.size() < columns || bytes.size() % sizeof(std::uint32_t) != 0)
+    return {};
   internal::Fletcher_checksum checksum(number);
   checksum.add(bytes.data() + first, bytes.size() - first);
   if(bytes.compare(0, first, checksum.bytes()) != 0)
-    return result;
+    return {};
+  Block result;
+  const std::size_t size = (bytes.size() - columns) / (sizeof(internal::Column) + sizeof(T));
   const char* at = bytes.data() + first;
   internal::extract(at, rows.size(), result.numbers_of_entries);
-  const std::size_t size = std::accumulate(result.numbers_of_entries.begin(),
-                                           result.numbers_of_entries.end(), std::size_t(0));
   internal::extract(at, size, result.columns);
   internal::extract(at, size, result.distances);
   result.rows.assign(rows.begin(), rows.end());

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <system_error>
@@ -109,8 +108,11 @@ private:
 
 std::string read_file(const std::string& name)
 {
-  std::ifstream in(name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::ifstream in(name, std::ios::binary | std::ios::ate);
+  std::string result(in ? static_cast<std::size_t>(in.tellg()) : 0, '\0');
+  in.seekg(0);
+  in.read(result.data(), static_cast<std::streamsize>(result.size()));
+  return in ? result : "";
 }
 
 void write_file(const std::string& name, const std::string& contents)

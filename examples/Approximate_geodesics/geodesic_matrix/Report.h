@@ -12,6 +12,17 @@
 #include <filesystem>
 #include <iostream>
 
+// The bytes of a file, or of all files in a folder.
+inline double length_on_disk(const std::filesystem::path& name)
+{
+  if(!std::filesystem::is_directory(name))
+    return double(std::filesystem::file_size(name));
+  double result = 0;
+  for(const auto& entry : std::filesystem::directory_iterator(name))
+    result += double(entry.file_size());
+  return result;
+}
+
 // What has been measured, and is printed at the end.
 struct Report
 {
@@ -42,8 +53,7 @@ struct Report
     table.add("processes", processes.size());
     table.add("peak memory of a process", text_of_bytes(memory));
     table.add("file", options.output);
-    table.add("length of the file",
-              text_of_bytes(double(std::filesystem::file_size(options.output))));
+    table.add("length of the file", text_of_bytes(length_on_disk(options.output)));
     table.print(std::cout);
   }
 };
