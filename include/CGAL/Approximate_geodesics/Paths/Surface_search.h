@@ -373,11 +373,11 @@ private:
 
   // Results fit the sources, also if the run fails: input that the search refuses changes nothing;
   // after other exceptions, the search has nothing reached, and nor has this object.
-  template <typename Run>
+  template <typename F>
   void run_and_adopt(std::vector<Source_point> sources,
                      Points_by_face points,
                      const double maximum_distance,
-                     Run run)
+                     F run)
   {
     try
     {
