@@ -13,8 +13,7 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/search_part_once.h>
 
 namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace Approximate_geodesics::internal {
 
 // Reads as little of the mesh as the query allows.
 template <typename TriangleMesh,
@@ -33,8 +32,7 @@ void write_distances(const TriangleMesh& tmesh,
     });
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
+} // namespace Approximate_geodesics::internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions

@@ -16,8 +16,7 @@
 #include <limits>
 
 namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace Approximate_geodesics::internal {
 
 // Writes the points of the path, and returns its length.
 template <typename TriangleMesh,
@@ -44,8 +43,7 @@ double write_path(const TriangleMesh& tmesh,
   return length;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
+} // namespace Approximate_geodesics::internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsFunctions

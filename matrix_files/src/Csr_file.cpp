@@ -18,8 +18,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 namespace internal {
 namespace {
 
@@ -254,5 +253,4 @@ template class Csr_file<float>;
 template void save_csr(const Sparse_rows<double>&, const std::string&);
 template void save_csr(const Sparse_rows<float>&, const std::string&);
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics

@@ -11,9 +11,7 @@
 #include <cstring>
 #include <string>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Fletcher's checksum: the sum of 32-bit words, and the sum of these sums, both modulo 2^64. It is
@@ -46,8 +44,6 @@ private:
   std::uint64_t m_sums[2];
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // APPROXIMATE_GEODESICS_MATRIX_FILES_FLETCHER_CHECKSUM_H

@@ -16,9 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -303,6 +301,4 @@ Matrix_file::Path Matrix_file::folder() const
   return m_file.has_parent_path() ? m_file.parent_path() : ".";
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal

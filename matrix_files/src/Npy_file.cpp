@@ -17,8 +17,7 @@
 
 #include <filesystem>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 namespace {
 
 namespace fs = std::filesystem;
@@ -130,5 +129,4 @@ void Npy_file<T>::complete()
 template class Npy_file<double>;
 template class Npy_file<float>;
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics

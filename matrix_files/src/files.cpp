@@ -22,8 +22,7 @@
 #include <unistd.h>
 #endif
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 std::unique_ptr<Process_team::File> Single_process::open(const std::string& name)
 {
@@ -192,5 +191,4 @@ void Local_file::write(const std::uint64_t offset, const void* const data, const
 }
 
 } // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics

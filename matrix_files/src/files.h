@@ -17,9 +17,7 @@
 
 // Files of the operating system. What fails throws with the reason that the system gives.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Returns the contents of a file; empty if it cannot be read.
 std::string read_file(const std::string& name);
@@ -59,8 +57,6 @@ private:
   std::mutex m_mutex; // guards the position of the stream
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // APPROXIMATE_GEODESICS_MATRIX_FILES_FILES_H

@@ -14,9 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // NumPy's name of a number type, in the byte order of this machine.
 template <typename T>
@@ -43,8 +41,6 @@ inline std::string npy_header(const std::string& descr, const std::vector<std::u
   return std::string("\x93NUMPY\1\0", 8) + std::string(length, 2) + text;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // APPROXIMATE_GEODESICS_MATRIX_FILES_NPY_HEADER_H

@@ -17,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace geodesics_test {
-namespace golden {
+namespace geodesics_test::golden {
 
 inline double mean_edge_length(const Mesh& mesh)
 {
@@ -122,7 +121,6 @@ void for_each_golden_graph(const Mesh& mesh, F f)
   for_each_graph_with_directional_costs(mesh, f);
 }
 
-} // namespace golden
-} // namespace geodesics_test
+} // namespace geodesics_test::golden
 
 #endif // APPROXIMATE_GEODESICS_TEST_GOLDEN_GRAPHS_H

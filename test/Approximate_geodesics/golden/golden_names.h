@@ -33,8 +33,7 @@
 
 // All classes of the package that golden results are made of, for the day when one is renamed.
 
-namespace geodesics_test {
-namespace golden {
+namespace geodesics_test::golden {
 
 namespace AG = CGAL::Approximate_geodesics;
 
@@ -70,7 +69,6 @@ using Search = AG::Propagation<GeodesicGraph, Queue>;
 template <typename GeodesicGraph>
 using Shortest_paths = AG::Surface_mesh_shortest_path<Mesh, GeodesicGraph>;
 
-} // namespace golden
-} // namespace geodesics_test
+} // namespace geodesics_test::golden
 
 #endif // APPROXIMATE_GEODESICS_TEST_GOLDEN_NAMES_H

@@ -29,8 +29,7 @@
  * nothing can be said, and the program returns 77, which means that a test was skipped.
  */
 
-namespace geodesics_test {
-namespace golden {
+namespace geodesics_test::golden {
 
 const std::string input = "input";
 constexpr int same = 0, different = 1, not_comparable = 77;
@@ -109,8 +108,7 @@ int compare(const std::vector<std::string>& lines, const std::vector<std::string
   return is_comparable ? different : not_comparable;
 }
 
-} // namespace golden
-} // namespace geodesics_test
+} // namespace geodesics_test::golden
 
 int main(const int argc, const char* const* const argv)
 {

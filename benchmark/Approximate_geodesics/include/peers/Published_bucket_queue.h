@@ -19,8 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*
  * The adaptive bucket queue as Schwartz, de Rezende and Pedrini published it (2015), provided for
@@ -213,7 +212,6 @@ private:
  */
 using Published_bucket_queue = Basic_published_bucket_queue<Published_bucket_width>;
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // BENCHMARK_PUBLISHED_BUCKET_QUEUE_H

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*
  * The policy of Schwartz, de Rezende and Pedrini for the width of buckets (2015): the longest arc
@@ -56,7 +55,6 @@ private:
   double m_divisor = STEP;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // BENCHMARK_PUBLISHED_BUCKET_WIDTH_H

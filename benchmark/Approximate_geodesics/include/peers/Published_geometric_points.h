@@ -18,8 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*
  * The geometric progressions of Aleksandrov, Lanthier, Maheshwari and Sack (1998), for comparison:
@@ -185,7 +184,6 @@ private:
   std::vector<End> m_ends; // per vertex
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // BENCHMARK_PUBLISHED_GEOMETRIC_POINTS_H

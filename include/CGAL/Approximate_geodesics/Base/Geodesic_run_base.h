@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsBase
@@ -153,7 +152,6 @@ template <typename Graph>
 using Run_of = boost::detected_or_t<Geodesic_run_base<Graph>, Own_run, Graph>;
 
 } // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_BASE_GEODESIC_RUN_BASE_H

@@ -25,8 +25,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsGraphs
@@ -264,7 +263,6 @@ private:
   bool m_leads_to_sources = false;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_DIRECTIONAL_GRAPH_H

@@ -20,8 +20,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsGraphs
@@ -119,7 +118,6 @@ private:
   std::size_t m_maximum_degree = 0;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_EDGE_GRAPH_H

@@ -20,8 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsPlacements
@@ -260,7 +259,6 @@ private:
   internal::Measured_progressions m_progressions;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_GEOMETRIC_POINTS_H

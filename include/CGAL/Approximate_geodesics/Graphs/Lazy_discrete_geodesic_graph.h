@@ -31,8 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsGraphs
@@ -341,7 +340,6 @@ private:
   mutable internal::Arc_cache m_arc_cache; // may be added to by several threads at the same time
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_LAZY_DISCRETE_GEODESIC_GRAPH_H

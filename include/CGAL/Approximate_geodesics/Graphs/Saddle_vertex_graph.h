@@ -25,8 +25,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsGraphs
@@ -178,7 +177,6 @@ private:
   internal::Bends m_bends;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_SADDLE_VERTEX_GRAPH_H

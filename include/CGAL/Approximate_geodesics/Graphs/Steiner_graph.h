@@ -23,8 +23,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsGraphs
@@ -248,7 +247,6 @@ private:
   Arc_lengths m_arc_lengths;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_STEINER_GRAPH_H

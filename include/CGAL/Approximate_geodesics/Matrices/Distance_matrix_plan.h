@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
@@ -117,7 +116,6 @@ private:
   bool m_is_symmetric;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_DISTANCE_MATRIX_PLAN_H

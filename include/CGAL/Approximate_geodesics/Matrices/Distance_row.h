@@ -16,8 +16,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
@@ -147,7 +146,6 @@ private:
   mutable Order m_order = Order::ASCENDING;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_DISTANCE_ROW_H

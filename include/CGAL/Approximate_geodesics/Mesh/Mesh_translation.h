@@ -31,8 +31,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 namespace internal {
 
@@ -433,7 +432,6 @@ auto point(const Translation& translation,
 }
 
 } // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_MESH_TRANSLATION_H

@@ -19,8 +19,7 @@
 #include <utility>
 #include <variant>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsMesh
@@ -237,7 +236,6 @@ private:
   const Point_function m_point_map;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_SURFACE_LOCATIONS_H

@@ -14,8 +14,7 @@
 #include <utility>
 #include <variant>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsPoints
@@ -40,7 +39,6 @@ using Surface_point =
                  std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>,
                  Face_location<TriangleMesh>>;
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_SURFACE_POINT_H

@@ -23,8 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 namespace internal {
 
 // Scales weights by a power of two, without rounding, so that products with lengths neither
@@ -163,7 +162,6 @@ Face_weights read_face_weights(const TriangleMesh& tmesh,
   return internal::weights_of_faces(tmesh, halfedges, face_weight_map, triangulation);
 }
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_READ_FACE_WEIGHTS_H

@@ -23,8 +23,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 namespace internal {
 
 // Returns the extension of the error bound for a point that is not a vertex, if the graph defines
@@ -144,7 +143,6 @@ void distance_intervals(const TriangleMesh& tmesh,
   });
 }
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_DISTANCE_INTERVALS_H

@@ -31,8 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 namespace internal {
 
 /*
@@ -237,7 +236,6 @@ farthest_point_sampling(const TriangleMesh& tmesh,
                                  std::array<vertex_descriptor, 0>(), np);
 }
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_FARTHEST_POINT_SAMPLING_H

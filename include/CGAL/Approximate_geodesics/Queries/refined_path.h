@@ -24,8 +24,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 namespace internal {
 
@@ -210,7 +209,6 @@ refined_path_interval(const TriangleMesh& tmesh,
   return internal::refine_path(tmesh, points, source, target, Geometric_points(np), np);
 }
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_REFINED_PATH_H

@@ -21,8 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 namespace internal {
 
 // The nearest source of a corner of a face, and its distance.
@@ -122,7 +121,6 @@ void voronoi_partition(const TriangleMesh& tmesh,
   }
 }
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_VORONOI_PARTITION_H

@@ -25,8 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
@@ -353,7 +352,6 @@ private:
  */
 using Adaptive_bucket_queue = Basic_adaptive_bucket_queue<Balanced_bucket_width>;
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_ADAPTIVE_BUCKET_QUEUE_H

@@ -15,8 +15,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
@@ -69,7 +68,6 @@ private:
   double m_width;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_BALANCED_BUCKET_WIDTH_H

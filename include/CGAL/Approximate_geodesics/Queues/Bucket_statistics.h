@@ -12,8 +12,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
@@ -67,7 +66,6 @@ struct Bucket_statistics
   }
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_BUCKET_STATISTICS_H

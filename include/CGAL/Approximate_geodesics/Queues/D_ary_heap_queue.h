@@ -15,8 +15,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 namespace internal {
 
@@ -67,7 +66,6 @@ public:
  */
 using Binary_heap_queue = D_ary_heap_queue<2>;
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_D_ARY_HEAP_QUEUE_H

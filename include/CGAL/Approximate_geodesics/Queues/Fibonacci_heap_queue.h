@@ -15,8 +15,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 namespace internal {
 
@@ -52,7 +51,6 @@ public:
   }
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_FIBONACCI_HEAP_QUEUE_H

@@ -10,8 +10,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsQueues
@@ -26,7 +25,6 @@ struct Queue_entry
   std::uint32_t node;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_QUEUE_ENTRY_H

@@ -21,8 +21,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 namespace internal {
 
@@ -155,7 +154,6 @@ private:
   Bits m_least = 0;       // a lower bound of the keys in the queue
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_RADIX_HEAP_QUEUE_H

@@ -10,8 +10,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsSearch
@@ -36,7 +35,6 @@ struct Geodesic_visitor_base
   bool go_further() { return true; }
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_GEODESIC_VISITOR_BASE_H

@@ -31,8 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*
  * The algorithm
@@ -637,7 +636,6 @@ private:
   double m_limit = std::numeric_limits<double>::infinity(); // of labels, in units of the graph
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_PROPAGATION_H

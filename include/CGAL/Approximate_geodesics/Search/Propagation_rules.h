@@ -13,8 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsSearch
@@ -60,7 +59,6 @@ struct Stop_rule
   std::vector<std::vector<Last_arc>> points = {};
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_PROPAGATION_RULES_H

@@ -10,8 +10,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsSearch
@@ -46,7 +45,6 @@ struct Propagation_statistics
   std::size_t comparisons() const { return pops + edges() + queue_comparisons; }
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_PROPAGATION_STATISTICS_H

@@ -13,8 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
@@ -119,7 +118,6 @@ constexpr bool has_directional_cost =
         std::declval<const NamedParameters&>(), internal_np::face_weight))>>::value;
 
 } // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_DIRECTIONAL_COST_H

@@ -10,8 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsSurface
@@ -131,7 +130,6 @@ struct Intrinsic_point
   double s;       ///< the weight of the third vertex of its face
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTRINSIC_POINT_H

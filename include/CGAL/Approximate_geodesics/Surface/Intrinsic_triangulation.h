@@ -28,8 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 namespace internal {
 template <typename TriangleMesh, typename NamedParameters>
@@ -533,7 +532,6 @@ inline Intrinsic_triangulation::Index Intrinsic_triangulation::face_without_shap
 }
 #endif
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTRINSIC_TRIANGULATION_H

@@ -18,8 +18,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsSurface
@@ -130,7 +129,6 @@ private:
   const Intrinsic_point m_point;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_LINES_IN_FACES_H

@@ -22,9 +22,7 @@
 #include <functional>
 #include <type_traits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A loop with independent iterations. A concurrency tag selects sequential or parallel execution;
@@ -110,8 +108,6 @@ private:
   void (*m_run)(std::size_t, const Turn&) = nullptr;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_LOOP_H

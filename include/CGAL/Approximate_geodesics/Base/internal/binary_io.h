@@ -23,9 +23,7 @@
 
 // Portable binary streams: numbers are little-endian, followed by a checksum.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 template <typename T>
 using Bytes_of = std::array<unsigned char, sizeof(T)>;
@@ -124,8 +122,6 @@ private:
   Checksum m_checksum;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_BINARY_IO_H

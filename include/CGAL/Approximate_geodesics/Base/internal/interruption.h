@@ -14,9 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A per-thread hook that can cancel a computation by throwing. Long functions without a visitor
@@ -71,8 +69,6 @@ inline void check_for_interruption_at(const std::size_t turn)
     check_for_interruption();
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_INTERRUPTION_H

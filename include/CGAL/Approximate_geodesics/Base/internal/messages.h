@@ -14,9 +14,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Returns a number as text, with all significant digits.
 inline std::string text_of(const double number)
@@ -63,8 +61,6 @@ auto name_in_message(const Name& name, const F& f)
   }
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_MESSAGES_H

@@ -84,8 +84,7 @@ CGAL_APPROXIMATE_GEODESICS_FOR_EACH_PARAMETER(CGAL_APPROXIMATE_GEODESICS_TAG)
 
 } // namespace internal_np
 
-namespace Approximate_geodesics {
-namespace internal {
+namespace Approximate_geodesics::internal {
 
 /*
  * A chain of named parameters that can be continued with those of this package and of CGAL, in any
@@ -208,8 +207,7 @@ auto append_parameters(const First& first, const Named_function_parameters<T, Ta
   }
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
+} // namespace Approximate_geodesics::internal
 
 namespace parameters {
 

@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Prefetches the cache line of entry `i` of an array. The entry may lie beyond the end, so the
 // address is computed as an integer, because pointer arithmetic must stay in the array.
@@ -29,8 +27,6 @@ void prefetch(const T* const array, const std::size_t i)
 #endif
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_PREFETCH_H

@@ -11,9 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // A vector or a point in space.
 using Space_vector = std::array<double, 3>;
@@ -40,8 +38,6 @@ inline double distance(const Space_vector& a, const Space_vector& b)
   return std::sqrt(dot(way, way));
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_VECTOR_3_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 inline double checked_positive(const double number, const char* const name)
 {
@@ -126,8 +124,6 @@ void reject_weights(const Intrinsic_triangulation& triangulation,
            ", which the triangulation has; use Steiner_graph");
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_GRAPH_PARAMETERS_H

@@ -27,9 +27,7 @@
 #include <thread>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Computes the rows of a distance matrix with one or several threads. Sinks receive blocks of rows
@@ -209,8 +207,6 @@ private:
   std::condition_variable m_turn;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_MATRIX_COMPUTATION_H

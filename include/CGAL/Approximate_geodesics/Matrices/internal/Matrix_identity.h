@@ -13,9 +13,7 @@
 #include <cstdint>
 #include <string>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A fingerprint of a distance matrix, by parts, so that messages can name the difference between
@@ -65,8 +63,6 @@ struct Matrix_identity
   std::array<std::uint64_t, NUMBER_OF_PARTS> parts{};
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_MATRIX_IDENTITY_H

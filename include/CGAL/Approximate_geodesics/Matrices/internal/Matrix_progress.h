@@ -19,9 +19,7 @@
 #include <mutex>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // A thread-safe visitor may also observe the searches for rows: `visitor_of_search()` returns the
 // visitor of a search, which may throw an exception to stop it.
@@ -86,8 +84,6 @@ private:
   Clock::time_point m_start = Clock::now();
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_MATRIX_PROGRESS_H

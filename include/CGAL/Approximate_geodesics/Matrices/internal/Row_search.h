@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Limits of the searches for the rows of a distance matrix.
 struct Row_limits
@@ -150,8 +148,6 @@ private:
   double m_expected_distance = std::numeric_limits<double>::infinity(); // of the nearest columns
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_ROW_SEARCH_H

@@ -13,9 +13,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // The exact graph with sequential searches, independent of the concurrency tag.
 struct Sequential_exact_graph : Saddle_vertex_graph
@@ -27,8 +25,6 @@ struct Sequential_exact_graph : Saddle_vertex_graph
   }
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_SEQUENTIAL_EXACT_GRAPH_H

@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 namespace internal {
 
 /*
@@ -53,7 +52,6 @@ struct Sparse_block
 
 } // namespace internal
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_SPARSE_BLOCK_H

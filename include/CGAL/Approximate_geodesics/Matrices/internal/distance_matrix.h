@@ -38,9 +38,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 inline bool are_the_same(const std::vector<Intrinsic_point>& a,
                          const std::vector<Intrinsic_point>& b)
@@ -157,8 +155,6 @@ bool compute_distance_matrix(const Graph& graph,
     return is_done;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_DISTANCE_MATRIX_H

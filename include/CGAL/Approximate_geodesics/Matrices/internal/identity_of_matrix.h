@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 inline std::uint32_t checksum(const Intrinsic_triangulation& t)
 {
@@ -117,8 +115,6 @@ Matrix_identity identity_of_matrix(const Graph& graph,
   return result;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_IDENTITY_OF_MATRIX_H

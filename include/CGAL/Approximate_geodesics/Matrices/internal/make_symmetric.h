@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Replaces each entry of a square matrix and its transpose by the smaller of the two, by tiles of
 // `side` rows and columns. Two of the default size fit into the cache. The operation is idempotent.
@@ -31,8 +29,6 @@ void make_symmetric(T* const distances, const std::size_t size, const std::size_
         }
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_MAKE_SYMMETRIC_H

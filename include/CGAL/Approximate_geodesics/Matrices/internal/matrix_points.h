@@ -23,9 +23,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The sources and targets of a distance matrix.
@@ -125,8 +123,6 @@ Matrix_points matrix_points_on_graph(const Intrinsic_triangulation& triangulatio
   return result;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_MATRIX_POINTS_H

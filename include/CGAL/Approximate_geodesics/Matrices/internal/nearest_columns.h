@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 namespace internal {
 
 inline std::size_t checked_number_of_nearest(const std::size_t number)
@@ -52,7 +51,6 @@ inline std::vector<Distance_row::Column> nearest_columns(const Distance_row& row
 
 } // namespace internal
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_NEAREST_COLUMNS_H

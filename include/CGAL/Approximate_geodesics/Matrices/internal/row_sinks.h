@@ -18,9 +18,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Detection of the optional members of models of `DistanceRowSink`.
 
@@ -75,8 +73,6 @@ std::size_t number_of_nearest([[maybe_unused]] const Rows& rows)
     return 0;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRICES_INTERNAL_ROW_SINKS_H

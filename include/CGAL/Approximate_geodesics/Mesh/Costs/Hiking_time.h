@@ -13,8 +13,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
@@ -52,7 +51,6 @@ private:
   double m_factor;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_COSTS_HIKING_TIME_H

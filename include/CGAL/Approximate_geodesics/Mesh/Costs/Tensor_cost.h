@@ -16,8 +16,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
@@ -57,7 +56,6 @@ private:
   FaceTensorMap m_tensors;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_COSTS_TENSOR_COST_H

@@ -27,8 +27,7 @@ namespace CGAL {
 template <typename AABBTraits>
 class AABB_tree;
 
-namespace Approximate_geodesics {
-namespace internal {
+namespace Approximate_geodesics::internal {
 
 /*
  * Converts between points in space, locations in faces, and descriptors, like the static functions
@@ -178,8 +177,7 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
+} // namespace Approximate_geodesics::internal
 } // namespace CGAL
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_LOCATION_FUNCTIONS_H

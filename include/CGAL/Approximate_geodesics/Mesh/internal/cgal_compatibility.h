@@ -19,9 +19,7 @@
 // Differences between the supported versions of CGAL, 5.5 to 6.1, except for named parameters: see
 // named_parameters.h.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Returns the alternative of type `T` of the result of an intersection, or a null pointer. CGAL 6
 // replaced `boost::variant` by `std::variant`.
@@ -39,8 +37,6 @@ const T* alternative(const std::variant<Types...>& variant)
   return std::get_if<T>(&variant);
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CGAL_COMPATIBILITY_H

@@ -27,9 +27,7 @@
 // Reads and checks edge lengths without overflow or underflow: see the remark on units at
 // `Intrinsic_triangulation`. Include the header of that class instead of this one.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // A power of two that scales `extent` to about 2^200 without rounding. Products of four lengths
 // then do not overflow, and lengths may be smaller than the extent by a factor of more than 1e300.
@@ -260,8 +258,6 @@ Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
   return result;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_EDGE_LENGTHS_H

@@ -18,9 +18,7 @@
 // Checks that the faces of a mesh and their halfedges refer to each other. Unlike
 // `CGAL::is_triangle()`, these functions do not assume that links are valid.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Precondition: `f` has a halfedge.
 template <typename TriangleMesh>
@@ -119,8 +117,6 @@ bool is_on_cycle_of_face(const typename boost::graph_traits<TriangleMesh>::halfe
   return false;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_FACE_LINKS_H

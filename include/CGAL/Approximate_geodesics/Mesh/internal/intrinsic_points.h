@@ -24,9 +24,7 @@
 
 // Checks and converts points of the surface that users pass.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 template <typename TriangleMesh, typename Descriptor, typename = void>
 constexpr bool tells_what_is_removed = false;
@@ -109,8 +107,6 @@ intrinsic_points(const Translation& translation, const Points& points, const cha
   return result;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_INTRINSIC_POINTS_H

@@ -26,9 +26,7 @@
 
 // Location of points on a mesh with CGAL's AABB tree.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Returns the vector from `p` to `q`.
 template <typename Point_3>
@@ -178,8 +176,6 @@ Face_location<TriangleMesh> locate_first(const Ray_3<Kernel>& ray,
   return result;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_LOCATE_H

@@ -19,9 +19,7 @@
 
 // Type traits of arguments that refer to a mesh.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 template <typename T>
 constexpr bool is_pair = false;
@@ -79,8 +77,6 @@ constexpr bool
                                          typename T::Compute_parametric_distance_along_segment_2>> =
         true;
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_MESH_TRAITS_H

@@ -21,9 +21,7 @@
 // that a given index map is valid. Here, indices are checked when they are used, in all build
 // types, and invalid ones are rejected with an exception that names the index.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 template <typename TriangleMesh, typename NamedParameters>
 auto vertex_index_map(const TriangleMesh& tmesh, const NamedParameters& np)
@@ -75,8 +73,6 @@ Function_property_map<Key, Value> function_property_map(const Map& map)
       [map](const Key& key) { return static_cast<Value>(get(map, key)); });
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_PROPERTY_MAPS_H

@@ -26,9 +26,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // An orthonormal basis of the plane of a face: the first vector is along a side, the second points
 // toward the third vertex. For a degenerate face, any plane through the side is used.
@@ -197,8 +195,6 @@ double sampling_tolerance([[maybe_unused]] const NamedParameters& np)
     return by_default;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_READ_FACE_GAUGES_H

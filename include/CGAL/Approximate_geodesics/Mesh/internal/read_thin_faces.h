@@ -22,9 +22,7 @@
 
 // Computes the shapes of thin faces from coordinates in double-double arithmetic.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A double-double number, with about 32 digits: the unevaluated sum of two `double`s, where `low`
@@ -204,8 +202,6 @@ inline Thin_faces thin_faces(const std::vector<Intrinsic_triangulation::Index>& 
   return result;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_READ_THIN_FACES_H

@@ -13,9 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Returns the gain in height per unit of horizontal length; infinity for a vertical direction.
 template <typename Vector_3>
@@ -26,8 +24,6 @@ double slope(const Vector_3& direction)
   return run > 0 ? z / run : std::copysign(std::numeric_limits<double>::infinity(), z);
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_SLOPE_H

@@ -15,9 +15,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Whether mesh elements are hashable.
 template <typename Descriptor>
@@ -86,8 +84,6 @@ private:
   std::size_t m_size = 0;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_DESCRIPTOR_TABLE_H

@@ -20,8 +20,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace Approximate_geodesics::internal {
 
 /*
  * A submesh: some faces of a mesh and their border, represented by the elements of the mesh. The
@@ -253,8 +252,7 @@ private:
   std::vector<halfedge_descriptor> m_after, m_before; // by border halfedge
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
+} // namespace Approximate_geodesics::internal
 
 template <typename TriangleMesh, typename Tag>
 struct graph_has_property<Approximate_geodesics::internal::Mesh_part<TriangleMesh>, Tag>

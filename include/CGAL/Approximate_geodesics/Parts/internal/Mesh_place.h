@@ -29,9 +29,7 @@
 // A point of the surface of a mesh that has not been read yet. Construction fails for points that
 // may be invalid; reading the whole mesh then diagnoses the error.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 template <typename TriangleMesh>
 struct Mesh_place
@@ -171,8 +169,6 @@ private:
   Space_vector m_origin;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_MESH_PLACE_H

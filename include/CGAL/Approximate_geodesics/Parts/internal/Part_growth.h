@@ -23,9 +23,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A lower bound on the length of a path through a point in space: the straight-line distance from
@@ -200,8 +198,6 @@ private:
   double m_largest_detour = 0;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_PART_GROWTH_H

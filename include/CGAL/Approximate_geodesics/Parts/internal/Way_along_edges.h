@@ -24,9 +24,7 @@
 #include <queue>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Finds an upper bound on the distance to a target on a mesh that has not been read: the length of
@@ -163,8 +161,6 @@ private:
   std::priority_queue<Entry> m_queue;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PARTS_INTERNAL_WAY_ALONG_EDGES_H

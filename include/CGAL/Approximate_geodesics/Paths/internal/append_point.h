@@ -16,9 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Appends a point to a path, unless it is where the path has got to. Removes the last point if the
 // path goes straight on there, along an edge.
@@ -54,8 +52,6 @@ inline void cut_loops(std::vector<Intrinsic_point>& points)
   points.resize(size, Intrinsic_point::at_vertex(0));
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_APPEND_POINT_H

@@ -21,9 +21,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // What models of `SurfaceGraph` may leave out.
 
@@ -141,8 +139,6 @@ struct Check_surface_graph
   static constexpr bool is_done = true;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_SURFACE_GRAPH_H

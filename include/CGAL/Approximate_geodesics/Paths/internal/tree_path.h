@@ -17,9 +17,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Paths in the shortest-path tree of a search, whose lengths are in units of the graph.
 
@@ -82,8 +80,6 @@ Path tree_path(const Search& search, const typename Search::Node node)
   return result;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_TREE_PATH_H

@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Adapts a visitor of vertices to a visitor of nodes.
@@ -294,8 +292,6 @@ auto search_once(const TriangleMesh& tmesh, const NamedParameters& np, const boo
     return with_graph<Lazy_discrete_geodesic_graph>(tmesh, np, search);
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_MESH_SEARCH_H

@@ -17,9 +17,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Point-to-point searches with a separate workspace, which is allocated on first use.
@@ -105,8 +103,6 @@ private:
   std::unique_ptr<Parts> m_parts;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_PAIR_SEARCH_H

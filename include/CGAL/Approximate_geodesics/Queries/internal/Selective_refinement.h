@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A placement of equally spaced points on the edges near a path: edges of faces that the path
@@ -186,8 +184,6 @@ private:
   double m_lower_bound = 0;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SELECTIVE_REFINEMENT_H

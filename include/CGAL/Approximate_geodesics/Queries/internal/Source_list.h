@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <list>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The sources of a search, in the order in which they were added. Iterators stay valid until their
@@ -73,8 +71,6 @@ private:
   List m_sources;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SOURCE_LIST_H

@@ -17,9 +17,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Writes the results of a search to property maps of the vertices of a mesh. All memory is
@@ -113,8 +111,6 @@ private:
   const Vertices& m_vertices;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_VERTEX_RESULTS_H

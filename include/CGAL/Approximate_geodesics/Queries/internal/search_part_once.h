@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Whether a part of a mesh can be bounded by positions in space: this requires paths that are at
 // least as long as straight lines and not restricted by barriers. A visitor would observe the size
@@ -320,8 +318,6 @@ bool write_distances_of_part([[maybe_unused]] const TriangleMesh& tmesh,
   return false;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_PART_ONCE_H

@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // A bound on the relative rounding error of sums of lengths.
 constexpr double rounding_of_distances = 1e-12;
@@ -29,8 +27,6 @@ smallest_distance(const double distance, const double epsilon, const double cost
   return (std::max)(distance - detour, 0.) / (1 + epsilon) * (1 - rounding_of_distances);
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SMALLEST_DISTANCE_H

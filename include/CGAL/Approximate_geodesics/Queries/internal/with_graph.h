@@ -24,9 +24,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Returns the graph that the named parameters select for directional costs.
 template <typename NamedParameters>
@@ -107,8 +105,6 @@ auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
   return with_graph_on<GraphWithBound, ExactGraph>(Intrinsic_triangulation(tmesh, np), np, f);
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_WITH_GRAPH_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Reverses the order: Boost's heaps are max-heaps.
 struct Has_larger_key
@@ -126,8 +124,6 @@ private:
   std::size_t m_size = 0; // Boost's size is wrong after a failed allocation
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_INTERNAL_BOOST_HEAP_QUEUE_H

@@ -17,9 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * An implicit 4-ary heap with at most one entry per node, which supports decreasing keys. The array
@@ -148,8 +146,6 @@ private:
   std::size_t m_comparisons = 0;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_INTERNAL_INDEXED_HEAP_H

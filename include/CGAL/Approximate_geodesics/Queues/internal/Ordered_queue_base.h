@@ -13,9 +13,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Common base of the queues that extract single entries in order.
 class Ordered_queue_base
@@ -41,8 +39,6 @@ private:
   Entry m_extracted{0, 0}; // the last extracted entry
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUEUES_INTERNAL_ORDERED_QUEUE_BASE_H

@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Whether nodes are expanded again too often, which a rounded heuristic can cause: beside it, very
 // short arcs vanish, so that keys no longer order their nodes.
@@ -192,8 +190,6 @@ private:
   Propagation_statistics* m_statistics;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_BATCH_RELAXATION_H

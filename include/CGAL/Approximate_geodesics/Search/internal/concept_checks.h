@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // A graph or a queue that lacks a member is reported in one line.
 
@@ -148,8 +146,6 @@ struct Check_queue
   static constexpr bool is_done = true;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_CONCEPT_CHECKS_H

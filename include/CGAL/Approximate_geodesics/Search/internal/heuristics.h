@@ -10,9 +10,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // The heuristic of Dijkstra's algorithm: nothing is known about the rest of the way.
 struct No_heuristic
@@ -42,8 +40,6 @@ bool is_stale(const double key, const double distance, const Node node, const He
     return distance < key;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_HEURISTICS_H

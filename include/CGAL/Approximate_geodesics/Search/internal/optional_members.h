@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // What models of GeodesicGraph and GeodesicPriorityQueue may have, but need not.
 
@@ -53,8 +51,6 @@ template <typename Queue>
 constexpr bool counts_comparisons =
     boost::is_detected_convertible_v<Bucket_statistics, Statistics, Queue>;
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_OPTIONAL_MEMBERS_H

@@ -18,9 +18,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Watches follow a run, between the loops that work through a batch of entries:
@@ -147,8 +145,6 @@ private:
   std::size_t m_number_settled = 0;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_WATCHES_H

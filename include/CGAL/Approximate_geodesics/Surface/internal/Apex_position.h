@@ -20,9 +20,7 @@
 // The shape of a face: from the lengths of its sides, or from what is known better where it is
 // thin.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // The area of the triangle with these sides, by Kahan's arrangement of Heron's formula, which is
 // accurate for needles too (W. Kahan, Miscalculating area and angles of a needle-like triangle).
@@ -109,8 +107,6 @@ inline Apex_position apex_position(const Intrinsic_triangulation& triangulation,
                        triangulation.length(triangulation.next(h)));
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_APEX_POSITION_H

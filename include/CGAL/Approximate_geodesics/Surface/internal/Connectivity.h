@@ -15,9 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The edges of a mesh: what a search along edges requires of an `Intrinsic_triangulation`, under
@@ -62,8 +60,6 @@ struct Connectivity : Vertex_adjacency
   std::size_t number_of_faces = 0;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_CONNECTIVITY_H

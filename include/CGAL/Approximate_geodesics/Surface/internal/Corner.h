@@ -16,9 +16,7 @@
 #include <cmath>
 #include <optional>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A corner of a face, and what it takes to measure distances between points of its two sides. With
@@ -108,8 +106,6 @@ inline Plane_vector corner_angle(const Intrinsic_triangulation& triangulation,
                       triangulation.length(triangulation.next(g)), triangulation.length(g));
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_CORNER_H

@@ -17,9 +17,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The face to the left of a halfedge, laid out in the plane: its corners are the source and the
@@ -89,8 +87,6 @@ private:
   std::array<Plane_vector, 3> m_edges; // from each corner to the next
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_LAYOUT_H

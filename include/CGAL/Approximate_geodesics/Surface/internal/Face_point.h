@@ -19,9 +19,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A point of the face to the left of a halfedge. A vertex is seen from a halfedge that starts from
@@ -145,8 +143,6 @@ void for_each_face_point(const Intrinsic_triangulation& triangulation,
       f(Face_point::on_edge(side, 1 - p.t));
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_POINT_H

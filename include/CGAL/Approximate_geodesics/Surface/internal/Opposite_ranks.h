@@ -16,9 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * For every halfedge, where its opposite stands among the halfedges that start from its target.
@@ -74,8 +72,6 @@ private:
   std::unordered_map<Index, Index> m_large_rank;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_OPPOSITE_RANKS_H

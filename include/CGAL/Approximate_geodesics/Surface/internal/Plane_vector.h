@@ -10,9 +10,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 struct Plane_vector
 {
@@ -51,8 +49,6 @@ inline Plane_vector turned_right(const Plane_vector a, const Plane_vector r)
   return turned_left(a, {r.x, -r.y});
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_PLANE_VECTOR_H

@@ -15,9 +15,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * What says all of the shape of a face, where the lengths of its sides do not: to be divided by two
@@ -129,8 +127,6 @@ private:
   bool m_has_extreme_needles = false;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_THIN_FACES_H

@@ -18,9 +18,7 @@
 
 // Circulation around a vertex.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 constexpr double straight_angle = 3.14159265358979323846;
 
@@ -74,8 +72,6 @@ inline double angle_of_fan(const Intrinsic_triangulation& triangulation,
   return result.value();
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_VERTEX_FAN_H

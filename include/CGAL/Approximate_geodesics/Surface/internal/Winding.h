@@ -15,9 +15,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Where straight lines from the origin meet a halfedge, which is laid out between these two points.
@@ -105,8 +103,6 @@ private:
   bool m_may_return;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_WINDING_H

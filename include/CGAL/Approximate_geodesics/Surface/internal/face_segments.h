@@ -16,9 +16,7 @@
 
 // Straight lines between points of the same face.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A straight line through a face, or along an edge.
@@ -107,8 +105,6 @@ double length_of_segments(const Intrinsic_triangulation& triangulation, const Po
   return result;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FACE_SEGMENTS_H

@@ -19,8 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
@@ -139,7 +138,6 @@ void save_csr(const Sparse_rows<T>& rows, const std::string& folder);
 extern template class Csr_file<double>;
 extern template class Csr_file<float>;
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRIX_FILES_CSR_FILE_H

@@ -24,8 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 namespace internal {
 
 // Serializes MPI calls, as required by `MPI_THREAD_SERIALIZED`.
@@ -211,7 +210,6 @@ private:
   MPI_Win m_window = MPI_WIN_NULL;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRIX_FILES_MPI_TEAM_H

@@ -55,8 +55,7 @@
  * folder `python` wraps it.
  */
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
@@ -563,7 +562,6 @@ private:
   mutable Vertex_positions m_positions;
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_H

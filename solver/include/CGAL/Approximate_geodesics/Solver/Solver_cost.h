@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
@@ -67,7 +66,6 @@ struct Solver_cost
   std::vector<double> of_faces;   ///< three or six numbers per face, or none
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_COST_H

@@ -11,8 +11,7 @@
 #include <array>
 #include <cstdint>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
@@ -36,7 +35,6 @@ struct Solver_point
   std::array<double, 3> coordinates; ///< barycentric coordinates in the face
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_POINT_H

@@ -12,8 +12,7 @@
 #include <functional>
 #include <stdexcept>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
@@ -43,7 +42,6 @@ struct Solver_interrupted : std::runtime_error
   Solver_interrupted() : std::runtime_error("Approximate_geodesics: the run was interrupted") {}
 };
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_WATCH_H

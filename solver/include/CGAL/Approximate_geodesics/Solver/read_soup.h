@@ -25,8 +25,7 @@
 #include <system_error>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
+namespace CGAL::Approximate_geodesics {
 namespace internal {
 
 // Calls `f()`. Returns whether the numbers in a damaged file let it come to its end.
@@ -119,7 +118,6 @@ void read_soup(const std::string& file,
                                             points.size()));
 }
 
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_READ_SOUP_H

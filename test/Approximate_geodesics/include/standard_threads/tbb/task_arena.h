@@ -8,8 +8,7 @@
 
 // Stands in for TBB's: see parallel_for.h.
 
-namespace tbb {
-namespace this_task_arena {
+namespace tbb::this_task_arena {
 
 inline int max_concurrency() { return 2; }
 
@@ -19,7 +18,6 @@ void isolate(const F& f)
   f();
 }
 
-} // namespace this_task_arena
-} // namespace tbb
+} // namespace tbb::this_task_arena
 
 #endif // APPROXIMATE_GEODESICS_TEST_STANDARD_THREADS_TBB_TASK_ARENA_H

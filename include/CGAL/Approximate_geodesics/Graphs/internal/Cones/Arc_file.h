@@ -22,9 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The file of a discrete geodesic graph: what it is, the mesh that it belongs to, epsilon, the
@@ -185,8 +183,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_ARC_FILE_H

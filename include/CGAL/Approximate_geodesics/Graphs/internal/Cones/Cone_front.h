@@ -22,9 +22,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // What a cone knows beside its window if lines may come back to an edge, or there are extreme
 // needles: see `Winding` and `Cone_expansion`.
@@ -340,8 +338,6 @@ private:
   Cone* m_end = nullptr; // where the next one goes
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_FRONT_H

@@ -10,9 +10,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * When cones end, and which arcs are left out, for a given epsilon. The search for arcs, the
@@ -60,8 +58,6 @@ struct Cone_rules
   double large_part_saved; // ... and an arc to the vertex is not needed
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_RULES_H

@@ -22,9 +22,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The triangulation whose faces cones cross, and whose vertices are the nodes of a graph: that of
@@ -113,8 +111,6 @@ private:
   std::optional<Retriangulation> m_other;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONE_TRIANGULATION_H

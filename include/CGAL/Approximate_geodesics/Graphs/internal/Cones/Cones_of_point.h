@@ -23,9 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Throws if no line of about the given length was found.
 inline void check_is_found(const Line_search& search, const double unit)
@@ -278,8 +276,6 @@ private:
   const Lines_in_faces m_lines;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONES_OF_POINT_H

@@ -11,9 +11,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Does what another visitor does, but for windows that a search with these labels need not look
 // through: if all that lies behind one is reached well enough over an end of its edge. See
@@ -36,8 +34,6 @@ struct Label_pruning : Visitor
   double factor; // of what is left of the way, in comparisons
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_LABEL_PRUNING_H

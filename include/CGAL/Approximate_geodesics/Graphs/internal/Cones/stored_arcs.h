@@ -20,9 +20,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // An arc as it is stored: lengths are in a unit of the rows, and rounded up.
 struct Stored_arc
@@ -111,8 +109,6 @@ void find_stored_arcs(const Intrinsic_triangulation::Index node,
     sort_many_arcs(arcs);
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_STORED_ARCS_H

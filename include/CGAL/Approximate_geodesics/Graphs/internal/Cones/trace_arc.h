@@ -20,9 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // The windows that a vertex looks through, each with the one before it.
 class Window_tree
@@ -268,8 +266,6 @@ double trace_arc(const Intrinsic_triangulation& triangulation,
   return report_line(triangulation, search, target, f);
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_TRACE_ARC_H

@@ -18,9 +18,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Finds, in a mesh, lines that were found in a triangulation with balanced fans: by their start,
@@ -164,8 +162,6 @@ double trace_arc_of_fans(const Intrinsic_triangulation& mesh,
   return report_line(mesh, search, target, f);
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_TRACE_LINE_H

@@ -15,9 +15,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * What the error of a path across a face depends on, where the face has a gauge.
@@ -96,8 +94,6 @@ private:
   bool m_is_finite = true;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_DIRECTIONAL_GAUGE_SHAPE_H

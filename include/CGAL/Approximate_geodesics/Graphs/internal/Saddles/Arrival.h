@@ -13,9 +13,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Where a straight line comes from that ends at a vertex. Either it comes along a halfedge that
@@ -67,8 +65,6 @@ struct Arrival
   }
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_ARRIVAL_H

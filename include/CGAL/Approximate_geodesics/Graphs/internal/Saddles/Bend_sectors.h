@@ -16,9 +16,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The sectors around a vertex that shortest paths may go on to, if they arrive there on a given
@@ -155,8 +153,6 @@ private:
   const Index m_vertex;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_BEND_SECTORS_H

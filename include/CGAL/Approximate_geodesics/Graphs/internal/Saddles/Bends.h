@@ -21,9 +21,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Whether shortest paths can bend at a vertex: at saddle vertices, whose angles add up to more than
@@ -130,8 +128,6 @@ private:
   std::vector<Bend_kind> m_bends; // per vertex
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_BENDS_H

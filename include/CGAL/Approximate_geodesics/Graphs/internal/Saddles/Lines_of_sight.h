@@ -27,9 +27,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The straight lines from a point that is not a vertex. Without labels, they are those in its
@@ -330,8 +328,6 @@ private:
   const Bends& m_bends;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_LINES_OF_SIGHT_H

@@ -21,9 +21,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Part of all that is seen: the first times that a sight is divided, only one of its two parts is
@@ -217,8 +215,6 @@ struct Sight
   }
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SIGHT_H

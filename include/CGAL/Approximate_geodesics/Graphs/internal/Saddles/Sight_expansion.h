@@ -23,9 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // What visitors of sights have in common: they are not told of faces, nor of sights.
 struct Sight_visitor_base
@@ -324,8 +322,6 @@ private:
   boost::container::static_vector<Crossing, 33> m_milestones;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SIGHT_EXPANSION_H

@@ -20,9 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // A straight line, and the halfedges that it crosses.
 struct Sight_line
@@ -135,8 +133,6 @@ struct Tracing_visitor : Sight_visitor_base
   std::vector<Index> halfedges;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_SIGHT_SEARCH_H

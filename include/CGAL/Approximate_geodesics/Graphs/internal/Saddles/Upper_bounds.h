@@ -15,9 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * For each node, a number that its distance does not exceed, or above which the distance is of no
@@ -78,8 +76,6 @@ private:
   std::vector<Node> m_nodes;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_UPPER_BOUNDS_H

@@ -17,9 +17,7 @@
 
 // Shape parameters of faces and vertex stars, which the placement of points depends on.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The face to the left of a halfedge, as seen from the source of that.
@@ -160,8 +158,6 @@ private:
   bool m_has_free = false;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_FACE_SHAPE_H

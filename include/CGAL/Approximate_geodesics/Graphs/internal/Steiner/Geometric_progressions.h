@@ -12,9 +12,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The points of an edge of length 1 in two geometric progressions, one from either end, which start
@@ -88,8 +86,6 @@ private:
   double m_first_number, m_second_number; // of steps
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_GEOMETRIC_PROGRESSIONS_H

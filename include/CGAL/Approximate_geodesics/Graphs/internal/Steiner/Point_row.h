@@ -17,9 +17,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The points of an edge, ranked by their distance from the end that is at a corner of a face.
@@ -147,8 +145,6 @@ private:
   Index m_is_reversed; // 0 or 1
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_POINT_ROW_H

@@ -18,9 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The points that a placement puts on the edges of a triangulation. They are numbered from 0: those
@@ -193,8 +191,6 @@ private:
   std::vector<float> m_position;          // likewise, or empty
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_POINTS_ON_EDGES_H

@@ -18,9 +18,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // A point that is reached at some cost, and its distance from a corner.
 struct Reached_point
@@ -132,8 +130,6 @@ inline std::pair<Point_row::Index, Point_row::Index> cell(const Point_row& row,
   return {first, (std::max)(first, Rivals(point, farther, row, corner, weight).start_of_farther())};
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_RIVALS_H

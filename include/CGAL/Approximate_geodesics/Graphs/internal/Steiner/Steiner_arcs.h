@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The arcs of a Steiner graph, which are computed from its nodes when they are asked for. What they
@@ -217,8 +215,6 @@ private:
   const Costs m_costs;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_STEINER_ARCS_H

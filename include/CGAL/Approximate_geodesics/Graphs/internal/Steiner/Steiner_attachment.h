@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The straight lines between a point of the surface and the nodes of a Steiner graph in the same
@@ -185,8 +183,6 @@ private:
   const Intrinsic_point m_point;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_STEINER_ATTACHMENT_H

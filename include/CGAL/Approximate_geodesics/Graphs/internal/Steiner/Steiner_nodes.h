@@ -18,9 +18,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The nodes of a Steiner graph: the vertices, then the points on edges, then the sectors of divided
@@ -208,8 +206,6 @@ struct Viewpoint
   double cost_to_source, cost_to_target; // of arcs to these
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_STEINER_NODES_H

@@ -18,9 +18,7 @@
 // How many points there may be on all edges of a graph together. They are counted before there is
 // any memory for them, in time that depends on the number of edges only.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // The limit that was given, or by default, if it is 0: as many as small bounds take on large
 // meshes, and on small meshes what a search takes some seconds for. A point takes about 50 bytes of
@@ -104,8 +102,6 @@ std::string advice_on_points(const Placement& /* placement */, long)
                           std::to_string(limit) + advice);
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_POINT_BUDGET_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Diagnoses a mesh that `Mesh_links` has refused: throws an exception that names the first invalid
@@ -166,8 +164,6 @@ private:
   std::vector<halfedge_descriptor> m_halfedge; // by index, once found around a vertex
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_MESH_CHECK_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Numbers the vertices of a mesh so that nearby vertices have close numbers, which makes searches
@@ -166,8 +164,6 @@ private:
   std::vector<Index> m_beyond; // halfedges that leave a patch, where further patches may start
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_VERTEX_ORDER_H

@@ -14,9 +14,7 @@
 
 // The numbering of the halfedges around a vertex of a mesh.
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Returns the first halfedge from `v`, or a null halfedge if `v` is isolated.
 template <typename TriangleMesh>
@@ -58,8 +56,6 @@ auto halfedges_in_groups(const Vertices& vertices,
   return result;
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_CONNECTIVITY_HALFEDGE_GROUPS_H

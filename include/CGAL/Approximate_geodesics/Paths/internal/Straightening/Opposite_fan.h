@@ -16,9 +16,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * How a sleeve could pass a vertex on the other side: through the faces around it that it does not
@@ -119,8 +117,6 @@ private:
   const Index m_first, m_last, m_vertex; // the halfedges start from the vertex
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_STRAIGHTENING_OPPOSITE_FAN_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Makes the shortest path in a sleeve locally shortest, by leading the sleeve past vertices on
@@ -183,8 +181,6 @@ private:
   std::size_t m_work = 0, m_largest_work = 0; // in gates laid out
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_STRAIGHTENING_SLEEVE_STRAIGHTENER_H

@@ -15,9 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The largest convex gauge that is not above given costs in given directions: what zigzags cost.
@@ -247,8 +245,6 @@ private:
   Id m_some_corner = null_id;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_GAUGES_GAUGE_HULL_H

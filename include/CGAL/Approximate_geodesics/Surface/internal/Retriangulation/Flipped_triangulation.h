@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The triangulation that flips of edges, and added vertices, have made of a mesh. The vertices of
@@ -135,8 +133,6 @@ private:
   std::vector<Index> m_number_in_mesh; // per halfedge of the triangulation
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_FLIPPED_TRIANGULATION_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Adds vertices inside needles, faces that are many times as long as their shortest side, if a mesh
@@ -255,8 +253,6 @@ private:
   std::vector<double> m_covered; // per vertex of the mesh, how far from it there are added ones
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_REFINED_NEEDLES_H

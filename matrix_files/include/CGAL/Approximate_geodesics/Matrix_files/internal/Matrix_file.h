@@ -21,9 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The common base of matrix files: the part folder, from which a computation is resumed after any
@@ -120,8 +118,6 @@ private:
   std::atomic<std::size_t> m_rows_done{0};
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MATRIX_FILES_INTERNAL_MATRIX_FILE_H

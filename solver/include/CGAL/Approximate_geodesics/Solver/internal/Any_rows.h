@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <variant>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // A sink that writes dense rows to memory of the caller.
 class Rows_in_place
@@ -108,8 +106,6 @@ private:
   std::size_t m_number_of_nearest = 0;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_ANY_ROWS_H

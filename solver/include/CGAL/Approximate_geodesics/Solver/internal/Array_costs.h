@@ -23,9 +23,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The face costs and the barriers of a mesh, as property maps.
@@ -127,8 +125,6 @@ private:
   std::optional<Solver_cost> m_cost;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_ARRAY_COSTS_H

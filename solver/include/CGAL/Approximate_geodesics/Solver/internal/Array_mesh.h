@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 using Array_mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
 
@@ -264,8 +262,6 @@ private:
   std::vector<Halfedge> m_halfedges; // by corner
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_ARRAY_MESH_H

@@ -16,9 +16,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A point placement that may be empty, so that graphs with a bound and graphs along edges share one
@@ -68,8 +66,6 @@ private:
   std::optional<Placement> m_points;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_OPTIONAL_POINTS_H

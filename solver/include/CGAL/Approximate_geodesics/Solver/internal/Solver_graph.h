@@ -22,9 +22,7 @@
 #include <ostream>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The type-erased interface of the graphs of a solver. All member functions are thread-safe.
@@ -78,8 +76,6 @@ public:
   virtual void save(std::ostream& out) const = 0;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_GRAPH_H

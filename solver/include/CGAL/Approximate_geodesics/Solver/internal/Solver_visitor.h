@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <thread>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The visitor of one call of a solver: of the construction of a graph, or of the rows of a matrix.
@@ -145,8 +143,6 @@ private:
 
 inline Solver_visitor::Of_search Solver_visitor::visitor_of_search() { return {*this, false}; }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_SOLVER_VISITOR_H

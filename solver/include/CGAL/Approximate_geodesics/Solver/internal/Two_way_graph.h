@@ -15,9 +15,7 @@
 #include <mutex>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A graph for distances from the sources, and its reversal for distances to the sources, which is
@@ -53,8 +51,6 @@ private:
   mutable std::mutex m_mutex;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_TWO_WAY_GRAPH_H

@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A pool of search workspaces for one graph. A thread borrows a workspace for the duration of a
@@ -80,8 +78,6 @@ private:
   mutable std::mutex m_mutex;
 };
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_WORKSPACES_H

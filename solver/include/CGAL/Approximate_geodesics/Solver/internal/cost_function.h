@@ -26,9 +26,7 @@
 #include <memory>
 #include <string>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // A type-erased cost function of a face index and a direction.
 using Cost_function = std::function<double(std::size_t, const Simple_cartesian<double>::Vector_3&)>;
@@ -112,8 +110,6 @@ inline Cost_function cost_function(const Solver_cost& cost, const std::size_t nu
   };
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_COST_FUNCTION_H

@@ -28,9 +28,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 template <typename Graph>
 std::unique_ptr<Solver_graph> solver_graph(Graph graph)
@@ -89,8 +87,6 @@ inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation t
       parameters::epsilon(*bound.epsilon).concurrency_tag(Parallel_if_available_tag())));
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_MAKE_SOLVER_GRAPH_H

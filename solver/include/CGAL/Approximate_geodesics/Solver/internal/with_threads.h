@@ -18,9 +18,7 @@
 #include <map>
 #include <string>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Calls `f` in a task arena of `number` threads, including this one; `0` selects one per core.
 // Arenas are kept per thread, because some versions of TBB leak memory when an arena is destroyed.
@@ -41,8 +39,6 @@ void with_threads([[maybe_unused]] const std::size_t number, const F& f)
 #endif
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_WITH_THREADS_H

@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Splits a text into lines of words. It skips blank lines, and comments that begin with #.
@@ -84,8 +82,6 @@ inline std::string text_of_wrong_corner(const std::size_t face,
          "; the vertices are numbered from 0, and there are " + std::to_string(number_of_vertices);
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_MESH_FILES_TEXT_LINES_H

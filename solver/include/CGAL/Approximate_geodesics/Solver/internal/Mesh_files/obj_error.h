@@ -19,9 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Whether CGAL's reader accepts a keyword.
 inline bool can_be_in_obj(const std::string& word)
@@ -78,8 +76,6 @@ inline std::string error_in_obj(std::istream& in)
   return number_of_faces == 0 ? "it has no faces" : "";
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_MESH_FILES_OBJ_ERROR_H

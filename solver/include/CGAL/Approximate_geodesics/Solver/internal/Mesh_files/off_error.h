@@ -16,9 +16,7 @@
 #include <optional>
 #include <string>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Returns the error in a face line, or an empty string.
 inline std::string error_in_off_face(const Text_lines& line,
@@ -115,8 +113,6 @@ inline std::string error_in_off(std::istream& in)
   return "";
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_MESH_FILES_OFF_ERROR_H

@@ -15,9 +15,7 @@
 #include <istream>
 #include <string>
 
-namespace CGAL {
-namespace Approximate_geodesics {
-namespace internal {
+namespace CGAL::Approximate_geodesics::internal {
 
 // Returns why an STL file cannot be read.
 inline std::string error_in_stl(std::istream& in)
@@ -41,8 +39,6 @@ inline std::string error_in_stl(std::istream& in)
          std::to_string(boost::endian::little_to_native(announced)) + " faces";
 }
 
-} // namespace internal
-} // namespace Approximate_geodesics
-} // namespace CGAL
+} // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_INTERNAL_MESH_FILES_STL_ERROR_H
