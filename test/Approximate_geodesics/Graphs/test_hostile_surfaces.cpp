@@ -142,6 +142,7 @@ public:
   template <typename GeodesicGraph>
   void add(const Mesh& mesh, const Visibility_distances& exact, GeodesicGraph graph)
   {
+    ++m_number_of_surfaces;
     Basic_mesh_search<GeodesicGraph> search(mesh, std::move(graph));
     const double places = rounding_of_places(search.graph().triangulation());
     for(const Vertex s : mesh.vertices())
@@ -154,9 +155,9 @@ public:
 
   void report() const
   {
-    std::cout << m_name << ": " << m_number << " distances, " << m_number_of_violations
-              << " violations; too short by " << m_too_short << ", too long by " << m_too_long
-              << std::endl;
+    std::cout << m_name << ": " << m_number << " distances on " << m_number_of_surfaces
+              << " surfaces, " << m_number_of_violations << " violations; too short by "
+              << m_too_short << ", too long by " << m_too_long << std::endl;
   }
 
 private:
@@ -186,7 +187,7 @@ private:
 
   std::string m_name;
   double m_epsilon, m_rounding;
-  std::size_t m_number = 0, m_number_of_violations = 0;
+  std::size_t m_number = 0, m_number_of_surfaces = 0, m_number_of_violations = 0;
   double m_too_short = 0, m_too_long = 0;
 };
 
@@ -236,6 +237,10 @@ const std::vector<Hard_surfaces> hard_surfaces{
     {"no line is found to a vertex, and it is reached along edges", {9002997}},
     {"a face is folded back on a ray, and its apex is nearer than the edge, but for rounding",
      {20042116, 20042827}},
+    {"a face is folded back on a ray, and its apex, behind the vertex there, is seen again",
+     {60164051}},
+    {"a vertex in a needle is between two edges along a ray, and each side leaves it to the other",
+     {60116675}},
     {"some of these, not told apart",
      {836690, 1145772, 1157777, 1300727, 1320409, 1345694, 1409884, 1621502, 1622211, 1772066,
       2013510, 2139889, 2233395}}};

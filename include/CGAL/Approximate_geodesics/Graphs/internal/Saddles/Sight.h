@@ -216,9 +216,10 @@ struct Sight
       if(!is_tip_on_edge || !(dot(vertex, point) < 0))
         result.lead_over(vertex, beyond, factor, line);
     };
-    lead_over(left_ray.direction, beyond_left, least);
+    lead_over(left_ray.direction, beyond_left, hides(left_ray, left, left_distance) ? 0 : least);
     lead_over(left, cross(left, point), is_left_nearer ? least_of_nearer : least);
-    lead_over(right_ray.direction, beyond_right, least);
+    lead_over(right_ray.direction, beyond_right,
+              hides(right_ray, right, right_distance) ? 0 : least);
     lead_over(right, cross(point, right), is_left_nearer ? least : least_of_nearer);
     return result;
   }
@@ -254,6 +255,14 @@ struct Sight
     if(!(height_by_edge > shortest * length(edge) && length(path.last_line) > shortest))
       return Arrival::in_unknown_direction(halfedge);
     return Arrival::across(halfedge, path.last_line, left_edge);
+  }
+
+  // Whether the vertex on a ray is farther than an end of the edge on this ray: a face is folded
+  // back there, and all that is seen on this ray is behind the vertex.
+  static bool hides(const Sight_ray& ray, const Plane_vector end, const double distance_of_end)
+  {
+    return Sight_ray::TOLERANCE * distance_of_end < ray.margin && dot(ray.direction, end) > 0 &&
+           std::abs(cross(ray.direction, end)) <= ray.margin * distance_of_end;
   }
 
   // Whether a point on the line of both rays is on the other side of the tip: the corner of a face

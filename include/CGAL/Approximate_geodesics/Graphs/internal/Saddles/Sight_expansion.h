@@ -189,9 +189,9 @@ private:
     const Plane_vector right_edge = step.right_edge(sight.edge);
     const bool hides_nothing = m_bends.hides_nothing(step.apex);
     const bool is_left_empty =
-        hides_nothing && leads_away(left_edge, sight.left_distance, distance);
+        hides_nothing && leads_away(step.left, left_edge, sight.left_distance, distance);
     const bool is_right_empty =
-        hides_nothing && leads_away(right_edge, sight.right_distance, distance);
+        hides_nothing && leads_away(step.right, right_edge, sight.right_distance, distance);
     const bool is_on_left = is_on(sight.left_ray, apex, distance, beyond_left, is_left_empty);
     const bool is_on_right = is_on(sight.right_ray, apex, distance, beyond_right, is_right_empty);
     if(is_on_left != is_on_right)
@@ -218,13 +218,22 @@ private:
 
   // Whether an edge along a ray, from one end of the sight to the apex, leads away from the tip and
   // is not short: a vertex next to it is then in line with both of its ends, up to the rounding
-  // errors of arrivals, and found by paths over these.
-  static bool
-  leads_away(const Plane_vector edge, const double distance_of_end, const double distance_of_apex)
+  // errors of arrivals, and found by paths over these; unless it is between them, in a needle.
+  bool leads_away(const Index h,
+                  const Plane_vector edge,
+                  const double distance_of_end,
+                  const double distance_of_apex) const
   {
     constexpr double smallest_part = 1e-6;
-    const double shortest = smallest_part * distance_of_apex;
-    return distance_of_apex > distance_of_end && dot(edge, edge) > shortest * shortest;
+    const double shortest = smallest_part * distance_of_apex, squared_length = dot(edge, edge);
+    if(!(distance_of_apex > distance_of_end && squared_length > shortest * shortest))
+      return false;
+    if(h == null_index)
+      return true;
+    const Face_step& ahead = m_steps[h];
+    const double thinnest = Sight_ray::TOLERANCE * distance_of_apex;
+    return !(ahead.along > 0 && ahead.beyond > 0) ||
+           ahead.across * ahead.across * squared_length > thinnest * thinnest;
   }
 
   /*
