@@ -14,7 +14,6 @@
 #include "output/Table.h"
 #include "peers/Exact_search.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>

@@ -13,9 +13,8 @@
 #include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_file.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Compressed_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_run.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_triangulation.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>

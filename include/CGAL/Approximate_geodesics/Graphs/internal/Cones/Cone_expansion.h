@@ -9,7 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_rules.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
@@ -51,6 +50,27 @@ struct Leave_out_nothing : Cone_visitor_base
 struct Leave_out_nothing_in_doubt : Leave_out_nothing
 {
   static constexpr double slack = 1e-9;
+};
+
+// Does what another visitor does, but for windows that a search with these labels need not look
+// through: if all that lies behind one is reached well enough over an end of its edge. See
+// `Cone_front`, which does this for many cones together.
+template <typename Visitor, typename Labels>
+struct Label_pruning : Visitor
+{
+  static constexpr bool wants_distances = true;
+
+  bool prune(const Window& w) const
+  {
+    const double edge = triangulation.length(w.halfedge);
+    return labels.distance(w.left_end) - label_of_tip < factor * (w.right_distance - edge) ||
+           labels.distance(w.right_end) - label_of_tip < factor * (w.left_distance - edge);
+  }
+
+  const Intrinsic_triangulation& triangulation;
+  const Labels& labels;
+  double label_of_tip;
+  double factor; // of what is left of the way, in comparisons
 };
 
 /*
