@@ -6,10 +6,8 @@
 //            grows with the square of it.
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Drift_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Walking_energy.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Simple_cartesian.h>

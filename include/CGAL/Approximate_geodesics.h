@@ -37,27 +37,22 @@
 #include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Drift_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/One_way.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Tensor_cost.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Walking_energy.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 
 #include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>

@@ -16,11 +16,9 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Drift_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Walking_energy.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <boost/property_map/property_map.hpp>

@@ -13,9 +13,9 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>

@@ -14,8 +14,8 @@
 #include "peers/Exact_case.h"
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Selective_refinement.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>

@@ -12,9 +12,9 @@
 #include "output/Options.h"
 #include "output/Table.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>

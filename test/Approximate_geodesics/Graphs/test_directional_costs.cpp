@@ -10,11 +10,7 @@
 #include "meshes/test_weights.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Drift_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/One_way.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Tensor_cost.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Walking_energy.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include "peers/Published_geometric_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/approximate_geodesic_path.h>
 
 #include <gtest/gtest.h>

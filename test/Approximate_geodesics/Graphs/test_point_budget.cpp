@@ -3,14 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
 
 #include "checks/expect_costs.h"
 #include "checks/expect_message.h"
 #include "meshes/test_costs.h"
 #include "meshes/test_weights.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/approximate_geodesic_distances.h>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Rivals.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Weighted_costs.h>
 
 #include "checks/test_random.h"
 

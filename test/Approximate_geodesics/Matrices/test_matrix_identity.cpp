@@ -9,9 +9,9 @@
 #include "meshes/test_soup.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 
 #include <gtest/gtest.h>

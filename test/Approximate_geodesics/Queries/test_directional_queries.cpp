@@ -11,8 +11,7 @@
 #include "meshes/test_weights.h"
 
 #include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/One_way.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Queries/distance_intervals.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>

@@ -9,10 +9,9 @@
 #include "meshes/test_weights.h"
 #include "peers/Published_geometric_points.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/Points_at_interval.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>

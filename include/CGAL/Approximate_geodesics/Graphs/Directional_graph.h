@@ -12,7 +12,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Directional/Gauge_costs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Gauge_costs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_attachment.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>

@@ -10,8 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>

@@ -6,11 +6,11 @@
 // Calls that must not compile, each below the message that the compiler has to print for it.
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
 #include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>

@@ -10,7 +10,7 @@
 #include "oracles/test_oracles.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 

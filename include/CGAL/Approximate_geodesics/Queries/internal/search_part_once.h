@@ -9,10 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Graphs/Fixed_number_of_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/point_budget.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>

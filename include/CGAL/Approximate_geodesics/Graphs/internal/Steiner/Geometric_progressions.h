@@ -8,9 +8,19 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -84,6 +94,239 @@ private:
   double m_first_start, m_second_start;
   double m_meeting_point;
   double m_first_number, m_second_number; // of steps
+};
+
+/*
+ * The progressions on all edges of a triangulation: as dense as it takes for crossing the faces on
+ * both sides to cost at most `1 + epsilon` times as much as it should.
+ *
+ * Thin faces take many points. One that takes more than the limit is given up, if that is allowed:
+ * it gets few points, and a bound of its own. So is a thin face that is forbidden.
+ */
+class Measured_progressions
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+  using End = Geometric_progressions::End;
+
+  // a face with an angle whose sine is smaller is thin
+  static constexpr double SMALLEST_SINE = 0.02;
+
+  // a progression has at most so many points for faces that are given up, divided by the root of
+  // epsilon
+  static constexpr double LARGEST_NUMBER_IF_GIVEN_UP = 20;
+
+  // progressions start at least this far from the end, in lengths of the edge
+  static constexpr double SMALLEST_START = 1e-36;
+
+  Measured_progressions() = default;
+
+  // The progressions at vertices start at the distances `start`. Throws std::length_error if a face
+  // takes too many points, and none is to be given up.
+  Measured_progressions(const Intrinsic_triangulation& triangulation,
+                        std::vector<double> start,
+                        const double epsilon,
+                        const Limit_of_points& limit)
+    : m_start(std::move(start)),
+      m_root(std::sqrt(epsilon)),
+      m_number_if_given_up((std::clamp)(
+          0.5 * double(limit.number) - 1, 1., (std::max)(LARGEST_NUMBER_IF_GIVEN_UP / m_root, 1.)))
+  {
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if(std::isinf(triangulation.weight(h)) && is_thin(triangulation, h))
+        give_up(triangulation, h);
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if(h < triangulation.opposite(h) && triangulation.is_crossable(h))
+        keep_limit(triangulation, h, limit);
+  }
+
+  double start(const Index v) const { return m_start[v]; }
+
+  // \pre The edge of `h` can be crossed, and is longer than zero.
+  Geometric_progressions on_edge(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    const std::array<End, 2> ends = this->ends(triangulation, h);
+    return {ends[0], ends[1]};
+  }
+
+  // Crossing the faces that points are too few for costs at most one plus this number times as much
+  // as it should: zero if there are none, infinity if one has no area.
+  double epsilon_of_given_up(const Intrinsic_triangulation& triangulation) const
+  {
+    double result = 0;
+    for(Index h = 0; h < m_is_given_up.size(); ++h)
+      if(m_is_given_up[h] && triangulation.is_crossable(h) && triangulation.length(h) > 0 &&
+         !std::isinf(triangulation.weight(h)))
+        result = (std::max)(result, epsilon_beside(triangulation, h));
+    return result;
+  }
+
+  // Says that the face to the left of `h` takes so many points, and may have fewer.
+  [[noreturn]] static void refuse(const Intrinsic_triangulation& triangulation,
+                                  const Index h,
+                                  const std::size_t number,
+                                  const std::size_t largest)
+  {
+    triangulation.check_triangle_inequality(); // which would be the better reason
+    constexpr std::size_t far_too_many = 1000000000000;
+    throw std::length_error(
+        "Approximate_geodesics: for epsilon, " + name_of_face(triangulation, h) + " takes " +
+        (number < far_too_many ? std::to_string(number) : std::string("more than 10^12")) +
+        " points on an edge, and maximum_number_of_points_per_edge is " + std::to_string(largest) +
+        "; with accept_weaker_bound(true), it gets few, and Steiner_graph::epsilon() tells the "
+        "bound that is left");
+  }
+
+  std::size_t memory() const
+  {
+    return m_start.capacity() * sizeof(double) + m_is_given_up.capacity() / 8;
+  }
+
+private:
+  // what positions are rounded by can bring two neighbors apart
+  static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7;
+  static constexpr double SMALLEST_LOGARITHM = 2 * ROUNDING_OF_LOGARITHM;
+
+  // a sine that progressions can do with, and yet take more points than there may be
+  static constexpr double almost_zero = 1e-200;
+
+  // ----- faces to give up
+
+  bool is_given_up(const Index h) const { return !m_is_given_up.empty() && m_is_given_up[h]; }
+
+  void give_up(const Intrinsic_triangulation& triangulation, const Index h)
+  {
+    m_is_given_up.resize(triangulation.number_of_halfedges(), false);
+    for(const Index side : triangulation.halfedges_of_face(h))
+      m_is_given_up[side] = true;
+  }
+
+  static bool is_thin(const Intrinsic_triangulation& triangulation, const Index h)
+  {
+    return !triangulation.is_border(h) &&
+           Face_shape(triangulation, h).sine_of_corner() < SMALLEST_SINE;
+  }
+
+  void keep_limit(const Intrinsic_triangulation& triangulation,
+                  const Index h,
+                  const Limit_of_points& limit)
+  {
+    if(!(triangulation.length(h) > 0))
+      return;
+    for(std::size_t i = 0; i < 2; ++i)
+    {
+      const std::size_t number = on_edge(triangulation, h).number_of_points();
+      if(number <= limit.number)
+        return;
+      const Index to_blame = thinner_side(triangulation, h);
+      if(!limit.is_soft && !std::isinf(triangulation.weight(to_blame)))
+        refuse(triangulation, to_blame, number, limit.number);
+      give_up(triangulation, to_blame);
+    }
+  }
+
+  // Of `h` and its opposite, the one with the face that takes more points, unless it is given up.
+  Index thinner_side(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    const Index opposite = triangulation.opposite(h);
+    if(is_given_up(h) || is_given_up(opposite))
+      return is_given_up(h) ? opposite : h;
+    const auto sine = [&](const Index side) {
+      const Face_shape face(triangulation, side);
+      return (std::min)(face.sine_of_corner(), face.sine_of_next_corner());
+    };
+    return sine(opposite) < sine(h) ? opposite : h;
+  }
+
+  static std::string name_of_face(const Intrinsic_triangulation& triangulation, const Index h)
+  {
+    std::string result = "the face with vertices ", separator;
+    for(const Index side : triangulation.halfedges_of_face(h))
+    {
+      const Index v = triangulation.target(triangulation.opposite(side));
+      result += separator + std::to_string(triangulation.index(v));
+      separator = ", ";
+    }
+    return result;
+  }
+
+  // ----- progressions
+
+  // Those from the source of `h` and from its target.
+  std::array<End, 2> ends(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    const Index opposite = triangulation.opposite(h);
+    const Face_shape left(triangulation, h), right(triangulation, opposite);
+    const double length = triangulation.length(h);
+    const double at_source = start_on_edge(triangulation.target(opposite), length);
+    const double at_target = start_on_edge(triangulation.target(h), length);
+    const bool is_left = is_given_up(h), is_right = is_given_up(opposite);
+    return {denser(end(at_source, left.sine_of_corner(), is_left), is_left,
+                   end(at_source, right.sine_of_next_corner(), is_right), is_right),
+            denser(end(at_target, left.sine_of_next_corner(), is_left), is_left,
+                   end(at_target, right.sine_of_corner(), is_right), is_right)};
+  }
+
+  double start_on_edge(const Index v, const double length) const
+  {
+    constexpr double largest_start = 0.49;
+    return (std::clamp)(m_start[v] / length, SMALLEST_START, largest_start);
+  }
+
+  // What a face with this sine at an end of an edge asks for there.
+  End end(const double start, const double sine, const bool is_given_up) const
+  {
+    End result{start, (std::max)(sine, is_given_up ? SMALLEST_SINE : almost_zero), 0};
+    const double log_of_ratio = 2 * std::asinh(result.sine * m_root);
+    const bool is_too_small = log_of_ratio < SMALLEST_LOGARITHM; // to tell positions apart
+    result.log_of_ratio = is_too_small ? almost_zero : log_of_ratio - ROUNDING_OF_LOGARITHM;
+    if(is_given_up)
+      result.log_of_ratio =
+          (std::max)(result.log_of_ratio, -std::log(start) / m_number_if_given_up);
+    return result;
+  }
+
+  // What two faces ask for. Where one is given up, progressions meet where the other one needs it,
+  // whose bound stays what it is.
+  static End denser(const End& left,
+                    const bool is_left_given_up,
+                    const End& right,
+                    const bool is_right_given_up)
+  {
+    End result = left;
+    result.log_of_ratio = (std::min)(left.log_of_ratio, right.log_of_ratio);
+    if(is_left_given_up == is_right_given_up)
+      result.sine = (std::min)(left.sine, right.sine);
+    else if(is_left_given_up)
+      result.sine = right.sine;
+    return result;
+  }
+
+  // ----- the bound of faces with few points
+
+  // For the face to the left of `h`, as far as points on the edge of `h` matter.
+  double epsilon_beside(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    const Face_shape face(triangulation, h);
+    const std::array<double, 2> sines{face.sine_of_corner(), face.sine_of_next_corner()};
+    const std::array<End, 2> ends = this->ends(triangulation, h);
+    double largest_shift = 0, largest_ratio = 0; // in distances that points were made for
+    for(std::size_t i = 0; i < 2; ++i)
+    {
+      if(sines[i] == 0)
+        return std::numeric_limits<double>::infinity();
+      const double log_of_ratio = ends[i].log_of_ratio + ROUNDING_OF_LOGARITHM;
+      largest_shift = (std::max)(largest_shift, std::sinh(log_of_ratio / 2) / ends[i].sine);
+      largest_ratio = (std::max)(largest_ratio, ends[i].sine / sines[i]);
+    }
+    const double shift = largest_shift * largest_ratio;
+    return 2 * shift * (shift / (1 + std::hypot(1., std::sqrt(2.) * shift)));
+  }
+
+  std::vector<double> m_start;     // per vertex: the distance from it
+  std::vector<bool> m_is_given_up; // per halfedge, whether the face to its left is; or empty
+  double m_root = 0;               // of epsilon
+  double m_number_if_given_up = 0;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -8,8 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Point_row.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Rivals.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
@@ -17,14 +16,254 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * The points of an edge, ranked by their distance from the end that is at a corner of a face.
+ */
+class Point_row
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // Points are nodes from `first_node` on. Their positions are as in `Points_on_edges`, or missing
+  // if they divide the edge into equal parts. The corner is at the first end of the edge or at the
+  // second one.
+  Point_row(const Index first_node,
+            const Index size,
+            const float* const positions,
+            const double length,
+            const bool starts_at_first_end)
+    : m_first_node(first_node),
+      m_size(size),
+      m_positions(positions),
+      m_length(length),
+      m_is_reversed(starts_at_first_end ? 0 : 1)
+  {
+  }
+
+  Index size() const { return m_size; }
+
+  // the length of the edge
+  double length() const { return m_length; }
+
+  double distance_from_corner(const Index rank) const
+  {
+    const Index i = m_is_reversed == 0 ? rank : m_size - 1 - rank;
+    return m_positions == nullptr ? equal_parts()(i) : stored_positions()(i);
+  }
+
+  // Calls `f(node, costs, number)` for consecutive points with ranks from `first` to before
+  // `beyond`, with their distances from the point of the corner's other side that is at the
+  // distance `x` from it, times `weight`.
+  template <typename F>
+  void for_each_block(const Index first,
+                      const Index beyond,
+                      const Corner& corner,
+                      const double x,
+                      const double weight,
+                      F f) const
+  {
+    const Index begin = first + m_is_reversed * (m_size - beyond - first);
+    const Index end = begin + (beyond - first);
+    if(m_positions == nullptr)
+      measure(begin, end, corner, x, weight, equal_parts(), f);
+    else
+      measure(begin, end, corner, x, weight, stored_positions(), f);
+  }
+
+private:
+  static constexpr Index SIZE_OF_BLOCK = 8;
+
+  // Distances from the corner, by the order on the edge.
+  struct Equal_parts
+  {
+    double operator()(const Index i) const { return start + step * number(i); }
+
+    double start, step;
+  };
+
+  struct Stored_positions
+  {
+    double operator()(const Index i) const
+    {
+      const double position = positions[i];
+      return (position < 0 ? start_of_second_half : start) + step * position;
+    }
+
+    const float* positions;
+    double start, start_of_second_half, step;
+  };
+
+  // Without branches, as what direction an edge has cannot be predicted.
+  Equal_parts equal_parts() const
+  {
+    const double part = m_length / number(m_size + 1);
+    return {part * number(1 + m_is_reversed * (m_size - 1)), direction() * part};
+  }
+
+  Stored_positions stored_positions() const
+  {
+    return {m_positions, number(m_is_reversed) * m_length, number(1 - m_is_reversed) * m_length,
+            direction() * m_length};
+  }
+
+  double direction() const { return number(1) - 2 * number(m_is_reversed); }
+
+  // which is faster for signed integers
+  static double number(const Index i) { return static_cast<double>(std::int32_t(i)); }
+
+  template <typename Distance_from_corner, typename F>
+  void measure(Index begin,
+               const Index end,
+               const Corner& corner,
+               const double x,
+               const double weight,
+               const Distance_from_corner& distance_from_corner,
+               F& f) const
+  {
+    const auto cost = [&](const Index i) {
+      return weight * corner.distance(x, distance_from_corner(i));
+    };
+    std::array<double, SIZE_OF_BLOCK> costs;
+    for(; end - begin >= SIZE_OF_BLOCK; begin += SIZE_OF_BLOCK)
+    {
+      for(Index i = 0; i < SIZE_OF_BLOCK; ++i) // in vector instructions
+        costs[i] = cost(begin + i);
+      f(m_first_node + begin, costs.data(), SIZE_OF_BLOCK);
+    }
+    for(Index i = 0; begin + i < end; ++i)
+      costs[i] = cost(begin + i);
+    f(m_first_node + begin, costs.data(), end - begin);
+  }
+
+  Index m_first_node;
+  Index m_size;
+  const float* m_positions;
+  double m_length;
+  Index m_is_reversed; // 0 or 1
+};
+
+// A point that is reached at some cost, and its distance from a corner.
+struct Reached_point
+{
+  double label;
+  double distance_from_corner;
+};
+
+/*
+ * Two points of one side of a corner, from which paths compete for the points of its other side.
+ *
+ * Straight arcs from two points of a side to two points of the other need not cross: exchanging
+ * their ends does not make them longer. So what either of the two reaches at less cost lies at its
+ * own end of the row, and a binary search finds where it ends.
+ *
+ * Beside large labels, costs of arcs vanish, and many sums are the same. So what is compared is the
+ * difference of two arcs with that of two labels. Each is right up to a small part of itself, as
+ *   d^2 - d'^2 = (x - x') (x + x' - 2 y cos(angle)).
+ * All is divided by the weight, which may be zero.
+ */
+class Rivals
+{
+  using Index = Point_row::Index;
+
+public:
+  Rivals(const Reached_point& nearer,
+         const Reached_point& farther,
+         const Point_row& row,
+         const Corner& corner,
+         const double weight)
+    : m_row(row),
+      m_corner(corner),
+      m_nearer(nearer.distance_from_corner),
+      m_farther(farther.distance_from_corner)
+  {
+    const double gap = m_farther - m_nearer;
+    if(nearer.label != farther.label)
+      m_head_start = divided(farther.label - nearer.label, weight);
+    else if(gap == 0)
+      m_head_start = (std::numeric_limits<double>::min)(); // ties go to the nearer one
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    const double label = divided((std::min)(nearer.label, farther.label), weight);
+    m_doubt = (std::min)(SMALLEST_DIFFERENCE * gap, rounding * (label + m_farther + row.length()));
+  }
+
+  // Returns the number of points that the nearer one reaches at less cost, beyond doubt.
+  Index end_of_nearer() const
+  {
+    return search([this](const double y) { return lead_of_nearer(y, -m_doubt) > 0; });
+  }
+
+  // Returns the rank of the first point that the farther one reaches at less cost, beyond doubt.
+  Index start_of_farther() const
+  {
+    return search([this](const double y) { return !(lead_of_nearer(y, m_doubt) < 0); });
+  }
+
+private:
+  // Sums that are rounded to the same number shall not count, so that costs are those with all
+  // arcs, to the last bit; unless labels are so large that nothing else is left of a whole face.
+  static constexpr double SMALLEST_DIFFERENCE = 1e-3;
+
+  // In a face of weight zero, the difference of two labels decides, however small it is.
+  static double divided(const double label, const double weight)
+  {
+    return weight > 0 ? label / weight
+                      : std::copysign(std::numeric_limits<double>::infinity(), label);
+  }
+
+  // By how much the nearer one is better for the point at the distance `y` from the corner, times
+  // a positive number.
+  double lead_of_nearer(const double y, const double allowance) const
+  {
+    const double sum = m_corner.distance(m_nearer, y) + m_corner.distance(m_farther, y);
+    return (m_head_start + allowance) * sum +
+           (m_farther - m_nearer) * (m_farther + m_nearer - (2 - m_corner.opening()) * y);
+  }
+
+  // Returns the first rank of which `f` is not true.
+  template <typename F>
+  Index search(const F& f) const
+  {
+    using Rank = boost::counting_iterator<Index>;
+    return *std::partition_point(Rank(0), Rank(m_row.size()), [&](const Index rank) {
+      return f(m_row.distance_from_corner(rank));
+    });
+  }
+
+  const Point_row& m_row;
+  const Corner& m_corner;
+  double m_nearer, m_farther; // distances from the corner
+  double m_head_start = 0;    // of the nearer one
+  double m_doubt;
+};
+
+/*
+ * The ranks of those points of a row that two rivals of a point do not reach at less cost: as a
+ * first one and one beyond. One rival is nearer to the corner and one farther from it, on the same
+ * side of it.
+ */
+inline std::pair<Point_row::Index, Point_row::Index> cell(const Point_row& row,
+                                                          const Corner& corner,
+                                                          const double weight,
+                                                          const Reached_point& point,
+                                                          const Reached_point& nearer,
+                                                          const Reached_point& farther)
+{
+  const auto first = Rivals(nearer, point, row, corner, weight).end_of_nearer();
+  return {first, (std::max)(first, Rivals(point, farther, row, corner, weight).start_of_farther())};
+}
 
 /*
  * Costs in a Steiner graph: lengths times the weights of faces.

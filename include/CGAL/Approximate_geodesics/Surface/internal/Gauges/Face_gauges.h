@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Gauge_hull.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Gauge_samples.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 

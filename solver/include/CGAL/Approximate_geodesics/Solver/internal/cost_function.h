@@ -10,11 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Drift_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Hiking_time.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/One_way.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Tensor_cost.h>
-#include <CGAL/Approximate_geodesics/Mesh/Costs/Walking_energy.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_cost.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_FIXED_NUMBER_OF_POINTS_H
-#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_FIXED_NUMBER_OF_POINTS_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_EQUAL_PARTS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_EQUAL_PARTS_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -112,6 +113,102 @@ private:
   std::size_t m_number_of_points;
 };
 
+/*!
+ * \ingroup PkgApproximateGeodesicsPlacements
+ *
+ * Points that divide every edge into equal parts, as few as make all parts at most as long as a
+ * given spacing. So few points are spent on small faces, and more on large ones, as meshes of
+ * mechanical parts have them.
+ *
+ * There is no bound: paths that cross faces thinner than the spacing can be longer than the
+ * geodesics by any factor.
+ *
+ * \cgalModels{SteinerPointPlacement}
+ */
+class Points_at_interval
+{
+public:
+  /// the number of a halfedge.
+  using Index = Intrinsic_triangulation::Index;
+
+  /// whether points divide every edge into equal parts, so that their number says where they are.
+  static constexpr bool makes_equal_parts = true;
+
+  /// places points at distances of at most `spacing`, in the unit of the mesh.
+  /// \throws std::invalid_argument if `spacing` is not a number above `0`.
+  explicit Points_at_interval(const double spacing) : m_spacing(spacing)
+  {
+    if(!(spacing > 0))
+      internal::reject("the spacing of points on edges is " + internal::text_of(spacing) +
+                       "; it must be a number larger than 0");
+  }
+
+  /*!
+   * reads the density from named parameters.
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{number_of_points_per_distance_unit}
+   *     \cgalParamDescription{the density of the points on edges: one divided by the spacing}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{there is none, it has to be given}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if the density is not a finite number above `0`.
+   */
+  template <typename T, typename Tag, typename Base>
+  explicit Points_at_interval(const Named_function_parameters<T, Tag, Base>& np)
+    : m_spacing(1 / checked_density(np))
+  {
+  }
+
+  /// does nothing: edges are looked at one by one.
+  void prepare(const Intrinsic_triangulation& /* triangulation */,
+               std::size_t /* maximum_number_of_points */)
+  {
+  }
+
+  /// returns the number of points on the edge of `h`.
+  std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    constexpr double too_many = 1e18; // and yet an integer
+    const double number_of_parts =
+        std::ceil(triangulation.length(h) * (triangulation.unit() / m_spacing));
+    return static_cast<std::size_t>((std::clamp)(number_of_parts - 1, 0., too_many));
+  }
+
+  /// returns infinity, as there is no bound.
+  double epsilon(const Intrinsic_triangulation& /* triangulation */) const
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+
+  /// returns `0`: nothing is stored per element of the mesh.
+  std::size_t memory() const { return 0; }
+
+private:
+  template <typename NamedParameters>
+  static double checked_density(const NamedParameters& np)
+  {
+    static_assert(internal::is_given<NamedParameters, internal_np::nb_points_per_distance_unit_t>,
+                  "Points_at_interval: number_of_points_per_distance_unit has to be given");
+    static_assert(
+        !internal::is_any_given<NamedParameters, internal_np::epsilon_t,
+                                internal_np::number_of_points_per_edge_t>,
+        "Points_at_interval reads number_of_points_per_distance_unit, and gives no bound: "
+        "for epsilon, use Geometric_points; for number_of_points_per_edge, "
+        "Fixed_number_of_points");
+    static_assert(!internal::limits_points<NamedParameters>,
+                  "maximum_number_of_points_per_edge, accept_weaker_bound: they are for "
+                  "Geometric_points");
+    return internal::checked_positive(
+        CGAL::to_double(parameters::get_parameter(np, internal_np::nb_points_per_distance_unit)),
+        "the number of points per distance unit");
+  }
+
+  double m_spacing;
+};
+
 } // namespace CGAL::Approximate_geodesics
 
-#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_FIXED_NUMBER_OF_POINTS_H
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_EQUAL_PARTS_H

@@ -1,0 +1,245 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_MESH_COST_FUNCTIONS_H
+#define CGAL_APPROXIMATE_GEODESICS_MESH_COST_FUNCTIONS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL::Approximate_geodesics {
+
+namespace internal {
+
+// Returns the gain in height per unit of horizontal length; infinity for a vertical direction.
+template <typename Vector_3>
+double slope(const Vector_3& direction)
+{
+  const double x = CGAL::to_double(direction.x()), y = CGAL::to_double(direction.y());
+  const double z = CGAL::to_double(direction.z()), run = std::sqrt(x * x + y * y);
+  return run > 0 ? z / run : std::copysign(std::numeric_limits<double>::infinity(), z);
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgApproximateGeodesicsCosts
+ *
+ * The walking time on slopes, in seconds per meter of surface length, by Tobler's hiking function
+ * \cgalCite{t-tpgam-93}: the speed is \f$6\,e^{-3.5\,|s + 0.05|}\f$ kilometers per hour for a slope
+ * of \f$s\f$ meters of height per horizontal meter. The maximum, 6 km/h, is slightly downhill.
+ *
+ * The mesh is in meters, with the z axis upward. Slopes steeper than about 27 %, uphill and
+ * downhill, are traversed in zigzags of that slope, which takes less time than the straight path.
+ *
+ * \cgalModels{DirectionalCostFunction}
+ */
+class Hiking_time
+{
+public:
+  /// constructs the cost function, with all speeds multiplied by `factor`. Tobler's function is for
+  /// footpaths; he suggests `0.6` off paths, and `1.25` on horseback.
+  /// \throws std::invalid_argument if `factor` is not a finite number above `0`.
+  explicit Hiking_time(const double factor = 1) : m_factor(factor)
+  {
+    if(!(factor > 0) || std::isinf(factor))
+      internal::reject("the factor of hiking speeds is " + internal::text_of(factor) +
+                       "; it must be a finite number larger than 0");
+  }
+
+  /// returns the time per unit of length in a direction, in seconds per meter.
+  template <typename Face, typename Vector_3>
+  double operator()(const Face& /* face */, const Vector_3& direction) const
+  {
+    return 0.6 / m_factor * std::exp(3.5 * std::abs(internal::slope(direction) + 0.05));
+  }
+
+private:
+  double m_factor;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsCosts
+ *
+ * The energy of walking on slopes, in joules per kilogram of body mass and meter of surface length,
+ * as measured by Minetti, Moia, Roi, Susta and Ferretti \cgalCite{mmrsf-ecwre-02}:
+ * \f$280.5\,s^5 - 58.7\,s^4 - 76.8\,s^3 + 51.9\,s^2 + 19.6\,s + 2.5\f$ for a slope of \f$s\f$
+ * meters of height per horizontal meter. The minimum is at about -15 %.
+ *
+ * The mesh is in meters, with the z axis upward. The measurements cover slopes of up to 45 %;
+ * steeper directions have infinite cost, and steep faces are climbed in zigzags.
+ *
+ * \cgalModels{DirectionalCostFunction}
+ */
+class Walking_energy
+{
+public:
+  /// the steepest measured slope.
+  static constexpr double STEEPEST_SLOPE = 0.45;
+
+  /// returns the energy per unit of length in a direction, in joules per kilogram and meter.
+  template <typename Face, typename Vector_3>
+  double operator()(const Face& /* face */, const Vector_3& direction) const
+  {
+    const double s = internal::slope(direction);
+    if(!(std::abs(s) <= STEEPEST_SLOPE))
+      return std::numeric_limits<double>::infinity();
+    return ((((280.5 * s - 58.7) * s - 76.8) * s + 51.9) * s + 19.6) * s + 2.5;
+  }
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsCosts
+ *
+ * The travel time per unit of length in a current or a wind: Zermelo's navigation problem
+ * \cgalCite{z-nbrwv-31}. A boat or an airplane moves with the speed \f$v\f$ relative to a medium
+ * that drifts with the velocity \f$w\f$, which is constant in each face. Its ground speed in the
+ * direction \f$d\f$ is \f$d\cdot w + \sqrt{v^2 - |w|^2 + (d\cdot w)^2}\f$.
+ *
+ * If the drift is faster than the boat, unattainable directions have infinite cost.
+ *
+ * \tparam FaceVectorMap a model of `ReadablePropertyMap` with faces as key type and a `%Vector_3`
+ *         as value type
+ *
+ * \cgalModels{DirectionalCostFunction}
+ */
+template <typename FaceVectorMap>
+class Drift_time
+{
+public:
+  /// constructs the cost function from the drift velocities and the speed of the boat, in the same
+  /// unit.
+  /// \pre Each velocity lies in the plane of its face; a normal component increases the cost.
+  /// \throws std::invalid_argument if `speed` is not a finite number above `0`.
+  Drift_time(FaceVectorMap drift, const double speed) : m_drift(std::move(drift)), m_speed(speed)
+  {
+    if(!(speed > 0) || std::isinf(speed))
+      internal::reject("the speed through the drift is " + internal::text_of(speed) +
+                       "; it must be a finite number larger than 0");
+  }
+
+  /// returns the time per unit of length in a direction.
+  template <typename Face, typename Vector_3>
+  double operator()(const Face& face, const Vector_3& direction) const
+  {
+    const auto& drift = get(m_drift, face);
+    const double ahead = CGAL::to_double(drift * direction);
+    const double square = CGAL::to_double(drift * drift);
+    const double radicand = m_speed * m_speed - square + ahead * ahead;
+    const double progress = radicand < 0 ? 0 : ahead + std::sqrt(radicand);
+    return progress <= 0 ? std::numeric_limits<double>::infinity() : 1 / progress;
+  }
+
+private:
+  FaceVectorMap m_drift;
+  double m_speed;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsCosts
+ *
+ * A Riemannian metric that is constant in each face, given by one metric tensor per face: in the
+ * direction \f$d\f$, a path costs \f$\sqrt{d^T A\,d}\f$ per unit of length, where \f$A\f$ is a
+ * symmetric matrix.
+ *
+ * If a matrix is not finite, or not positive semidefinite in the plane of its face, beyond
+ * rounding, costs are NaN, and reading the mesh fails.
+ *
+ * \tparam FaceTensorMap a model of `ReadablePropertyMap` with faces as key type and as value type
+ *         `std::array<double, 6>`: the entries xx, xy, xz, yy, yz and zz of the matrix
+ *
+ * \cgalModels{DirectionalCostFunction}
+ */
+template <typename FaceTensorMap>
+class Tensor_cost
+{
+public:
+  /// constructs the cost function from the tensors.
+  explicit Tensor_cost(FaceTensorMap tensors) : m_tensors(std::move(tensors)) {}
+
+  /// returns the cost per unit of length in a direction.
+  template <typename Face, typename Vector_3>
+  double operator()(const Face& face, const Vector_3& direction) const
+  {
+    const std::array<double, 6> a = get(m_tensors, face);
+    const double x = CGAL::to_double(direction.x()), y = CGAL::to_double(direction.y()),
+                 z = CGAL::to_double(direction.z());
+    const double square = a[0] * x * x + a[3] * y * y + a[5] * z * z +
+                          2 * (a[1] * x * y + a[2] * x * z + a[4] * y * z);
+    return std::isfinite(square) ? std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
+  }
+
+private:
+  FaceTensorMap m_tensors;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsCosts
+ *
+ * A cost function that restricts the directions in each face to those close to a given direction.
+ * All others have infinite cost, so paths have no error bound `epsilon`.
+ *
+ * \tparam FaceVectorMap a model of `ReadablePropertyMap` with faces as key type and a `%Vector_3`
+ *         as value type
+ *
+ * \cgalModels{DirectionalCostFunction}
+ */
+template <typename FaceVectorMap>
+class One_way
+{
+public:
+  /// constructs the cost function. In a face with a zero vector, all directions are admissible.
+  /// \param ways the directions of the faces, vectors of any length
+  /// \param cost the cost per unit of length in admissible directions
+  /// \param smallest_cosine the smallest cosine of the angle between an admissible direction and
+  ///        that of the face: `0` admits half of the directions. Zigzags can follow any direction
+  ///        in a gap of less than 180 degrees.
+  /// \throws std::invalid_argument if `cost` is negative, infinite, or NaN, or if `smallest_cosine`
+  ///         is not between `-1` and `1`.
+  explicit One_way(FaceVectorMap ways, const double cost = 1, const double smallest_cosine = 0)
+    : m_ways(std::move(ways)), m_cost(cost), m_smallest_cosine(smallest_cosine)
+  {
+    if(!(cost >= 0) || std::isinf(cost))
+      internal::reject("the cost of one-way faces is " + internal::text_of(cost) +
+                       "; it must be a finite number that is not negative");
+    if(!(smallest_cosine >= -1 && smallest_cosine <= 1))
+      internal::reject("the smallest cosine is " + internal::text_of(smallest_cosine) +
+                       "; it must be a number from -1 to 1");
+  }
+
+  /// returns the cost per unit of length in a direction; not a number if that of the face is none,
+  /// or infinite, which is refused when the mesh is read.
+  template <typename Face, typename Vector_3>
+  double operator()(const Face& face, const Vector_3& direction) const
+  {
+    constexpr double rounding = 1e-12;
+    const auto& way = get(m_ways, face);
+    const double x = CGAL::to_double(way.x()), y = CGAL::to_double(way.y());
+    const double length =
+        std::hypot(std::hypot(x, y), CGAL::to_double(way.z())); // does not overflow
+    if(!std::isfinite(length))
+      return std::numeric_limits<double>::quiet_NaN();
+    const bool is_allowed =
+        CGAL::to_double(way * direction) >= (m_smallest_cosine - rounding) * length;
+    return is_allowed ? m_cost : std::numeric_limits<double>::infinity();
+  }
+
+private:
+  FaceVectorMap m_ways;
+  double m_cost;
+  double m_smallest_cosine;
+};
+
+} // namespace CGAL::Approximate_geodesics
+
+#endif // CGAL_APPROXIMATE_GEODESICS_MESH_COST_FUNCTIONS_H
