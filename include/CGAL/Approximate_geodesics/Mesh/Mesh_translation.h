@@ -11,9 +11,8 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/halfedge_groups.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/intrinsic_points.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Kernel_traits.h>
@@ -409,6 +408,32 @@ private:
 };
 
 namespace internal {
+
+// The following functions convert points. Messages about invalid ones name their role, such as
+// "source", and their position in the range.
+
+template <typename Translation, typename Point>
+Intrinsic_point
+intrinsic_point(const Translation& translation, const Point& point, const char* const role)
+{
+  return name_in_message([&] { return std::string(role); },
+                         [&] { return translation.intrinsic_point(point); });
+}
+
+// Converts a single point or a range of points.
+template <typename Translation, typename Points>
+std::vector<Intrinsic_point>
+intrinsic_points(const Translation& translation, const Points& points, const char* const role)
+{
+  std::vector<Intrinsic_point> result;
+  if constexpr(is_surface_point<typename Translation::Triangle_mesh, Points>)
+    result.push_back(intrinsic_point(translation, points, role));
+  else
+    for(const auto& point : points)
+      result.push_back(name_in_message([&] { return name_in_list(role, result.size()); },
+                                       [&] { return translation.intrinsic_point(point); }));
+  return result;
+}
 
 // Returns the position of a point in the kernel of the mesh. Without a kernel, only vertices have
 // positions.

@@ -10,13 +10,11 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/interruption.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Mesh_check.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Mesh_links.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/Vertex_order.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/halfedge_groups.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_links.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Vertex_order.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/read_face_gauges.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/read_thin_faces.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 // Checks that the faces of a mesh and their halfedges refer to each other. Unlike
 // `CGAL::is_triangle()`, these functions do not assume that links are valid.
@@ -115,6 +116,46 @@ bool is_on_cycle_of_face(const typename boost::graph_traits<TriangleMesh>::halfe
     side = next(side, tmesh);
   }
   return false;
+}
+
+// Returns the first halfedge from `v`, or a null halfedge if `v` is isolated.
+template <typename TriangleMesh>
+auto first_halfedge_from(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+                         const TriangleMesh& tmesh)
+{
+  const auto h = halfedge(v, tmesh);
+  return h == boost::graph_traits<TriangleMesh>::null_halfedge() ? h : opposite(h, tmesh);
+}
+
+// Returns the next halfedge around the source of `h`, or a null halfedge if the mesh is invalid
+// there.
+template <typename TriangleMesh>
+auto counterclockwise(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                      const TriangleMesh& tmesh)
+{
+  const auto before = prev(h, tmesh);
+  return before == boost::graph_traits<TriangleMesh>::null_halfedge() ? before
+                                                                      : opposite(before, tmesh);
+}
+
+// Returns all halfedges in the order of `connectivity`, which must be valid.
+template <typename TriangleMesh, typename Vertices, typename Connectivity>
+auto halfedges_in_groups(const Vertices& vertices,
+                         const Connectivity& connectivity,
+                         const TriangleMesh& tmesh)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> result;
+  result.reserve(connectivity.number_of_halfedges());
+  for(typename Connectivity::Index v = 0; v < vertices.size(); ++v)
+  {
+    auto h = first_halfedge_from(vertices[v], tmesh);
+    for(auto left = connectivity.degree(v); left > 0; --left)
+    {
+      result.push_back(h);
+      h = counterclockwise(h, tmesh);
+    }
+  }
+  return result;
 }
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -49,6 +50,16 @@ auto vertex_point_map(const TriangleMesh& tmesh, const NamedParameters& np)
   else
     return get_const_property_map(CGAL::vertex_point, tmesh);
 }
+
+// Whether the point type belongs to a kernel.
+template <typename Point, typename = void>
+constexpr bool is_point_of_kernel = false;
+
+template <typename Point>
+constexpr bool
+    is_point_of_kernel<Point,
+                       std::void_t<typename Kernel_traits<Point>::Kernel::Construct_barycenter_3>> =
+        true;
 
 // Whether `Map` is a writable property map for distances.
 template <typename Map, typename Key, typename = void>

@@ -9,8 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Connectivity/halfedge_groups.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Descriptor_table.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_place.h>
 
