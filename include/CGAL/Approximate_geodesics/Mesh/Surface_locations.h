@@ -62,14 +62,6 @@ const T* alternative(const std::variant<Types...>& variant)
   return std::get_if<T>(&variant);
 }
 
-// Returns the vector from `p` to `q`.
-template <typename Point_3>
-Space_vector vector_between(const Point_3& p, const Point_3& q)
-{
-  const auto v = q - p;
-  return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
-}
-
 // Sets weights that do not exceed the tolerance to zero, and normalizes the others.
 inline std::array<double, 3> snapped(std::array<double, 3> weights, const double tolerance)
 {
@@ -105,40 +97,40 @@ weights_over_base(const Space_vector& base, const Space_vector& apex, const Spac
   return {1 - along - s * (1 - foot), along - s * foot, s};
 }
 
-// Returns the barycentric coordinates of a point in a triangle.
+// Returns the barycentric coordinates of a point in a triangle. Vectors are scaled to about unit
+// size, because squares could overflow or underflow.
 template <typename Point_3>
 std::array<double, 3> barycentric_coordinates(const std::array<Point_3, 3>& corners,
                                               const Point_3& p)
 {
-  std::array<Space_vector, 3> sides;
   double size = 0;
   for(std::size_t i = 0; i < 3; ++i)
-  {
-    sides[i] = vector_between(corners[i], corners[(i + 1) % 3]);
-    for(const double x : sides[i])
+    for(const double x : space_vector(corners[(i + 1) % 3] - corners[i]))
       size = (std::max)(size, std::abs(x));
-  }
   if(!(size > 0))
     return {1, 0, 0};
 
-  const auto scaled = [size](const Space_vector& v) {
-    return Space_vector{v[0] / size, v[1] / size, v[2] / size};
+  const auto scaled_way = [&](const std::size_t i, const Point_3& q) {
+    const Space_vector way = space_vector(q - corners[i]);
+    return Space_vector{way[0] / size, way[1] / size, way[2] / size};
   };
-  const auto squared_length = [&](const std::size_t i) {
-    return dot(scaled(sides[i]), scaled(sides[i]));
-  };
-  std::size_t first = 0;
-  for(std::size_t i = 1; i < 3; ++i)
-    if(squared_length(i) > squared_length(first))
+  Space_vector base{};
+  std::size_t first = 0; // corner of the longest side
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Space_vector side = scaled_way(i, corners[(i + 1) % 3]);
+    if(dot(side, side) > dot(base, base))
+    {
+      base = side;
       first = i;
-  const std::size_t second = (first + 1) % 3, third = (first + 2) % 3;
-  const std::array<double, 3> weights = weights_over_base(
-      scaled(sides[first]), scaled(vector_between(corners[first], corners[third])),
-      scaled(vector_between(corners[first], p)));
+    }
+  }
+  const std::size_t third = (first + 2) % 3;
+  const std::array<double, 3> weights =
+      weights_over_base(base, scaled_way(first, corners[third]), scaled_way(first, p));
   std::array<double, 3> result{};
-  result[first] = weights[0];
-  result[second] = weights[1];
-  result[third] = weights[2];
+  for(std::size_t i = 0; i < 3; ++i)
+    result[(first + i) % 3] = weights[i];
   return result;
 }
 
@@ -157,13 +149,13 @@ face_location(const typename boost::graph_traits<TriangleMesh>::face_descriptor 
   return {f, snapped(barycentric_coordinates(corners, p), tolerance)};
 }
 
-// Returns the location of the point of the mesh nearest to `p`.
-template <typename AABBTree, typename Point_3, typename TriangleMesh, typename VertexPointMap>
-Face_location<TriangleMesh> locate_nearest(const Point_3& p,
-                                           const AABBTree& tree,
-                                           const TriangleMesh& tmesh,
-                                           const VertexPointMap& point_map,
-                                           const double tolerance)
+// Returns the location of the point of the mesh nearest to `p`. The face is null if there is none.
+template <typename Point_3, typename AABBTree, typename TriangleMesh, typename VertexPointMap>
+Face_location<TriangleMesh> locate(const Point_3& p,
+                                   const AABBTree& tree,
+                                   const TriangleMesh& tmesh,
+                                   const VertexPointMap& point_map,
+                                   const double tolerance)
 {
   if(tree.empty())
     return {boost::graph_traits<TriangleMesh>::null_face(), {0, 0, 0}};
@@ -173,40 +165,34 @@ Face_location<TriangleMesh> locate_nearest(const Point_3& p,
 
 // Returns the location of the first intersection of a ray with the mesh. The face is null if there
 // is none.
-template <typename AABBTree, typename Kernel, typename TriangleMesh, typename VertexPointMap>
-Face_location<TriangleMesh> locate_first(const Ray_3<Kernel>& ray,
-                                         const AABBTree& tree,
-                                         const TriangleMesh& tmesh,
-                                         const VertexPointMap& point_map,
-                                         const double tolerance)
+template <typename Kernel, typename AABBTree, typename TriangleMesh, typename VertexPointMap>
+Face_location<TriangleMesh> locate(const Ray_3<Kernel>& ray,
+                                   const AABBTree& tree,
+                                   const TriangleMesh& tmesh,
+                                   const VertexPointMap& point_map,
+                                   const double tolerance)
 {
-  using Point_3 = typename Kernel::Point_3;
-  using Segment_3 = typename Kernel::Segment_3;
-  using Intersection =
-      typename AABBTree::template Intersection_and_primitive_id<CGAL::Ray_3<Kernel>>::Type;
-
   Face_location<TriangleMesh> result(boost::graph_traits<TriangleMesh>::null_face(), {0, 0, 0});
   double smallest = std::numeric_limits<double>::infinity();
-  const auto consider = [&](const Point_3& p, const auto f) {
-    const Space_vector way = vector_between(Point_3(ray.source()), p);
+  const auto consider = [&](const auto& p, const auto f) {
+    const Space_vector way = space_vector(p - ray.source());
     if(dot(way, way) < smallest)
     {
       smallest = dot(way, way);
       result = face_location(f, p, tmesh, point_map, tolerance);
     }
   };
-  std::vector<Intersection> intersections;
-  tree.all_intersections(ray, boost::make_function_output_iterator([&](const auto& intersection) {
-                           intersections.push_back(intersection);
-                         }));
-  for(const auto& [where, f] : intersections)
-    if(const Point_3* p = alternative<Point_3>(where))
+  const auto consider_ends = [&](const auto& intersection) {
+    const auto& [where, f] = intersection;
+    if(const auto* p = alternative<typename Kernel::Point_3>(where))
       consider(*p, f);
-    else if(const Segment_3* s = alternative<Segment_3>(where)) // the ray lies in the plane of `f`
+    else if(const auto* s = alternative<typename Kernel::Segment_3>(where)) // in the plane of `f`
     {
       consider(s->source(), f);
       consider(s->target(), f);
     }
+  };
+  tree.all_intersections(ray, boost::make_function_output_iterator(consider_ends));
   return result;
 }
 
@@ -221,154 +207,6 @@ constexpr bool
                                          typename T::Compute_parametric_distance_along_segment_2>> =
         true;
 
-/*
- * Converts between points in space, locations in faces, and descriptors, like the static functions
- * of the exact class. Unlike CGAL's `construct_point()` and `locate_vertex()`, these functions
- * accept isolated vertices, and do not require the header of the AABB tree.
- */
-template <typename TriangleMesh>
-class Location_functions
-{
-  static_assert(!is_traits_of_exact_class<TriangleMesh>,
-                "the first template argument is the mesh, not the traits of the exact class");
-
-  using Triangle_mesh = TriangleMesh;
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-  using face_descriptor = typename Graph_traits::face_descriptor;
-  using FT = double;
-  using Barycentric_coordinates = std::array<FT, 3>;
-  using Face_location = Approximate_geodesics::Face_location<TriangleMesh>;
-  using Point_3 = typename boost::property_traits<
-      typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type;
-
-public:
-  static constexpr FT default_tolerance = 1e-10; // of barycentric coordinates
-
-  static Point_3 point(const face_descriptor f,
-                       const Barycentric_coordinates& location,
-                       const Triangle_mesh& tmesh)
-  {
-    return point(f, location, tmesh, get(vertex_point, tmesh));
-  }
-
-  template <typename VertexPointMap>
-  static Point_3 point(const face_descriptor f,
-                       const Barycentric_coordinates& location,
-                       const Triangle_mesh& tmesh,
-                       const VertexPointMap& point_map)
-  {
-    using Kernel = typename Kernel_traits<Point_3>::Kernel;
-    const halfedge_descriptor h = halfedge(f, tmesh);
-    return Kernel().construct_barycenter_3_object()(
-        get(point_map, source(h, tmesh)), typename Kernel::FT(location[0]),
-        get(point_map, target(h, tmesh)), typename Kernel::FT(location[1]),
-        get(point_map, target(next(h, tmesh), tmesh)), typename Kernel::FT(location[2]));
-  }
-
-  static Point_3 point(const halfedge_descriptor h, const FT t, const Triangle_mesh& tmesh)
-  {
-    return point(h, t, tmesh, get(vertex_point, tmesh));
-  }
-
-  template <typename VertexPointMap>
-  static Point_3 point(const halfedge_descriptor h,
-                       const FT t,
-                       const Triangle_mesh& tmesh,
-                       const VertexPointMap& point_map)
-  {
-    using Kernel = typename Kernel_traits<Point_3>::Kernel;
-    return Kernel().construct_barycenter_3_object()(
-        get(point_map, target(h, tmesh)), typename Kernel::FT(t), get(point_map, source(h, tmesh)));
-  }
-
-  static Point_3 point(const vertex_descriptor v, const Triangle_mesh& tmesh)
-  {
-    return get(vertex_point, tmesh, v);
-  }
-
-  static Face_location face_location(const vertex_descriptor v, const Triangle_mesh& tmesh)
-  {
-    if(halfedge(v, tmesh) != Graph_traits::null_halfedge())
-      for(const halfedge_descriptor h : halfedges_around_target(v, tmesh))
-        if(!is_border(h, tmesh))
-          return face_location(h, 1, tmesh);
-    return {Graph_traits::null_face(), {0, 0, 0}};
-  }
-
-  static Face_location
-  face_location(const halfedge_descriptor h, const FT t, const Triangle_mesh& tmesh)
-  {
-    if(is_border(h, tmesh))
-      return face_location(opposite(h, tmesh), 1 - t, tmesh);
-    Face_location result(face(h, tmesh), {0, 0, 0});
-    std::size_t i = 0;
-    for(halfedge_descriptor g = halfedge(result.first, tmesh); g != h; g = next(g, tmesh))
-      ++i;
-    result.second[i] = 1 - t;
-    result.second[(i + 1) % 3] = t;
-    return result;
-  }
-
-  template <typename AABBTraits, typename VertexPointMap>
-  static Face_location locate(const Point_3& p,
-                              const Triangle_mesh& tmesh,
-                              const VertexPointMap& point_map,
-                              const FT tolerance = default_tolerance)
-  {
-    AABB_tree<AABBTraits> tree;
-    build_aabb_tree(tmesh, tree, point_map);
-    return locate(p, tree, tmesh, point_map, tolerance);
-  }
-
-  template <typename AABBTraits, typename VertexPointMap>
-  static Face_location locate(const Point_3& p,
-                              const AABB_tree<AABBTraits>& tree,
-                              const Triangle_mesh& tmesh,
-                              const VertexPointMap& point_map,
-                              const FT tolerance = default_tolerance)
-  {
-    return internal::locate_nearest(p, tree, tmesh, point_map, tolerance);
-  }
-
-  template <typename AABBTraits, typename Kernel, typename VertexPointMap>
-  static Face_location locate(const Ray_3<Kernel>& ray,
-                              const Triangle_mesh& tmesh,
-                              const VertexPointMap& point_map,
-                              const FT tolerance = default_tolerance)
-  {
-    AABB_tree<AABBTraits> tree;
-    build_aabb_tree(tmesh, tree, point_map);
-    return locate(ray, tree, tmesh, point_map, tolerance);
-  }
-
-  template <typename AABBTraits, typename Kernel, typename VertexPointMap>
-  static Face_location locate(const Ray_3<Kernel>& ray,
-                              const AABB_tree<AABBTraits>& tree,
-                              const Triangle_mesh& tmesh,
-                              const VertexPointMap& point_map,
-                              const FT tolerance = default_tolerance)
-  {
-    return internal::locate_first(ray, tree, tmesh, point_map, tolerance);
-  }
-
-  template <typename AABBTraits>
-  static void build_aabb_tree(const Triangle_mesh& tmesh, AABB_tree<AABBTraits>& tree)
-  {
-    build_aabb_tree(tmesh, tree, get(vertex_point, tmesh));
-  }
-
-  template <typename AABBTraits, typename VertexPointMap>
-  static void build_aabb_tree(const Triangle_mesh& tmesh,
-                              AABB_tree<AABBTraits>& tree,
-                              const VertexPointMap& point_map)
-  {
-    tree.rebuild(faces(tmesh).begin(), faces(tmesh).end(), tmesh, point_map);
-    tree.build();
-  }
-};
-
 } // namespace internal
 
 /*!
@@ -382,11 +220,10 @@ public:
  */
 template <typename TriangleMesh>
 class Surface_locations
-#ifndef DOXYGEN_RUNNING
-  : private internal::Location_functions<TriangleMesh>
-#endif
 {
-  using Base = internal::Location_functions<TriangleMesh>;
+  static_assert(!internal::is_traits_of_exact_class<TriangleMesh>,
+                "the first template argument is the mesh, not the traits of the exact class");
+
   using Graph_traits = boost::graph_traits<TriangleMesh>;
 
 public:
@@ -408,9 +245,11 @@ public:
   /// the number type of distances.
   using FT = double;
 
+  /// the internal vertex point map of the mesh.
+  using Vertex_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
+
   /// the type of the mesh's points.
-  using Point_3 = typename boost::property_traits<
-      typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type;
+  using Point_3 = typename boost::property_traits<Vertex_point_map>::value_type;
 
   /// the weights of the vertices of a face `f`, starting with `source(halfedge(f, tmesh), tmesh)`.
   using Barycentric_coordinates = std::array<FT, 3>;
@@ -421,18 +260,7 @@ public:
   /// a point of the surface: a vertex, a point on an edge, or a point in a face.
   using Surface_point = Approximate_geodesics::Surface_point<TriangleMesh>;
 
-  /// the internal vertex point map of the mesh.
-  using Vertex_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
-
   /// @}
-
-#ifndef DOXYGEN_RUNNING
-  // Static overloads of the following functions.
-  using Base::build_aabb_tree;
-  using Base::face_location;
-  using Base::locate;
-  using Base::point;
-#endif
 
   /*!
    * \name Points
@@ -491,10 +319,13 @@ public:
   /*!
    * \name Nearest Face Locations
    *
-   * Locations are snapped to close vertices and edges: barycentric coordinates of at most
-   * `tolerance` are set to zero. A path from a returned location starts there exactly. The face is
+   * The query is a point in space, for the nearest location on the mesh, or a `CGAL::Ray_3`, for
+   * its first intersection with the mesh. The face is
    * `boost::graph_traits<Triangle_mesh>::%null_face()` if the mesh has no faces, or the ray does
    * not intersect it.
+   *
+   * Locations are snapped to close vertices and edges: barycentric coordinates of at most
+   * `tolerance` are set to zero. A path from a returned location starts there exactly.
    *
    * Overloads without a tree build one from the internal points of the mesh. Static overloads take
    * the mesh and a vertex point map as additional arguments before the tolerance. \cgal's tree may
@@ -504,43 +335,26 @@ public:
    * These functions require the header `CGAL/AABB_tree.h`, which this header does not include.
    *
    * \tparam AABBTraits a model of `AABBTraits` for the faces of the mesh
+   * \tparam Query `Point_3`, or a `CGAL::Ray_3`
    */
   /// @{
 
-  /// returns the location on the mesh nearest to `p`.
-  template <typename AABBTraits>
-  Face_location locate(const Point_3& p, const FT tolerance = default_tolerance) const
+  /// returns the location on the mesh nearest to a point, or the first one on a ray.
+  template <typename AABBTraits, typename Query = Point_3>
+  Face_location locate(const Query& query, const FT tolerance = default_tolerance) const
   {
     AABB_tree<AABBTraits> tree;
     build_aabb_tree(tree);
-    return locate(p, tree, tolerance);
+    return locate(query, tree, tolerance);
   }
 
   /// uses a given tree.
-  template <typename AABBTraits>
-  Face_location locate(const Point_3& p,
+  template <typename AABBTraits, typename Query = Point_3>
+  Face_location locate(const Query& query,
                        const AABB_tree<AABBTraits>& tree,
                        const FT tolerance = default_tolerance) const
   {
-    return locate(p, tree, m_mesh, m_point_map, tolerance);
-  }
-
-  /// returns the location of the first intersection of `ray` with the mesh.
-  template <typename AABBTraits, typename Kernel>
-  Face_location locate(const Ray_3<Kernel>& ray, const FT tolerance = default_tolerance) const
-  {
-    AABB_tree<AABBTraits> tree;
-    build_aabb_tree(tree);
-    return locate(ray, tree, tolerance);
-  }
-
-  /// uses a given tree.
-  template <typename AABBTraits, typename Kernel>
-  Face_location locate(const Ray_3<Kernel>& ray,
-                       const AABB_tree<AABBTraits>& tree,
-                       const FT tolerance = default_tolerance) const
-  {
-    return locate(ray, tree, m_mesh, m_point_map, tolerance);
+    return locate(query, tree, m_mesh, m_point_map, tolerance);
   }
 
   /// builds a tree of the faces for `locate()`, with the internal points of the mesh.
@@ -558,9 +372,115 @@ public:
   }
 
   /// the default tolerance of barycentric coordinates.
-  static constexpr FT default_tolerance = Base::default_tolerance;
+  static constexpr FT default_tolerance = 1e-10;
 
   /// @}
+
+#ifndef DOXYGEN_RUNNING
+  // Static overloads. Unlike `construct_point()` and `locate_vertex()` of CGAL, they accept
+  // isolated vertices, and do not require the header of the AABB tree.
+
+  template <typename VertexPointMap>
+  static Point_3 point(const face_descriptor f,
+                       const Barycentric_coordinates& location,
+                       const Triangle_mesh& tmesh,
+                       const VertexPointMap& point_map)
+  {
+    using Kernel = typename Kernel_traits<Point_3>::Kernel;
+    const halfedge_descriptor h = halfedge(f, tmesh);
+    return Kernel().construct_barycenter_3_object()(
+        get(point_map, source(h, tmesh)), typename Kernel::FT(location[0]),
+        get(point_map, target(h, tmesh)), typename Kernel::FT(location[1]),
+        get(point_map, target(next(h, tmesh), tmesh)), typename Kernel::FT(location[2]));
+  }
+
+  template <typename VertexPointMap>
+  static Point_3 point(const halfedge_descriptor h,
+                       const FT t,
+                       const Triangle_mesh& tmesh,
+                       const VertexPointMap& point_map)
+  {
+    using Kernel = typename Kernel_traits<Point_3>::Kernel;
+    return Kernel().construct_barycenter_3_object()(
+        get(point_map, target(h, tmesh)), typename Kernel::FT(t), get(point_map, source(h, tmesh)));
+  }
+
+  static Point_3 point(const face_descriptor f,
+                       const Barycentric_coordinates& location,
+                       const Triangle_mesh& tmesh)
+  {
+    return point(f, location, tmesh, get(vertex_point, tmesh));
+  }
+
+  static Point_3 point(const halfedge_descriptor h, const FT t, const Triangle_mesh& tmesh)
+  {
+    return point(h, t, tmesh, get(vertex_point, tmesh));
+  }
+
+  static Point_3 point(const vertex_descriptor v, const Triangle_mesh& tmesh)
+  {
+    return get(vertex_point, tmesh, v);
+  }
+
+  static Face_location face_location(const vertex_descriptor v, const Triangle_mesh& tmesh)
+  {
+    if(halfedge(v, tmesh) != Graph_traits::null_halfedge())
+      for(const halfedge_descriptor h : halfedges_around_target(v, tmesh))
+        if(!is_border(h, tmesh))
+          return face_location(h, 1, tmesh);
+    return {Graph_traits::null_face(), {0, 0, 0}};
+  }
+
+  static Face_location
+  face_location(const halfedge_descriptor h, const FT t, const Triangle_mesh& tmesh)
+  {
+    if(is_border(h, tmesh))
+      return face_location(opposite(h, tmesh), 1 - t, tmesh);
+    Face_location result(face(h, tmesh), {0, 0, 0});
+    std::size_t i = 0;
+    for(halfedge_descriptor g = halfedge(result.first, tmesh); g != h; g = next(g, tmesh))
+      ++i;
+    result.second[i] = 1 - t;
+    result.second[(i + 1) % 3] = t;
+    return result;
+  }
+
+  template <typename AABBTraits, typename Query = Point_3, typename VertexPointMap>
+  static Face_location locate(const Query& query,
+                              const Triangle_mesh& tmesh,
+                              const VertexPointMap& point_map,
+                              const FT tolerance = default_tolerance)
+  {
+    AABB_tree<AABBTraits> tree;
+    build_aabb_tree(tmesh, tree, point_map);
+    return locate(query, tree, tmesh, point_map, tolerance);
+  }
+
+  template <typename AABBTraits, typename Query = Point_3, typename VertexPointMap>
+  static Face_location locate(const Query& query,
+                              const AABB_tree<AABBTraits>& tree,
+                              const Triangle_mesh& tmesh,
+                              const VertexPointMap& point_map,
+                              const FT tolerance = default_tolerance)
+  {
+    return internal::locate(query, tree, tmesh, point_map, tolerance);
+  }
+
+  template <typename AABBTraits>
+  static void build_aabb_tree(const Triangle_mesh& tmesh, AABB_tree<AABBTraits>& tree)
+  {
+    build_aabb_tree(tmesh, tree, get(vertex_point, tmesh));
+  }
+
+  template <typename AABBTraits, typename VertexPointMap>
+  static void build_aabb_tree(const Triangle_mesh& tmesh,
+                              AABB_tree<AABBTraits>& tree,
+                              const VertexPointMap& point_map)
+  {
+    tree.rebuild(faces(tmesh).begin(), faces(tmesh).end(), tmesh, point_map);
+    tree.build();
+  }
+#endif
 
 protected:
   /// a type-erased vertex point map.

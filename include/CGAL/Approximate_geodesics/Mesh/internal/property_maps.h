@@ -9,8 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -60,6 +62,12 @@ constexpr bool
     is_point_of_kernel<Point,
                        std::void_t<typename Kernel_traits<Point>::Kernel::Construct_barycenter_3>> =
         true;
+
+template <typename Vector_3>
+Space_vector space_vector(const Vector_3& v)
+{
+  return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
+}
 
 // Whether `Map` is a writable property map for distances.
 template <typename Map, typename Key, typename = void>
