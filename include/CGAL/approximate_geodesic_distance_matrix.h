@@ -16,7 +16,7 @@
 #include <CGAL/Approximate_geodesics/Matrices/internal/row_sinks.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 
 #include <type_traits>
 

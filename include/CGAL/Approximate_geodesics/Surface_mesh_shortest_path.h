@@ -18,21 +18,94 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Pair_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Source_list.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for users of the class
 
+#include <boost/iterator/iterator_adaptor.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <list>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
+namespace internal {
+
+/*
+ * The sources of a search, in the order in which they were added. Iterators stay valid until their
+ * source is removed; like those of the exact class, they refer to face locations.
+ */
+template <typename TriangleMesh>
+class Source_list
+{
+  using Face_location = Approximate_geodesics::Face_location<TriangleMesh>;
+
+  struct Listed_source
+  {
+    Source_point source;
+    Face_location location;
+  };
+  using List = std::list<Listed_source>;
+  using List_iterator = typename List::const_iterator;
+
+public:
+  class Iterator : public boost::iterator_adaptor<Iterator,
+                                                  List_iterator,
+                                                  Face_location,
+                                                  std::bidirectional_iterator_tag,
+                                                  const Face_location&>
+  {
+  public:
+    Iterator() = default;
+
+  private:
+    friend class Source_list;
+    friend class boost::iterator_core_access;
+
+    explicit Iterator(const List_iterator it) : Iterator::iterator_adaptor_(it) {}
+    const Face_location& dereference() const { return this->base()->location; }
+  };
+
+  static const Source_point& source(const Iterator it) { return it.base()->source; }
+
+  Iterator begin() const { return Iterator(m_sources.begin()); }
+  Iterator end() const { return Iterator(m_sources.end()); }
+  std::size_t size() const { return m_sources.size(); }
+
+  Iterator add(const Source_point& source, const Face_location& location)
+  {
+    return Iterator(m_sources.insert(m_sources.end(), Listed_source{source, location}));
+  }
+
+  void remove(const Iterator it) { m_sources.erase(it.base()); }
+  void clear() { m_sources.clear(); }
+
+private:
+  List m_sources;
+};
+
+// For constructors, which do not run a search.
+template <typename NamedParameters>
+constexpr void refuse_run_parameters()
+{
+  static_assert(
+      !ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_t,
+                   internal_np::maximum_number_of_points_per_edge_t,
+                   internal_np::accept_weaker_bound_t, internal_np::number_of_points_per_edge_t,
+                   internal_np::nb_points_per_distance_unit_t, internal_np::edge_length_t,
+                   internal_np::face_weight_t, internal_np::direction_to_source_t,
+                   internal_np::edge_is_constrained_t>,
+      "the constructor does not run: maximum_distance, targets and visitor are for "
+      "build_sequence_tree(), straighten is for a path, initial distances go with sources");
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsClasses

@@ -10,8 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/smallest_distance.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/search_once.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
@@ -25,6 +24,20 @@
 
 namespace CGAL::Approximate_geodesics {
 namespace internal {
+
+// A bound on the relative rounding error of sums of lengths.
+constexpr double rounding_of_distances = 1e-12;
+
+// Returns a lower bound on the exact distance if a search with the error bound `epsilon` has found
+// `distance`. `cost_to_corner` is the largest cost from a source to the nearest vertex.
+inline double
+smallest_distance(const double distance, const double epsilon, const double cost_to_corner = 0)
+{
+  if(std::isinf(epsilon))
+    return std::isinf(distance) ? distance : 0;
+  const double detour = cost_to_corner > 0 ? (2 + epsilon) * cost_to_corner : 0;
+  return (std::max)(distance - detour, 0.) / (1 + epsilon) * (1 - rounding_of_distances);
+}
 
 // Returns the extension of the error bound for a point that is not a vertex, if the graph defines
 // one.

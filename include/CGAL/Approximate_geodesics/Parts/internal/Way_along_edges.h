@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
-#include <CGAL/Approximate_geodesics/Parts/internal/Descriptor_table.h>
+#include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_place.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -8,30 +8,29 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
-#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Vertex_predecessors.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Vertex_results.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
-#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/number_utils.h>
 
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -97,6 +96,98 @@ void run_with_visitor([[maybe_unused]] const NamedParameters& np,
   else
     run(Geodesic_visitor_base());
 }
+
+/*
+ * Writes the results of a search to property maps of the vertices of a mesh. All memory is
+ * allocated before the first write. `Vertices` maps vertices to nodes and, for predecessors, nodes
+ * to vertices; vertices without a node count as not reached.
+ */
+template <typename Search, typename Vertices>
+class Vertex_results
+{
+  using Triangle_mesh = typename Vertices::Triangle_mesh;
+  using vertex_descriptor = typename boost::graph_traits<Triangle_mesh>::vertex_descriptor;
+  using Node = typename Search::Node;
+
+public:
+  Vertex_results(const Search& search, const Vertices& vertices)
+    : m_search(search), m_vertices(vertices)
+  {
+  }
+
+  // Writes the distances and the other results requested by named parameters.
+  template <typename VertexDistanceMap, typename NamedParameters>
+  void write(VertexDistanceMap distances, const NamedParameters& np) const
+  {
+    if constexpr(is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
+    {
+      Vertex_predecessors<Search> predecessors(m_search);
+      write_distances_and_sources(distances, np);
+      write_predecessors(predecessors, np);
+    }
+    else
+      write_distances_and_sources(distances, np);
+  }
+
+private:
+  double distance(const Node node) const
+  {
+    return node == Search::null_node ? std::numeric_limits<double>::infinity()
+                                     : m_search.distance(node);
+  }
+
+  auto source(const Node node) const
+  {
+    return node == Search::null_node ? Search::null_source : m_search.source(node);
+  }
+
+  template <typename VertexDistanceMap, typename NamedParameters>
+  void write_distances_and_sources(VertexDistanceMap distances,
+                                   [[maybe_unused]] const NamedParameters& np) const
+  {
+    constexpr bool with_sources = is_given<NamedParameters, internal_np::nearest_source_t>;
+    if constexpr(with_sources)
+      allocate_sources();
+    for(const vertex_descriptor v : vertices(m_vertices.mesh()))
+      put(distances, v, distance(m_vertices.node(v)));
+    if constexpr(with_sources)
+    {
+      const auto sources = parameters::get_parameter(np, internal_np::nearest_source);
+      using Value = typename boost::property_traits<std::decay_t<decltype(sources)>>::value_type;
+      for(const vertex_descriptor v : vertices(m_vertices.mesh()))
+        put(sources, v, static_cast<Value>(source(m_vertices.node(v))));
+    }
+  }
+
+  // The first query for a source allocates all memory for sources.
+  void allocate_sources() const
+  {
+    for(const Node node : m_search.reached_nodes())
+      if(m_search.source(node) != Search::null_source)
+        return;
+  }
+
+  template <typename Predecessors, typename NamedParameters>
+  void write_predecessors(Predecessors& predecessors, const NamedParameters& np) const
+  {
+    const auto map = parameters::get_parameter(np, internal_np::geodesic_predecessor);
+    for(const vertex_descriptor v : vertices(m_vertices.mesh()))
+      put(map, v, predecessor(v, predecessors));
+  }
+
+  template <typename Predecessors>
+  vertex_descriptor predecessor(const vertex_descriptor v, Predecessors& predecessors) const
+  {
+    const Node node = m_vertices.node(v);
+    if(node == Search::null_node || !m_search.is_reached(node))
+      return boost::graph_traits<Triangle_mesh>::null_vertex();
+    const Node before = predecessors(node);
+    return before == Search::null_node ? v : m_vertices.vertex(before);
+  }
+
+  const Search& m_search;
+  const Vertices& m_vertices;
+};
 
 /*
  * A search of a graph in terms of a mesh: the common implementation of the class and of the free
@@ -223,73 +314,89 @@ private:
   Surface_search m_search;
 };
 
-// Returns no positions for the edge graph, where computing them takes as long as a search.
-template <typename MeshSearch, typename NamedParameters>
-Vertex_positions positions_for_one_run(const MeshSearch& search, const NamedParameters& /* np */)
+/*
+ * Point-to-point searches with a separate workspace, which is allocated on first use.
+ */
+template <typename MeshSearch>
+class Pair_search
 {
-  if constexpr(has_crossing_arcs<typename MeshSearch::Surface_search::Graph> &&
-               !is_any_given<NamedParameters, internal_np::edge_length_t, internal_np::visitor_t>)
-    return search.positions();
-  else
-    return Vertex_positions();
-}
-
-// Calls `f` with a search of a graph built on `tmesh`, for a single run.
-template <typename Graph, typename TriangleMesh, typename NamedParameters, typename F>
-auto search_graph(const Graph& graph,
-                  const TriangleMesh& tmesh,
-                  const NamedParameters& np,
-                  const bool finds_path,
-                  F f)
-{
-  Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
-  if(finds_path ||
-     is_any_given<NamedParameters, internal_np::visitor_t, internal_np::geodesic_predecessor_t>)
-    translation.list_vertices();
-  auto point_map = vertex_point_map(tmesh, np);
-  Mesh_search<Graph, Adaptive_bucket_queue, decltype(translation), decltype(point_map)> search(
-      graph, translation, std::move(point_map));
-  return f(search);
-}
-
-// Whether a search runs along edges, and all `Points` and targets are given as vertices.
-template <typename TriangleMesh, typename NamedParameters, typename... Points>
-constexpr bool concerns_vertices_only()
-{
-  constexpr bool needs_faces =
-      is_any_given<NamedParameters, internal_np::epsilon_t,
-                   internal_np::number_of_points_per_edge_t, internal_np::face_weight_t,
-                   internal_np::edge_is_constrained_t, internal_np::straighten_t>;
-  if constexpr(needs_faces || !(are_vertices<TriangleMesh, Points> && ...))
-    return false;
-  else if constexpr(is_given<NamedParameters, internal_np::targets_t>)
+public:
+  // Uses the graph and the mesh of `other`. Returns -1 if there is no path.
+  template <typename Source, typename Target, typename NamedParameters>
+  double distance(const MeshSearch& other,
+                  const Source& source,
+                  const Target& target,
+                  const NamedParameters& np)
   {
-    using Targets = decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
-                                                       internal_np::targets));
-    return are_vertices<TriangleMesh, std::decay_t<Targets>>;
+    if constexpr(is_given<NamedParameters, internal_np::straighten_t>)
+      return for_each_point(other, source, target, np, [](const Intrinsic_point&) {});
+    else
+    {
+      run(other, source, target, np);
+      const auto& translation = other.translation();
+      const auto answer = m_parts->search.search().nearest(
+          leads_to_sources(other.search().graph()) ? translation.intrinsic_point(source)
+                                                   : translation.intrinsic_point(target));
+      return answer.is_reached() ? answer.distance : -1;
+    }
   }
-  else
-    return true;
-}
 
-// Reads a mesh, builds the graph that the named parameters select, and calls `f` with a search of
-// it, for a single run. Only edges are read if all `Points`, the types of sources and targets, are
-// vertices.
-template <typename... Points, typename TriangleMesh, typename NamedParameters, typename F>
-auto search_once(const TriangleMesh& tmesh, const NamedParameters& np, const bool finds_path, F f)
-{
-  const auto search = [&](const auto& graph) {
-    return search_graph(graph, tmesh, np, finds_path, f);
+  // Calls `f(point)` for the points of the path. Returns its length, or -1 if there is no path.
+  template <typename Source, typename Target, typename NamedParameters, typename F>
+  double for_each_point(const MeshSearch& other,
+                        const Source& source,
+                        const Target& target,
+                        const NamedParameters& np,
+                        F f)
+  {
+    run(other, source, target, np);
+    const bool is_backward = leads_to_sources(other.search().graph());
+    const Path path = is_backward ? find_path(other, source, np) : find_path(other, target, np);
+    if(is_backward)
+      std::for_each(path.points.begin(), path.points.end(), f);
+    else
+      std::for_each(path.points.rbegin(), path.points.rend(), f);
+    return path.points.empty() ? -1 : path.length;
+  }
+
+  // Must be called after the weights of the graph have changed.
+  void reset() { m_parts.reset(); }
+
+private:
+  template <typename Point, typename NamedParameters>
+  Path find_path(const MeshSearch& other, const Point& end, const NamedParameters& np) const
+  {
+    return m_parts->search.find_path(other.translation().intrinsic_point(end), np);
+  }
+
+  // In a reversed graph, the search starts at the target.
+  template <typename Source, typename Target, typename NamedParameters>
+  void run(const MeshSearch& other,
+           const Source& source,
+           const Target& target,
+           const NamedParameters& np)
+  {
+    static_assert(!ignores_any<NamedParameters, internal_np::straighten_t,
+                               internal_np::maximum_distance_t, internal_np::visitor_t>,
+                  "single pairs read straighten, maximum_distance and visitor");
+    if(!m_parts)
+      m_parts = std::make_unique<Parts>(
+          Parts{MeshSearch(other.search().graph(), other.translation(), other.point_map()),
+                other.positions()});
+    if(leads_to_sources(other.search().graph()))
+      m_parts->search.run_to(target, source, m_parts->positions, np);
+    else
+      m_parts->search.run_to(source, target, m_parts->positions, np);
+  }
+
+  struct Parts
+  {
+    MeshSearch search;
+    Vertex_positions positions;
   };
-  if constexpr(concerns_vertices_only<TriangleMesh, NamedParameters, Points...>())
-  {
-    Intrinsic_triangulation edges;
-    Triangulation_builder<TriangleMesh, NamedParameters>(edges, tmesh, np).build_edges();
-    return search(Edge_graph(std::move(edges), np));
-  }
-  else
-    return with_graph<Lazy_discrete_geodesic_graph>(tmesh, np, search);
-}
+
+  std::unique_ptr<Parts> m_parts;
+};
 
 } // namespace CGAL::Approximate_geodesics::internal
 

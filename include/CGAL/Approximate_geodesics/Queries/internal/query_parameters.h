@@ -10,34 +10,30 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
+#include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
-
-// For constructors, which do not run a search.
-template <typename NamedParameters>
-constexpr void refuse_run_parameters()
-{
-  static_assert(
-      !ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_t,
-                   internal_np::maximum_number_of_points_per_edge_t,
-                   internal_np::accept_weaker_bound_t, internal_np::number_of_points_per_edge_t,
-                   internal_np::nb_points_per_distance_unit_t, internal_np::edge_length_t,
-                   internal_np::face_weight_t, internal_np::direction_to_source_t,
-                   internal_np::edge_is_constrained_t>,
-      "the constructor does not run: maximum_distance, targets and visitor are for "
-      "build_sequence_tree(), straighten is for a path, initial distances go with sources");
-}
 
 template <typename NamedParameters>
 double maximum_distance(const NamedParameters& np)
@@ -94,6 +90,85 @@ void straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triang
       if(straight.length < path.length)
         path = std::move(straight);
     }
+}
+
+// Returns the graph that the named parameters select for directional costs.
+template <typename NamedParameters>
+auto directional_graph(Intrinsic_triangulation triangulation, const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::number_of_points_per_edge_t>)
+    return Directional_graph<Fixed_number_of_points>(std::move(triangulation), np);
+  else if constexpr(is_given<NamedParameters, internal_np::epsilon_t>)
+    return Directional_graph<Directional_points>(std::move(triangulation), np);
+  else
+    return Directional_graph<Fixed_number_of_points>(
+        std::move(triangulation), Fixed_number_of_points(0),
+        parameters::choose_parameter(
+            parameters::get_parameter(np, internal_np::direction_to_source), false));
+}
+
+// Calls `f` with a graph for the named parameter `epsilon`. One that is not needed is not compiled
+// if `epsilon` is known by its type.
+template <typename GraphWithBound, typename ExactGraph, typename NamedParameters, typename F>
+auto with_epsilon(Intrinsic_triangulation triangulation, const NamedParameters& np, const F& f)
+{
+  const auto epsilon = parameters::get_parameter(np, internal_np::epsilon);
+  using Known = Known_number<std::decay_t<decltype(epsilon)>>;
+  if constexpr(Known::is_zero)
+    return f(ExactGraph(std::move(triangulation), np));
+  else
+  {
+    if constexpr(!Known::is_not_zero)
+      if(Known::value(epsilon) == 0)
+        return f(ExactGraph(std::move(triangulation), np));
+    return f(GraphWithBound(std::move(triangulation), np));
+  }
+}
+
+// Calls `f` with the graph that the named parameters select: a graph with weights and barriers if
+// there are any; otherwise, if `epsilon` is given, a graph of one of the given types; otherwise the
+// edge graph. Returns the result of `f`.
+template <typename GraphWithBound, typename ExactGraph, typename NamedParameters, typename F>
+auto with_graph_on(Intrinsic_triangulation triangulation, const NamedParameters& np, F f)
+{
+  constexpr bool has_epsilon = is_given<NamedParameters, internal_np::epsilon_t>;
+  constexpr bool has_number = is_given<NamedParameters, internal_np::number_of_points_per_edge_t>;
+  constexpr bool has_weights = is_given<NamedParameters, internal_np::face_weight_t> ||
+                               is_given<NamedParameters, internal_np::edge_is_constrained_t>;
+  static_assert(!has_epsilon || !has_number,
+                "epsilon and number_of_points_per_edge: only one of them can be given");
+  static_assert((has_weights && has_epsilon) || !limits_points<NamedParameters>,
+                "maximum_number_of_points_per_edge, accept_weaker_bound: they are for epsilon with "
+                "weights or barriers; any other bound holds on every mesh");
+  static_assert((has_weights && has_epsilon) || has_number ||
+                    !is_given<NamedParameters, internal_np::maximum_number_of_points_t>,
+                "maximum_number_of_points: it is for number_of_points_per_edge, and for epsilon "
+                "with weights or barriers; other graphs have no points on edges");
+
+  if constexpr(has_directional_cost<NamedParameters>)
+    return f(directional_graph(std::move(triangulation), np));
+  else if constexpr(has_number)
+    return f(Steiner_graph<Fixed_number_of_points>(std::move(triangulation), np));
+  else if constexpr(has_weights && has_epsilon)
+    return f(Steiner_graph<Geometric_points>(std::move(triangulation), np));
+  else if constexpr(has_weights)
+    return f(
+        Steiner_graph<Fixed_number_of_points>(std::move(triangulation), Fixed_number_of_points(0)));
+  else if constexpr(has_epsilon)
+    return with_epsilon<GraphWithBound, ExactGraph>(std::move(triangulation), np, f);
+  else
+    return f(Edge_graph(std::move(triangulation), np));
+}
+
+// Reads a mesh, and calls `f` with the graph that the named parameters select.
+template <typename GraphWithBound,
+          typename ExactGraph = Saddle_vertex_graph,
+          typename TriangleMesh,
+          typename NamedParameters,
+          typename F>
+auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
+{
+  return with_graph_on<GraphWithBound, ExactGraph>(Intrinsic_triangulation(tmesh, np), np, f);
 }
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -3,29 +3,34 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_PART_ONCE_H
-#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_PART_ONCE_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_ONCE_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_ONCE_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
-#include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/mesh_traits.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_place.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Part_growth.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Way_along_edges.h>
+#include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Vertex_results.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/with_graph.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -33,10 +38,79 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// Returns no positions for the edge graph, where computing them takes as long as a search.
+template <typename MeshSearch, typename NamedParameters>
+Vertex_positions positions_for_one_run(const MeshSearch& search, const NamedParameters& /* np */)
+{
+  if constexpr(has_crossing_arcs<typename MeshSearch::Surface_search::Graph> &&
+               !is_any_given<NamedParameters, internal_np::edge_length_t, internal_np::visitor_t>)
+    return search.positions();
+  else
+    return Vertex_positions();
+}
+
+// Calls `f` with a search of a graph built on `tmesh`, for a single run.
+template <typename Graph, typename TriangleMesh, typename NamedParameters, typename F>
+auto search_graph(const Graph& graph,
+                  const TriangleMesh& tmesh,
+                  const NamedParameters& np,
+                  const bool finds_path,
+                  F f)
+{
+  Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
+  if(finds_path ||
+     is_any_given<NamedParameters, internal_np::visitor_t, internal_np::geodesic_predecessor_t>)
+    translation.list_vertices();
+  auto point_map = vertex_point_map(tmesh, np);
+  Mesh_search<Graph, Adaptive_bucket_queue, decltype(translation), decltype(point_map)> search(
+      graph, translation, std::move(point_map));
+  return f(search);
+}
+
+// Whether a search runs along edges, and all `Points` and targets are given as vertices.
+template <typename TriangleMesh, typename NamedParameters, typename... Points>
+constexpr bool concerns_vertices_only()
+{
+  constexpr bool needs_faces =
+      is_any_given<NamedParameters, internal_np::epsilon_t,
+                   internal_np::number_of_points_per_edge_t, internal_np::face_weight_t,
+                   internal_np::edge_is_constrained_t, internal_np::straighten_t>;
+  if constexpr(needs_faces || !(are_vertices<TriangleMesh, Points> && ...))
+    return false;
+  else if constexpr(is_given<NamedParameters, internal_np::targets_t>)
+  {
+    using Targets = decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                                       internal_np::targets));
+    return are_vertices<TriangleMesh, std::decay_t<Targets>>;
+  }
+  else
+    return true;
+}
+
+// Reads a mesh, builds the graph that the named parameters select, and calls `f` with a search of
+// it, for a single run. Only edges are read if all `Points`, the types of sources and targets, are
+// vertices.
+template <typename... Points, typename TriangleMesh, typename NamedParameters, typename F>
+auto search_once(const TriangleMesh& tmesh, const NamedParameters& np, const bool finds_path, F f)
+{
+  const auto search = [&](const auto& graph) {
+    return search_graph(graph, tmesh, np, finds_path, f);
+  };
+  if constexpr(concerns_vertices_only<TriangleMesh, NamedParameters, Points...>())
+  {
+    Intrinsic_triangulation edges;
+    Triangulation_builder<TriangleMesh, NamedParameters>(edges, tmesh, np).build_edges();
+    return search(Edge_graph(std::move(edges), np));
+  }
+  else
+    return with_graph<Lazy_discrete_geodesic_graph>(tmesh, np, search);
+}
 
 // Whether a part of a mesh can be bounded by positions in space: this requires paths that are at
 // least as long as straight lines and not restricted by barriers. A visitor would observe the size
@@ -320,4 +394,4 @@ bool write_distances_of_part([[maybe_unused]] const TriangleMesh& tmesh,
 
 } // namespace CGAL::Approximate_geodesics::internal
 
-#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_PART_ONCE_H
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_ONCE_H
