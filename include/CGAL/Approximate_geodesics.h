@@ -21,17 +21,13 @@
 
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Balanced_bucket_width.h>
-#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
-#include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
 #include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
 
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
-#include <CGAL/Approximate_geodesics/Search/Propagation_rules.h>
-#include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>

@@ -17,9 +17,9 @@
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
-#include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 
 #include <algorithm>
 #include <cmath>

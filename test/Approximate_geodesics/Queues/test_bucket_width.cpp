@@ -7,8 +7,6 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Balanced_bucket_width.h>
-#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
 
 #include <gtest/gtest.h>
 

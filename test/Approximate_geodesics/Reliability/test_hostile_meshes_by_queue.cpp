@@ -12,8 +12,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 

@@ -10,8 +10,7 @@
 #include "peers/Published_bucket_queue.h"
 
 #include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
 
 #include <gtest/gtest.h>

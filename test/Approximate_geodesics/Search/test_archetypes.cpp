@@ -11,8 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/D_ary_heap_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Fibonacci_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
 #include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>

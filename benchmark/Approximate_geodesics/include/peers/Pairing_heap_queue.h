@@ -7,7 +7,7 @@
 #define BENCHMARK_PAIRING_HEAP_QUEUE_H
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Queues/internal/Boost_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
 
 #include <boost/heap/pairing_heap.hpp>
 

@@ -9,8 +9,8 @@
 #include "peers/Published_bucket_width.h"
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
-#include <CGAL/Approximate_geodesics/Queues/internal/Ordered_queue_base.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #define BENCHMARK_PUBLISHED_BUCKET_WIDTH_H
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 
 #include <algorithm>
 #include <limits>

@@ -9,8 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Queues/Balanced_bucket_width.h>
-#include <CGAL/Approximate_geodesics/Queues/Bucket_statistics.h>
 #include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
 #include <CGAL/Approximate_geodesics/Queues/internal/Indexed_heap.h>
 #include <CGAL/Iterator_range.h>
@@ -19,6 +17,7 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -26,6 +25,109 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsQueues
+ *
+ * The statistics of a run of a bucket queue. They are updated per bucket, not per entry, so the
+ * overhead is negligible.
+ */
+struct Bucket_statistics
+{
+  /// the width of the buckets, in units of the graph.
+  double width = 0;
+  /// the number of visited buckets, including empty ones.
+  std::size_t visited_buckets = 0;
+  /// the number of nonempty buckets.
+  std::size_t used_buckets = 0;
+  /// the number of extracted entries.
+  std::size_t entries = 0;
+  /// the number of extracted entries that entered a bucket while it was being drained.
+  std::size_t late_entries = 0;
+  /// the number of comparisons between entries.
+  std::size_t comparisons = 0;
+  /// the sum over all buckets of the squared number of entries.
+  double sum_of_squared_occupancies = 0;
+
+  /// adds a visited bucket with its number of extracted entries, and the number of late ones among
+  /// them.
+  void add_bucket(const std::size_t occupancy, const std::size_t late = 0)
+  {
+    ++visited_buckets;
+    if(occupancy == 0)
+      return;
+    ++used_buckets;
+    entries += occupancy;
+    late_entries += late;
+    sum_of_squared_occupancies += static_cast<double>(occupancy) * static_cast<double>(occupancy);
+  }
+
+  /// returns the mean number of entries of the nonempty buckets.
+  double mean_occupancy() const
+  {
+    return used_buckets == 0 ? 0 : static_cast<double>(entries) / static_cast<double>(used_buckets);
+  }
+
+  /// returns the standard deviation of the number of entries of the nonempty buckets.
+  double standard_deviation_of_occupancy() const
+  {
+    if(used_buckets == 0)
+      return 0;
+    const double mean_square = sum_of_squared_occupancies / static_cast<double>(used_buckets);
+    return std::sqrt((std::max)(0., mean_square - mean_occupancy() * mean_occupancy()));
+  }
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsQueues
+ *
+ * The default policy for the width of the buckets of an adaptive bucket queue.
+ *
+ * Wide buckets cause late entries: nodes that enter a bucket while it is being drained may have to
+ * be expanded again. Narrow buckets are many and often empty; visiting one costs as much as a few
+ * late entries. After every run, the width changes by a factor of \f$\sqrt 2\f$ unless the two
+ * overheads are balanced. The first width is half the mean arc length, which is nearly balanced on
+ * scanned models.
+ *
+ * \cgalModels{BucketWidthPolicy}
+ */
+class Balanced_bucket_width
+{
+public:
+  /// chooses the width for the first run.
+  explicit Balanced_bucket_width(const Arc_lengths& arcs = Arc_lengths())
+    : m_narrowest((std::max)(arcs.longest * NARROWEST_PART, SMALLEST_INVERTIBLE)),
+      m_widest((std::max)(arcs.longest, m_narrowest)),
+      m_width(arcs.longest > 0 ? (std::clamp)(arcs.mean / 2, m_narrowest, m_widest) : 1)
+  {
+  }
+
+  /// returns the width of the buckets, in units of the graph.
+  double width() const { return m_width; }
+
+  /// chooses the width for the next run from the statistics of the last one.
+  void update(const Bucket_statistics& last_run)
+  {
+    if(last_run.entries < SMALLEST_SAMPLE)
+      return;
+    if(last_run.late_entries > COST_OF_VISIT * last_run.visited_buckets)
+      m_width = (std::max)(m_width / STEP, m_narrowest);
+    else if(SLACK * last_run.late_entries < last_run.visited_buckets)
+      m_width = (std::min)(m_width * STEP, m_widest);
+  }
+
+private:
+  static constexpr double STEP = 1.4142135623730951;
+  static constexpr std::size_t COST_OF_VISIT = 8; // upper bound, in late entries
+  static constexpr std::size_t SLACK = 2;         // hysteresis: prevents oscillation
+  static constexpr double NARROWEST_PART = 1e-9;  // of the longest arc: limits bucket indices
+  static constexpr double SMALLEST_INVERTIBLE = 4 / (std::numeric_limits<double>::max)();
+  static constexpr std::size_t SMALLEST_SAMPLE = 1000; // smaller runs are not representative
+
+  double m_narrowest;
+  double m_widest;
+  double m_width;
+};
 
 /*!
  * \ingroup PkgApproximateGeodesicsQueues

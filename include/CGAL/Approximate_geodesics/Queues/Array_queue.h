@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Queues/internal/Ordered_queue_base.h>
+#include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>

@@ -11,16 +11,10 @@
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
-#include <CGAL/Approximate_geodesics/Search/Propagation_rules.h>
-#include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Goal.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Input_check.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Nearest_sources.h>
 #include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
-#include <CGAL/Approximate_geodesics/Search/internal/heuristics.h>
-#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
 #include <CGAL/Approximate_geodesics/Search/internal/watches.h>
 
 #include <algorithm>

@@ -9,17 +9,241 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
-#include <CGAL/Approximate_geodesics/Search/Propagation_statistics.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Candidate_list.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
-#include <CGAL/Approximate_geodesics/Search/internal/heuristics.h>
-#include <CGAL/Approximate_geodesics/Search/internal/optional_members.h>
+#include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
+#include <CGAL/assertions.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// A path that ends with an arc just looked at, and what a graph wants to know of it.
+template <typename Payload>
+struct Candidate : Payload
+{
+  double distance;
+  Labels::Node node;
+  Labels::Node predecessor;
+};
+
+/*
+ * The paths along arcs that are shorter than labels say. All are written down, and one that does
+ * not lower the label of its end is overwritten by the next one: no branch depends on a distance.
+ * Memory is kept when the list is cleared.
+ */
+template <typename Payload>
+class Candidate_list
+{
+  using Node = Labels::Node;
+
+public:
+  using Candidate = internal::Candidate<Payload>;
+
+  std::size_t size() const { return m_size; }
+  const Candidate& operator[](const std::size_t i) const { return m_memory[i]; }
+
+  // the number of arcs looked at, if they are counted
+  std::size_t number_of_arcs() const { return m_number_of_arcs; }
+
+  // Removes all candidates. `distances` are the labels, which must not change before the next call.
+  void start(const double* const distances, const bool counts)
+  {
+    m_distances = distances;
+    m_counts = counts;
+    m_size = m_number_of_arcs = 0;
+  }
+
+  // Makes room for so many arcs.
+  void make_room(const std::size_t number) { reserve(number + 1); } // one is written in vain
+
+  // Appends an arc, if it is one, of a node with this label.
+  void append(const bool is_arc,
+              const Node node,
+              const double label,
+              const Node target,
+              const double length)
+  {
+    CGAL_assertion(m_size < m_memory.size());
+    set(m_memory[m_size], node, target, label + length);
+    m_number_of_arcs += is_arc ? 1 : 0;
+    m_size += static_cast<std::size_t>(is_arc & (label + length < m_distances[target]));
+  }
+
+  void append(const bool is_arc,
+              const Node node,
+              const double label,
+              const Node target,
+              const double length,
+              const Payload& payload)
+  {
+    static_cast<Payload&>(m_memory[m_size]) = payload;
+    append(is_arc, node, label, target, length);
+  }
+
+  // Appends the arcs that a graph reports of these nodes.
+  template <typename Graph, typename Labels>
+  void append_arcs(const Graph& graph,
+                   const Node* const nodes,
+                   const std::size_t number,
+                   const Labels& labels)
+  {
+    if(m_counts)
+      append_counted_arcs<1>(graph, nodes, number, labels);
+    else
+      append_counted_arcs<0>(graph, nodes, number, labels);
+  }
+
+  // Calls `append(i, candidates)` for all `i` below `number`, by the threads of a loop, and appends
+  // what they append in the order of `i`. So the result does not depend on the number of threads.
+  template <typename Loop, typename F>
+  void append_in_parallel(const Loop& loop, const std::size_t number, const F& append)
+  {
+    m_turns.resize(number);
+    m_lists.resize((std::max)(m_lists.size(), loop.number_of_threads()));
+    for(Candidate_list& list : m_lists)
+      list.start(m_distances, m_counts);
+    loop.run(number, [&](const std::size_t i, const std::size_t thread) {
+      Candidate_list list = std::move(m_lists[thread]); // away from where others write
+      const std::size_t first = list.size();
+      append(i, list);
+      m_turns[i] = {thread, first, list.size()};
+      m_lists[thread] = std::move(list);
+    });
+    for(const Turn& turn : m_turns)
+      append_part(m_lists[turn.thread], turn.first, turn.beyond);
+    for(const Candidate_list& list : m_lists)
+      m_number_of_arcs += list.m_number_of_arcs;
+  }
+
+  std::size_t memory() const
+  {
+    std::size_t result = m_memory.capacity() * sizeof(Candidate);
+    for(const Candidate_list& list : m_lists)
+      result += sizeof(Candidate_list) + list.memory();
+    return result + m_turns.capacity() * sizeof(Turn);
+  }
+
+private:
+  // what was found in a turn, and where it is
+  struct Turn
+  {
+    std::size_t thread;
+    std::size_t first, beyond;
+  };
+
+  template <std::size_t COUNT, typename Graph>
+  struct Arc_visitor
+  {
+    void operator()(const Node target, const double length) const
+    {
+      if constexpr(!has_maximum_degree<Graph>)
+        end = list.with_room_at(end);
+      end = append(end, target, length);
+    }
+
+    // arcs to consecutive nodes
+    void operator()(const Node first, const double* const lengths, const std::size_t number) const
+    {
+      if constexpr(!has_maximum_degree<Graph>)
+        for(std::size_t i = 0; i < number; ++i)
+          (*this)(first + static_cast<Node>(i), lengths[i]);
+      else
+      {
+        Candidate* beyond = end; // kept in a register
+        for(std::size_t i = 0; i < number; ++i)
+          beyond = append(beyond, first + static_cast<Node>(i), lengths[i]);
+        end = beyond;
+      }
+    }
+
+    Candidate* append(Candidate* const position, const Node target, const double length) const
+    {
+      list.m_number_of_arcs += COUNT;
+      CGAL_assertion(position < list.m_memory.data() + list.m_memory.size());
+      set(*position, node, target, distance + length);
+      return position + static_cast<std::ptrdiff_t>(position->distance < distances[target]);
+    }
+
+    Candidate_list& list;
+    const double* distances; // labels
+    double distance;
+    Node node;
+    Candidate*& end;
+  };
+
+  // Not inline: beside the calls of a watch, this loop would lack registers.
+  template <std::size_t COUNT, typename Graph, typename Labels>
+  BOOST_NOINLINE void append_counted_arcs(const Graph& graph,
+                                          const Node* const nodes,
+                                          const std::size_t number,
+                                          const Labels& labels)
+  {
+    const double* const distances = m_distances; // kept in a register
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      Candidate* end = reserve(largest_degree(graph));
+      graph.for_each_arc(
+          nodes[i], labels,
+          Arc_visitor<COUNT, Graph>{*this, distances, distances[nodes[i]], nodes[i], end});
+      m_size = static_cast<std::size_t>(end - m_memory.data());
+    }
+  }
+
+  // The most arcs of a node if the graph knows that, or one.
+  template <typename Graph>
+  static std::size_t largest_degree([[maybe_unused]] const Graph& graph)
+  {
+    if constexpr(has_maximum_degree<Graph>)
+      return graph.maximum_degree();
+    else
+      return 1;
+  }
+
+  static void
+  set(Candidate& candidate, const Node predecessor, const Node node, const double distance)
+  {
+    candidate.distance = distance;
+    candidate.node = node;
+    candidate.predecessor = predecessor;
+  }
+
+  // Returns where the next candidates go.
+  Candidate* reserve(const std::size_t room)
+  {
+    if(m_memory.size() < m_size + room)
+      m_memory.resize(2 * (m_size + room));
+    return m_memory.data() + m_size;
+  }
+
+  // Makes room for one more, which may move those that are there.
+  Candidate* with_room_at(const Candidate* const end)
+  {
+    m_size = static_cast<std::size_t>(end - m_memory.data());
+    return reserve(1);
+  }
+
+  void append_part(const Candidate_list& list, const std::size_t first, const std::size_t beyond)
+  {
+    Candidate* const end = reserve(beyond - first);
+    std::copy(list.m_memory.data() + first, list.m_memory.data() + beyond, end);
+    m_size += beyond - first;
+  }
+
+  std::vector<Candidate> m_memory;
+  std::size_t m_size = 0;
+  std::size_t m_number_of_arcs = 0;
+  const double* m_distances = nullptr;
+  bool m_counts = false;
+  std::vector<Candidate_list> m_lists; // by thread, so that memory stays in its cache
+  std::vector<Turn> m_turns;
+};
 
 // Whether nodes are expanded again too often, which a rounded heuristic can cause: beside it, very
 // short arcs vanish, so that keys no longer order their nodes.

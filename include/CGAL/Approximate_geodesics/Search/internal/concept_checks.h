@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
 #include <boost/type_traits/is_detected.hpp>
@@ -145,6 +146,67 @@ struct Check_queue
 
   static constexpr bool is_done = true;
 };
+
+// What models of GeodesicGraph and GeodesicPriorityQueue may have, but need not.
+
+template <typename Graph>
+using Maximum_degree = decltype(std::declval<const Graph&>().maximum_degree());
+
+template <typename Graph>
+using Prefetch =
+    decltype(std::declval<const Graph&>().prefetch(std::declval<typename Graph::Node>()));
+
+template <typename Queue>
+using Statistics = decltype(std::declval<const Queue&>().statistics());
+
+template <typename Queue>
+using Extract_round = decltype(std::declval<Queue&>().extract_round(std::size_t(1)));
+
+// Whether a graph knows how many arcs a node has at most.
+template <typename Graph>
+constexpr bool has_maximum_degree =
+    boost::is_detected_convertible_v<std::size_t, Maximum_degree, Graph>;
+
+// Whether a graph wants to be told which nodes will be expanded soon.
+template <typename Graph>
+constexpr bool has_prefetch = boost::is_detected_v<Prefetch, Graph>;
+
+// Whether a queue can hand out batches that are larger than usual.
+template <typename Queue>
+constexpr bool has_rounds = boost::is_detected_v<Extract_round, Queue>;
+
+// Whether a queue counts comparisons.
+template <typename Queue>
+constexpr bool counts_comparisons =
+    boost::is_detected_convertible_v<Bucket_statistics, Statistics, Queue>;
+
+// The heuristic of Dijkstra's algorithm: nothing is known about the rest of the way.
+struct No_heuristic
+{
+  template <typename Node>
+  constexpr double operator()(Node /* node */) const
+  {
+    return 0;
+  }
+};
+
+template <typename Heuristic>
+constexpr bool is_heuristic = !std::is_same_v<Heuristic, No_heuristic>;
+
+// Whether an entry is stale: its key is larger than the one that its node would be entered with
+// now, at this distance. With a heuristic, both keys were rounded, and the first one may have been
+// raised; then small differences do not count, as it does no harm to expand a stale entry.
+template <typename Node, typename Heuristic>
+bool is_stale(const double key, const double distance, const Node node, const Heuristic& heuristic)
+{
+  if constexpr(is_heuristic<Heuristic>)
+  {
+    constexpr double rounding = 1e-6;
+    return distance + heuristic(node) < key * (1 - rounding);
+  }
+  else
+    return distance < key;
+}
 
 } // namespace CGAL::Approximate_geodesics::internal
 
