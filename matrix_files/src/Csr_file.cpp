@@ -5,11 +5,10 @@
 
 #include <CGAL/Approximate_geodesics/Matrix_files/Csr_file.h>
 
-#include "Fletcher_checksum.h"
 #include "files.h"
-#include "npy_header.h"
+#include "formats.h"
 
-#include <CGAL/Approximate_geodesics/Matrices/internal/nearest_columns.h>
+#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
 
 #include <algorithm>
 #include <cstdint>

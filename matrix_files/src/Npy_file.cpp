@@ -5,12 +5,11 @@
 
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
 
-#include "Fletcher_checksum.h"
 #include "files.h"
-#include "npy_header.h"
+#include "formats.h"
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/make_symmetric.h>
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
 
 #include <boost/interprocess/file_mapping.hpp>
 #include <boost/interprocess/mapped_region.hpp>

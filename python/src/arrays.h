@@ -9,7 +9,7 @@
 // Conversions between NumPy arrays and C++ arrays without copies: arguments are read in place, and
 // returned arrays own their results.
 
-#include <CGAL/Approximate_geodesics/Solver/Solver_point.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

@@ -9,7 +9,6 @@
 // Reading and writing of solvers, as files or bytes, and reading of meshes.
 
 #include "arrays.h"
-#include "interpreter_lock.h"
 #include "running.h"
 
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>

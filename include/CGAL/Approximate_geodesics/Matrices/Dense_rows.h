@@ -10,7 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/make_symmetric.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
@@ -22,6 +21,25 @@
 #include <type_traits>
 
 namespace CGAL::Approximate_geodesics {
+namespace internal {
+
+// Replaces each entry of a square matrix and its transpose by the smaller of the two, by tiles of
+// `side` rows and columns. Two of the default size fit into the cache. The operation is idempotent.
+template <typename T>
+void make_symmetric(T* const distances, const std::size_t size, const std::size_t side = 64)
+{
+  for(std::size_t i = 0; i < size; i += side)
+    for(std::size_t j = 0; j <= i; j += side)
+      for(std::size_t k = i; k < (std::min)(i + side, size); ++k)
+        for(std::size_t l = j; l < (std::min)(j + side, k); ++l)
+        {
+          T& below = distances[k * size + l];
+          T& above = distances[l * size + k];
+          below = above = (std::min)(below, above);
+        }
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices

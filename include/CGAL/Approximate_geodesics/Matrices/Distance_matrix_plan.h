@@ -8,17 +8,70 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_identity.h>
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
+namespace internal {
+
+/*
+ * A fingerprint of a distance matrix, by parts, so that messages can name the difference between
+ * two matrices.
+ */
+struct Matrix_identity
+{
+  enum Part
+  {
+    KIND,
+    MESH,
+    GRAPH,
+    NUMBER_OF_SOURCES, // the number itself, not a checksum
+    NUMBER_OF_TARGETS,
+    SOURCES,
+    TARGETS,
+    LIMIT,
+    DISTANCES,
+    NUMBER_OF_PARTS
+  };
+
+  // Returns the text of messages for a part that differs.
+  static const char* name(const std::size_t part)
+  {
+    constexpr std::array<const char*, NUMBER_OF_PARTS> names{
+        "another kind of file or of numbers",
+        "another mesh, or other lengths, weights or barriers",
+        "another graph, or another bound epsilon",
+        "another number of sources",
+        "another number of targets",
+        "other sources",
+        "other targets",
+        "another maximum_distance or number of nearest",
+        "distances that differ, as another version or compilation of the program gives them"};
+    return names[part];
+  }
+
+  // Returns that text, with the values of both matrices if possible.
+  std::string difference(const std::size_t part, const Matrix_identity& other) const
+  {
+    if(part != NUMBER_OF_SOURCES && part != NUMBER_OF_TARGETS)
+      return name(part);
+    return std::string(name(part)) + " (" + std::to_string(parts[part]) + ", not " +
+           std::to_string(other.parts[part]) + ')';
+  }
+
+  std::array<std::uint64_t, NUMBER_OF_PARTS> parts{};
+};
+
+} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices

@@ -10,24 +10,147 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_columns.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_progress.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Row_search.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/row_sinks.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+
+#include <boost/type_traits/detected_or.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <thread>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// Detection of the optional members of models of `DistanceRowSink`.
+
+template <typename Rows>
+using Block_of = typename Rows::Block;
+template <typename Rows>
+using Number_of_nearest = decltype(std::declval<const Rows&>().number_of_nearest());
+template <typename Rows>
+using Next_block = decltype(std::declval<Rows&>().next_block());
+template <typename Rows>
+using Number_done = decltype(std::declval<const Rows&>().number_of_rows_done());
+template <typename Rows>
+using Can_be_symmetric = std::bool_constant<Rows::can_be_symmetric>;
+
+// Rows are received by a sink, in blocks, or by a function object, one by one.
+template <typename Rows>
+constexpr bool is_row_sink = boost::is_detected_v<Block_of, Rows>;
+
+template <typename Rows>
+constexpr bool is_row_function = std::is_invocable_v<Rows&, std::size_t, const Distance_row&>;
+
+template <typename Rows>
+constexpr bool deals_out_blocks = boost::is_detected_v<Next_block, Rows>;
+
+template <typename Rows>
+constexpr bool knows_rows_done = boost::is_detected_v<Number_done, Rows>;
+
+template <typename Rows>
+constexpr bool can_be_symmetric =
+    boost::detected_or_t<std::false_type, Can_be_symmetric, Rows>::value;
+
+template <typename Rows>
+constexpr bool check_rows()
+{
+  using T = std::remove_reference_t<Rows>;
+  constexpr bool takes_rows = is_row_sink<T> || is_row_function<T>;
+  constexpr bool can_change = !is_row_sink<T> || !std::is_const_v<T>;
+  static_assert(takes_rows,
+                "rows must be a row sink, such as Dense_rows, or callable with the number of a row "
+                "and a `const Distance_row&`");
+  static_assert(can_change, "a row sink must not be const");
+  return takes_rows && can_change;
+}
+
+// Returns the number of nearest columns that a sink keeps per row; 0 means all.
+template <typename Rows>
+std::size_t number_of_nearest([[maybe_unused]] const Rows& rows)
+{
+  if constexpr(boost::is_detected_v<Number_of_nearest, Rows>)
+    return rows.number_of_nearest();
+  else
+    return 0;
+}
+
+// A thread-safe visitor may also observe the searches for rows: `visitor_of_search()` returns the
+// visitor of a search, which may throw an exception to stop it.
+template <typename Visitor>
+using Visitor_of_search = decltype(std::declval<Visitor&>().visitor_of_search());
+
+template <typename Visitor>
+constexpr bool watches_searches = boost::is_detected_v<Visitor_of_search, Visitor>;
+
+/*
+ * Reports the progress to a visitor, and asks it whether to continue. The class is thread-safe. It
+ * serializes calls to the visitor, except for go_further() of a visitor that observes searches.
+ */
+template <typename Visitor>
+class Matrix_progress
+{
+  using Clock = std::chrono::steady_clock;
+
+public:
+  Matrix_progress(Visitor& visitor,
+                  const std::size_t number_of_rows,
+                  const std::size_t number_done_before)
+    : m_visitor(visitor), m_number_of_rows(number_of_rows), m_done_before(number_done_before)
+  {
+  }
+
+  bool go_further()
+  {
+    if constexpr(watches_searches<Visitor>)
+      return m_visitor.go_further();
+    const std::lock_guard lock(m_mutex);
+    return m_visitor.go_further();
+  }
+
+  auto visitor_of_search()
+  {
+    if constexpr(watches_searches<Visitor>)
+      return m_visitor.visitor_of_search();
+    else
+      return Geodesic_visitor_base();
+  }
+
+  void report(const std::size_t number_done)
+  {
+    const std::lock_guard lock(m_mutex);
+    if(number_done < m_done)
+      return; // overtaken by another thread
+    m_done = number_done;
+    const double seconds = std::chrono::duration<double>(Clock::now() - m_start).count();
+    const double rate = double(number_done - m_done_before) / seconds;
+    m_visitor.on_progress({m_number_of_rows, number_done, rate,
+                           rate > 0 ? double(m_number_of_rows - number_done) / rate
+                                    : std::numeric_limits<double>::infinity()});
+  }
+
+private:
+  Visitor& m_visitor;
+  std::mutex m_mutex;
+  std::size_t m_number_of_rows;
+  std::size_t m_done_before;
+  std::size_t m_done = 0;
+  Clock::time_point m_start = Clock::now();
+};
 
 /*
  * Computes the rows of a distance matrix with one or several threads. Sinks receive blocks of rows

@@ -19,7 +19,6 @@
 #include <CGAL/Approximate_geodesics/Matrices/internal/Row_search.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/identity_of_matrix.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/matrix_points.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/row_sinks.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>

@@ -10,8 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_columns.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_identity.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Row_search.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/matrix_points.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>

@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/Compressed_rows.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Process_team.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_file.h>
 

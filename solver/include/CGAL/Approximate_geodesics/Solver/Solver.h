@@ -17,19 +17,19 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
-#include <CGAL/Approximate_geodesics/Solver/Solver_cost.h>
-#include <CGAL/Approximate_geodesics/Solver/Solver_point.h>
-#include <CGAL/Approximate_geodesics/Solver/Solver_watch.h>
-#include <CGAL/Approximate_geodesics/Solver/internal/Any_rows.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_costs.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_mesh.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_file.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_visitor.h>
-#include <CGAL/Approximate_geodesics/Solver/internal/Two_way_graph.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/make_solver_graph.h>
-#include <CGAL/Approximate_geodesics/Solver/internal/with_threads.h>
 
 #include <boost/property_map/property_map.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
 
 #include <array>
 #include <cmath>
@@ -38,6 +38,7 @@
 #include <istream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <ostream>
@@ -56,85 +57,28 @@
  */
 
 namespace CGAL::Approximate_geodesics {
+namespace internal {
 
-/*!
- * \ingroup PkgApproximateGeodesicsArrays
- *
- * The parameters of a `Solver`. Arrays are only read during construction.
- */
-struct Solver_options
+// Calls `f` in a task arena of `number` threads, including this one; `0` selects one per core.
+// Arenas are kept per thread, because some versions of TBB leak memory when an arena is destroyed.
+template <typename F>
+void with_threads([[maybe_unused]] const std::size_t number, const F& f)
 {
-  /// the error bound: paths are at most `1 + epsilon` times as long as shortest paths. `0` requests
-  /// exact distances, which do not support costs or barriers. If absent, paths follow edges,
-  /// without an error bound.
-  std::optional<double> epsilon = std::nullopt;
+#ifdef CGAL_LINKED_WITH_TBB
+  constexpr std::size_t most = 1 << 16;
+  if(number > most)
+    reject("the number of threads is " + std::to_string(number) + ", more than " +
+           std::to_string(most));
+  if(number == 0 || number >= static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()))
+    return f();
+  thread_local std::map<std::size_t, tbb::task_arena> arenas;
+  arenas.try_emplace(number, static_cast<int>(number)).first->second.execute(f);
+#else
+  f();
+#endif
+}
 
-  /// the cost per unit of length in each face. Weights are not negative; infinity makes a face
-  /// impassable.
-  const double* face_weights = nullptr;
-
-  /// the cost per unit of length in each face, if it depends on the direction. It excludes
-  /// `face_weights`.
-  std::optional<Solver_cost> directional_cost = std::nullopt;
-
-  /// whether to accept a weaker bound where `epsilon` cannot be guaranteed with these costs;
-  /// `Solver::error_bound()` returns the resulting bound.
-  bool accept_weaker_bound = false;
-
-  /// the maximum number of Steiner points on all edges together, which take about 50 bytes each;
-  /// `0` selects the default of `Steiner_graph`.
-  std::size_t maximum_number_of_points = 0;
-
-  /// edges that paths must not cross, as pairs of vertices.
-  const std::int64_t* barriers = nullptr;
-
-  /// the number of barriers.
-  std::size_t number_of_barriers = 0;
-
-  /// the number of threads for building the graph and computing matrices; `0` selects one per core.
-  /// Without TBB, a single thread is used.
-  std::size_t number_of_threads = 0;
-};
-
-/*!
- * \ingroup PkgApproximateGeodesicsArrays
- *
- * The range and the direction of a search.
- */
-struct Solver_search_options
-{
-  /// vertices at larger distances are not reached.
-  double maximum_distance = std::numeric_limits<double>::infinity();
-
-  /// whether to compute distances to the sources instead of from them. They differ only with
-  /// directional costs; in that case, the first such search copies the graph.
-  bool direction_to_source = false;
-};
-
-/*!
- * \ingroup PkgApproximateGeodesicsArrays
- *
- * The columns, the range and the direction of a matrix computation.
- */
-struct Solver_row_options
-{
-  /// the points of the columns; if null, all vertices.
-  const std::vector<Solver_point>* targets = nullptr;
-
-  /// columns at larger distances are not reached.
-  double maximum_distance = std::numeric_limits<double>::infinity();
-
-  /// whether to compute distances to the sources, as in `Solver_search_options`.
-  bool direction_to_source = false;
-
-  /// whether to replace each distance and its transpose by the smaller of the two. Targets must
-  /// equal the sources, in the same order. It is not supported for nearest rows or directional
-  /// costs.
-  bool symmetric = false;
-
-  /// the number of threads; `0` selects that of the solver.
-  std::size_t number_of_threads = 0;
-};
+} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays

@@ -8,73 +8,19 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Solver/internal/Mesh_files/obj_error.h>
-#include <CGAL/Approximate_geodesics/Solver/internal/Mesh_files/off_error.h>
-#include <CGAL/Approximate_geodesics/Solver/internal/Mesh_files/ply_error.h>
-#include <CGAL/Approximate_geodesics/Solver/internal/Mesh_files/stl_error.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/mesh_file_error.h>
 #include <CGAL/IO/polygon_soup_io.h>
 
-#include <cctype>
 #include <cerrno>
 #include <cstddef>
 #include <fstream>
 #include <ios>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
-namespace internal {
-
-// Calls `f()`. Returns whether the numbers in a damaged file let it come to its end.
-template <typename F>
-bool fits_memory(F f)
-{
-  try
-  {
-    f();
-    return true;
-  }
-  catch(const std::bad_alloc&)
-  {
-  }
-  catch(const std::length_error&)
-  {
-  }
-  return false;
-}
-
-inline std::string ending_of(const std::string& file)
-{
-  const std::size_t dot = file.find_last_of("./");
-  std::string result = dot == std::string::npos || file[dot] == '/' ? "" : file.substr(dot + 1);
-  for(char& c : result)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
-// Returns why CGAL could not read a file. CGAL itself reports no reason.
-inline std::string error_in_mesh_file(const std::string& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  const std::string ending = ending_of(file);
-  std::string result;
-  if(ending == "off")
-    result = error_in_off(in);
-  else if(ending == "obj")
-    result = error_in_obj(in);
-  else if(ending == "ply")
-    result = error_in_ply(in);
-  else if(ending == "stl")
-    result = error_in_stl(in);
-  else if(ending != "ts")
-    return "its file name extension must be .off, .obj, .ply, .stl or .ts";
-  return result.empty() ? "CGAL cannot read it, for an unknown reason" : result;
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
@@ -108,7 +54,10 @@ void read_soup(const std::string& file,
   if(!is_read)
   {
     std::string reason = "a number in it exceeds the memory";
-    internal::fits_memory([&] { reason = internal::error_in_mesh_file(file); });
+    in.clear();
+    in.seekg(0);
+    internal::fits_memory(
+        [&] { reason = internal::error_in_mesh_file(in, internal::ending_of(file)); });
     fail(reason);
   }
   for(std::size_t f = 0; f < faces.size(); ++f)

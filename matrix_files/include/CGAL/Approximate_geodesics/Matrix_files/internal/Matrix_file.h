@@ -9,7 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_identity.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Process_team.h>
 
 #include <atomic>

@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Solver/Solver_cost.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_costs.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_mesh.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/make_solver_graph.h>

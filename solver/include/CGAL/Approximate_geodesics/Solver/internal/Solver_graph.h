@@ -8,21 +8,115 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Solver/internal/Any_rows.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_visitor.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <ostream>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// A sink that writes dense rows to memory of the caller.
+class Rows_in_place
+{
+public:
+  explicit Rows_in_place(double* const distances) : m_distances(distances) {}
+
+  void start(const Distance_matrix_plan& plan)
+  {
+    m_symmetric_size = plan.is_symmetric() ? plan.number_of_rows() : 0;
+  }
+
+  template <typename Block>
+  void collect(Block& /* block */, const std::size_t row, const Distance_row& distances) const
+  {
+    std::copy(distances.begin(), distances.end(), m_distances + row * distances.size());
+  }
+
+  template <typename Block>
+  void add(std::size_t /* number */, Block& /* block */)
+  {
+  }
+
+  bool finish(const bool is_done) const
+  {
+    if(is_done)
+      make_symmetric(m_distances, m_symmetric_size);
+    return is_done;
+  }
+
+private:
+  double* m_distances;
+  std::size_t m_symmetric_size = 0;
+};
+
+/*
+ * A type-erased sink: the computation is instantiated once per graph, not once per pair of graph
+ * and sink.
+ */
+class Any_rows
+{
+public:
+  using Block = Sparse_block<double>;
+
+  // The sinks are referred to, not copied.
+  explicit Any_rows(Rows_in_place& rows) : m_rows(&rows) {}
+  explicit Any_rows(Radius_rows<double>& rows) : m_rows(&rows) {}
+  explicit Any_rows(Nearest_rows<double>& rows)
+    : m_rows(&rows), m_number_of_nearest(rows.number_of_nearest())
+  {
+  }
+
+  static constexpr bool can_be_symmetric = true; // except for nearest rows, see start()
+
+  std::size_t number_of_nearest() const { return m_number_of_nearest; }
+
+  void start(const Distance_matrix_plan& plan)
+  {
+    if(plan.is_symmetric() && m_number_of_nearest > 0)
+      reject(
+          "symmetric: not supported for the nearest columns, because nearest neighbors are not a "
+          "symmetric relation");
+    std::visit([&](auto* const rows) { rows->start(plan); }, m_rows);
+  }
+
+  void collect(Block& block, const std::size_t row, const Distance_row& distances)
+  {
+    std::visit([&](auto* const rows) { rows->collect(block, row, distances); }, m_rows);
+  }
+
+  void add(const std::size_t number, Block& block)
+  {
+    std::visit([&](auto* const rows) { rows->add(number, block); }, m_rows);
+  }
+
+  bool finish(const bool is_done)
+  {
+    return std::visit([&](auto* const rows) { return rows->finish(is_done); }, m_rows);
+  }
+
+private:
+  std::variant<Rows_in_place*, Radius_rows<double>*, Nearest_rows<double>*> m_rows;
+  std::size_t m_number_of_nearest = 0;
+};
 
 /*
  * The type-erased interface of the graphs of a solver. All member functions are thread-safe.
@@ -74,6 +168,40 @@ public:
 
   // Writes the graph if it is expensive to build.
   virtual void save(std::ostream& out) const = 0;
+};
+
+/*
+ * A graph for distances from the sources, and its reversal for distances to the sources, which is
+ * built on demand. Undirected graphs are not duplicated.
+ */
+class Two_way_graph
+{
+public:
+  void set(std::unique_ptr<Solver_graph> graph) { m_there = std::move(graph); }
+
+  const Solver_graph& operator*() const { return *m_there; }
+  const Solver_graph* operator->() const { return m_there.get(); }
+
+  const Solver_graph& in_direction(const bool to_source) const
+  {
+    if(!to_source)
+      return *m_there;
+    const std::lock_guard lock(m_mutex);
+    if(m_back == nullptr)
+      m_back = m_there->reversed();
+    return m_back == nullptr ? *m_there : *m_back;
+  }
+
+  std::size_t memory() const
+  {
+    const std::lock_guard lock(m_mutex);
+    return m_there->memory() + (m_back == nullptr ? 0 : m_back->memory());
+  }
+
+private:
+  std::unique_ptr<Solver_graph> m_there;
+  mutable std::unique_ptr<Solver_graph> m_back;
+  mutable std::mutex m_mutex;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

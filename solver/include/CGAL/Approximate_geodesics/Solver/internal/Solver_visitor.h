@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
-#include <CGAL/Approximate_geodesics/Solver/Solver_watch.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 
 #include <algorithm>
 #include <atomic>

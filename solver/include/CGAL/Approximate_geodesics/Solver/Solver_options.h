@@ -1,0 +1,206 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_OPTIONS_H
+#define CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_OPTIONS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * A point of a `Solver`: a vertex, or a point of a face.
+ */
+struct Solver_point
+{
+  /// returns the point at a vertex.
+  static Solver_point at_vertex(const std::int64_t vertex) { return {vertex, true, {}}; }
+
+  /// returns the point of a face with the given barycentric coordinates: the weights of its
+  /// vertices, in their order in the array of faces. They are not negative, and their sum is `1`.
+  static Solver_point in_face(const std::int64_t face, const std::array<double, 3>& coordinates)
+  {
+    return {face, false, coordinates};
+  }
+
+  std::int64_t element;              ///< the number of the vertex or of the face
+  bool is_vertex;                    ///< whether it is a vertex
+  std::array<double, 3> coordinates; ///< barycentric coordinates in the face
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * The callbacks of a `Solver`, which are called about 30 times per second, always in the calling
+ * thread. Both may be empty.
+ */
+struct Solver_watch
+{
+  /// returns whether to continue. Otherwise the call throws `Solver_interrupted`.
+  std::function<bool()> go_further;
+
+  /// receives the number of completed steps and their total: vertices of a search or of a graph
+  /// under construction, rows of a matrix, or points of a sample. It is not called if the total is
+  /// 0.
+  std::function<void(std::size_t, std::size_t)> on_progress;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * The exception that a `Solver` throws if a watch ends a call. The solver is unchanged.
+ */
+struct Solver_interrupted : std::runtime_error
+{
+  /// constructs the exception.
+  Solver_interrupted() : std::runtime_error("Approximate_geodesics: the run was interrupted") {}
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * A directional cost: one of the predefined cost functions with its parameters and arrays. Unlike
+ * arbitrary functions, it can be saved by a `Solver`.
+ *
+ * The constructor of `Solver` checks parameters and arrays.
+ */
+struct Solver_cost
+{
+  /// the cost functions.
+  enum Model : std::uint8_t
+  {
+    HIKING_TIME,    ///< `Hiking_time`
+    WALKING_ENERGY, ///< `Walking_energy`
+    DRIFT_TIME,     ///< `Drift_time`
+    ONE_WAY,        ///< `One_way`
+    TENSOR_COST     ///< `Tensor_cost`
+  };
+
+  /// returns `Hiking_time`, with a factor for speeds.
+  static Solver_cost hiking_time(const double factor = 1) { return {HIKING_TIME, {factor}, {}}; }
+
+  /// returns `Walking_energy`.
+  static Solver_cost walking_energy() { return {WALKING_ENERGY, {}, {}}; }
+
+  /// returns `Drift_time`, with the velocities of the drift, three numbers per face, and the speed
+  /// of the boat.
+  static Solver_cost drift_time(std::vector<double> velocities, const double speed)
+  {
+    return {DRIFT_TIME, {speed}, std::move(velocities)};
+  }
+
+  /// returns `One_way`, with the directions of the faces, three numbers each, the cost in
+  /// admissible directions, and the smallest cosine of the angle to an admissible direction.
+  static Solver_cost
+  one_way(std::vector<double> ways, const double cost = 1, const double smallest_cosine = 0)
+  {
+    return {ONE_WAY, {cost, smallest_cosine}, std::move(ways)};
+  }
+
+  /// returns `Tensor_cost`, with six numbers per face: the entries xx, xy, xz, yy, yz and zz.
+  static Solver_cost tensor_cost(std::vector<double> tensors)
+  {
+    return {TENSOR_COST, {}, std::move(tensors)};
+  }
+
+  Model model;                    ///< the cost function
+  std::vector<double> parameters; ///< the numerical arguments of its constructor
+  std::vector<double> of_faces;   ///< three or six numbers per face, or none
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * The parameters of a `Solver`. Arrays are only read during construction.
+ */
+struct Solver_options
+{
+  /// the error bound: paths are at most `1 + epsilon` times as long as shortest paths. `0` requests
+  /// exact distances, which do not support costs or barriers. If absent, paths follow edges,
+  /// without an error bound.
+  std::optional<double> epsilon = std::nullopt;
+
+  /// the cost per unit of length in each face. Weights are not negative; infinity makes a face
+  /// impassable.
+  const double* face_weights = nullptr;
+
+  /// the cost per unit of length in each face, if it depends on the direction. It excludes
+  /// `face_weights`.
+  std::optional<Solver_cost> directional_cost = std::nullopt;
+
+  /// whether to accept a weaker bound where `epsilon` cannot be guaranteed with these costs;
+  /// `Solver::error_bound()` returns the resulting bound.
+  bool accept_weaker_bound = false;
+
+  /// the maximum number of Steiner points on all edges together, which take about 50 bytes each;
+  /// `0` selects the default of `Steiner_graph`.
+  std::size_t maximum_number_of_points = 0;
+
+  /// edges that paths must not cross, as pairs of vertices.
+  const std::int64_t* barriers = nullptr;
+
+  /// the number of barriers.
+  std::size_t number_of_barriers = 0;
+
+  /// the number of threads for building the graph and computing matrices; `0` selects one per core.
+  /// Without TBB, a single thread is used.
+  std::size_t number_of_threads = 0;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * The range and the direction of a search.
+ */
+struct Solver_search_options
+{
+  /// vertices at larger distances are not reached.
+  double maximum_distance = std::numeric_limits<double>::infinity();
+
+  /// whether to compute distances to the sources instead of from them. They differ only with
+  /// directional costs; in that case, the first such search copies the graph.
+  bool direction_to_source = false;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * The columns, the range and the direction of a matrix computation.
+ */
+struct Solver_row_options
+{
+  /// the points of the columns; if null, all vertices.
+  const std::vector<Solver_point>* targets = nullptr;
+
+  /// columns at larger distances are not reached.
+  double maximum_distance = std::numeric_limits<double>::infinity();
+
+  /// whether to compute distances to the sources, as in `Solver_search_options`.
+  bool direction_to_source = false;
+
+  /// whether to replace each distance and its transpose by the smaller of the two. Targets must
+  /// equal the sources, in the same order. It is not supported for nearest rows or directional
+  /// costs.
+  bool symmetric = false;
+
+  /// the number of threads; `0` selects that of the solver.
+  std::size_t number_of_threads = 0;
+};
+
+} // namespace CGAL::Approximate_geodesics
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_OPTIONS_H
