@@ -13,11 +13,9 @@
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
-#include <CGAL/Approximate_geodesics/Surface/Face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
-#include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
 
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Array_queue.h>

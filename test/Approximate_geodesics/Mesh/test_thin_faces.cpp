@@ -11,8 +11,7 @@
 #include "oracles/long_double_distances.h"
 
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_layout.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Vertex_fan.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Exact_rational.h>
 
 #include <gtest/gtest.h>

@@ -13,9 +13,8 @@
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
-#include <CGAL/Approximate_geodesics/Surface/Face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_layout.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Face_gauges.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Gauge_samples.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>

@@ -10,12 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_sleeves.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_steps.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve_straightener.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/append_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_segments.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 
 #include <algorithm>
 #include <cmath>

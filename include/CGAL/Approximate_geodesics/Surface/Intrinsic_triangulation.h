@@ -10,9 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
-#include <CGAL/Approximate_geodesics/Surface/Face_weights.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Connectivity.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Face_gauges.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Opposite_ranks.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -29,6 +28,25 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsSurface
+ *
+ * What a path costs per unit of length in each face of an `Intrinsic_triangulation`.
+ * `read_face_weights()` makes it from a property map.
+ */
+struct Face_weights
+{
+  /// weights that are smaller than this in the unit, but not zero, are raised to it.
+  static constexpr double SMALLEST_WEIGHT = (std::numeric_limits<double>::min)();
+
+  /// for each halfedge, the weight of the face to its left, in units of `unit`: not negative;
+  /// infinity if paths must not enter the face, or if there is none.
+  std::vector<double> of_halfedge;
+
+  /// the unit, a power of two.
+  double unit = 1;
+};
 
 namespace internal {
 template <typename TriangleMesh, typename NamedParameters>

@@ -10,7 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/Points_by_face.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 
 #include <algorithm>

@@ -8,14 +8,69 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Surface/internal/Opposite_ranks.h>
+#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * For every halfedge, where its opposite stands among the halfedges that start from its target.
+ *
+ * Almost all ranks are small, so a byte holds them: 6 bytes a vertex, where the number of the
+ * opposite would take 24. The few large ones, at vertices of high degree, are looked up.
+ */
+class Opposite_ranks
+{
+public:
+  using Index = std::uint32_t;
+
+  void resize(const std::size_t number_of_halfedges) { m_rank.resize(number_of_halfedges); }
+
+  Index rank_of_opposite(const Index h) const
+  {
+    return m_rank[h] == LARGE ? m_large_rank.find(h)->second : m_rank[h];
+  }
+
+  void set(const Index h, const Index rank)
+  {
+    if(rank < LARGE)
+      m_rank[h] = static_cast<std::uint8_t>(rank);
+    else
+    {
+      m_rank[h] = LARGE;
+      m_large_rank[h] = rank;
+    }
+  }
+
+  // Copies those of `number` halfedges of `other`, from `first` on, to those from `h` on.
+  void copy(const Opposite_ranks& other, const Index first, const Index number, const Index h)
+  {
+    if(other.m_large_rank.empty())
+      std::copy_n(other.m_rank.data() + first, number, m_rank.data() + h);
+    else
+      for(Index i = 0; i < number; ++i)
+        set(h + i, other.rank_of_opposite(first + i));
+  }
+
+  void prefetch(const Index h) const { internal::prefetch(m_rank.data(), h); }
+
+  std::size_t memory() const
+  {
+    constexpr std::size_t bytes_per_node = sizeof(void*) + 2 * sizeof(Index) + 2 * sizeof(void*);
+    return m_rank.capacity() + m_large_rank.size() * bytes_per_node;
+  }
+
+private:
+  static constexpr std::uint8_t LARGE = 255;
+
+  std::vector<std::uint8_t> m_rank;
+  std::unordered_map<Index, Index> m_large_rank;
+};
 
 /*
  * The edges of a mesh: what a search along edges requires of an `Intrinsic_triangulation`, under

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/assertions.h>
@@ -18,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -142,6 +144,161 @@ void for_each_face_point(const Intrinsic_triangulation& triangulation,
     else if(p.is_on_edge() && side == triangulation.opposite(p.halfedge))
       f(Face_point::on_edge(side, 1 - p.t));
 }
+
+/*
+ * A straight line through a face, or along an edge.
+ */
+struct Segment
+{
+  using Index = Intrinsic_triangulation::Index;
+
+  Face_point from, to; // seen from halfedges of the same face
+  double length = std::numeric_limits<double>::infinity();
+};
+
+class Segment_finder
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  explicit Segment_finder(const Intrinsic_triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  // The shortest of the segments between two points; of infinite length if no face and no edge has
+  // both.
+  Segment segment(const Intrinsic_point& p, const Intrinsic_point& q) const
+  {
+    if(!p.is_vertex())
+      return shortest_to(p, q);
+    if(!q.is_vertex())
+    {
+      const Segment s = shortest_to(q, p);
+      return {s.to, s.from, s.length};
+    }
+    return shortest_edge(p.vertex, q.vertex);
+  }
+
+private:
+  Segment shortest_edge(const Index v, const Index w) const
+  {
+    Segment result{};
+    if(v == w)
+      result.length = 0;
+    const Index beyond = m_triangulation.beyond_halfedge(v);
+    for(Index h = m_triangulation.first_halfedge(v); h < beyond; ++h)
+      if(m_triangulation.target(h) == w && m_triangulation.length(h) < result.length)
+        result = {Face_point::at_source(h), {h, {0, 1, 0}}, m_triangulation.length(h)};
+    return result;
+  }
+
+  // \pre `p` is not a vertex.
+  Segment shortest_to(const Intrinsic_point& p, const Intrinsic_point& q) const
+  {
+    Segment result{};
+    if(p.is_in_face())
+      improve(Face_point::in_face(p), q, result);
+    else
+    {
+      improve(Face_point::on_edge(p.halfedge, p.t), q, result);
+      improve({m_triangulation.opposite(p.halfedge), {p.t, 1 - p.t, 0}}, q, result);
+    }
+    return result;
+  }
+
+  // Looks for `q` in the face that `p` is seen in.
+  void improve(const Face_point& p, const Intrinsic_point& q, Segment& shortest) const
+  {
+    if(!m_triangulation.is_border(p.halfedge))
+      for_each_face_point(m_triangulation, q, p.halfedge, [&](const Face_point& r) {
+        const double length = distance(m_triangulation, p, r);
+        if(length < shortest.length)
+          shortest = {p, r, length};
+      });
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+};
+
+// The sum of the straight lines from each point to the next; infinity if two of them share no face.
+template <typename Points>
+double length_of_segments(const Intrinsic_triangulation& triangulation, const Points& points)
+{
+  const Segment_finder finder(triangulation);
+  double result = 0;
+  for(std::size_t i = 1; i < points.size(); ++i)
+    result += finder.segment(points[i - 1], points[i]).length;
+  return result;
+}
+
+/*
+ * The face to the left of a halfedge, laid out in the plane: its corners are the source and the
+ * target of the halfedge, and the third vertex, in counterclockwise order.
+ */
+class Face_layout
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  Face_layout(const Intrinsic_triangulation& triangulation, const Index h)
+    : m_triangulation(triangulation), m_halfedges(triangulation.halfedges_of_face(h))
+  {
+    const std::array<double, 3> lengths{triangulation.length(m_halfedges[0]),
+                                        triangulation.length(m_halfedges[1]),
+                                        triangulation.length(m_halfedges[2])};
+    std::size_t base = 0; // the longest side, as others may have no length
+    for(const std::size_t i : {std::size_t(1), std::size_t(2)})
+      if(lengths[i] > lengths[base])
+        base = i;
+    const double c = lengths[base], a = lengths[(base + 1) % 3], b = lengths[(base + 2) % 3];
+    m_corners[base] = {0, 0};
+    m_corners[(base + 1) % 3] = {c, 0};
+    const auto face = thin_face(triangulation, m_halfedges[base], a, b, c);
+    if(face)
+      m_corners[(base + 2) % 3] = {face->at_corner[0] / c, face->doubled_area / c};
+    else if(c > 0)
+      m_corners[(base + 2) % 3] = {0.5 * (c + (b - a) * ((b + a) / c)),
+                                   2 * area_of_triangle(a, b, c) / c};
+    else
+      m_corners[(base + 2) % 3] = {0, 0};
+    for(std::size_t i = 0; i < 3; ++i)
+      m_edges[i] = m_corners[(i + 1) % 3] - m_corners[i];
+    if(face) // a short edge that does not start from the origin would lose its direction
+      m_edges[(base + 1) % 3] = {-face->at_corner[1] / c, face->doubled_area / c};
+  }
+
+  // The halfedge from corner `i` to the next one.
+  Index halfedge(const std::size_t i) const { return m_halfedges[i]; }
+
+  Index vertex(const std::size_t i) const
+  {
+    return m_triangulation.target(m_halfedges[(i + 2) % 3]);
+  }
+
+  Plane_vector corner(const std::size_t i) const { return m_corners[i]; }
+
+  // The vector from corner `i` to corner `j`, accurate in its direction and length.
+  Plane_vector edge(const std::size_t i, const std::size_t j) const
+  {
+    return i == j ? Plane_vector{0, 0} : j == (i + 1) % 3 ? m_edges[i] : -1. * m_edges[j];
+  }
+
+  // Calls `f(position)` for where a point is in the face.
+  template <typename F>
+  void for_each_position(const Intrinsic_point& p, F f) const
+  {
+    for_each_face_point(m_triangulation, p, m_halfedges[0], [&](const Face_point& point) {
+      f(point.seen_from(m_triangulation, m_halfedges[0]).position(m_corners));
+    });
+  }
+
+private:
+  const Intrinsic_triangulation& m_triangulation;
+  std::array<Index, 3> m_halfedges;
+  std::array<Plane_vector, 3> m_corners;
+  std::array<Plane_vector, 3> m_edges; // from each corner to the next
+};
 
 } // namespace CGAL::Approximate_geodesics::internal
 
