@@ -10,13 +10,12 @@
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Arc_visitor.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Upper_bounds.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <boost/config.hpp>
 
@@ -28,6 +27,94 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * For each node, a number that its distance does not exceed, or above which the distance is of no
+ * interest; infinity if there is none.
+ */
+class Upper_bounds
+{
+public:
+  using Node = Intrinsic_triangulation::Index;
+
+  explicit Upper_bounds(const std::size_t number_of_nodes) : m_bound(number_of_nodes, infinity) {}
+
+  double operator[](const Node node) const { return m_bound[node]; }
+
+  void lower(const Node node, const double bound)
+  {
+    m_bound[node] = (std::min)(m_bound[node], bound);
+  }
+
+  // Does the same before the search, and lists the node.
+  void add(const Node node, const double bound)
+  {
+    lower(node, bound);
+    m_nodes.push_back(node);
+  }
+
+  // the nodes whose bounds were found before the search
+  const std::vector<Node>& nodes() const { return m_nodes; }
+
+  void discard(const Node node) { m_bound[node] = infinity; }
+
+  // Discards the bounds of these nodes, and of the listed ones.
+  void forget(const std::vector<Node>& nodes)
+  {
+    if(nodes.size() + m_nodes.size() > m_bound.size() / 4) // streaming beats jumping
+      return forget_all();
+    for(const std::vector<Node>* list : {&nodes, &static_cast<const std::vector<Node>&>(m_nodes)})
+      for(const Node node : *list)
+        discard(node);
+    m_nodes.clear();
+  }
+
+  void forget_all()
+  {
+    std::fill(m_bound.begin(), m_bound.end(), infinity);
+    m_nodes.clear();
+  }
+
+  std::size_t memory() const
+  {
+    return m_bound.capacity() * sizeof(double) + m_nodes.capacity() * sizeof(Node);
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  std::vector<double> m_bound;
+  std::vector<Node> m_nodes;
+};
+
+// Reports what is seen to a search, and knows what its labels tell.
+template <typename Labels, typename F>
+struct Arc_visitor : Sight_visitor_base
+{
+  using Node = Intrinsic_triangulation::Index;
+
+  static constexpr bool knows_arrivals = true;
+
+  double bound(const Node v) const { return labels.bound(v); }
+  double label(const Node v) const { return labels.distance(v); }
+  const Arrival& arrival(const Node v) const { return labels.arrival(v); }
+  bool has_predecessor(const Node v) const
+  {
+    return labels.predecessor(v) != Intrinsic_triangulation::null_index;
+  }
+
+  void on_vertex(const Node v,
+                 const Sight_path& path,
+                 const Sight& sight,
+                 const Plane_vector apex,
+                 const Plane_vector left_edge)
+  {
+    f(v, path.length, sight.arrival(path, apex, left_edge));
+  }
+
+  const Labels& labels;
+  F& f;
+};
 
 /*
  * What a search of a saddle vertex graph needs: upper bounds of all distances, without which lines
