@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -136,6 +137,30 @@ TEST(Exchanged_weights, may_forbid_everything)
   graph.set_weights(AG::read_face_weights(mesh, graph.triangulation(),
                                           weight_map(Weights(mesh.num_faces(), infinity))));
   EXPECT_EQ(graph.arc_lengths().longest, 0);
+}
+
+// No product of an infinite weight and a length of zero.
+TEST(Forbidden_faces, have_no_lines_along_their_edges)
+{
+  Soup soup;
+  soup.points = {Point(0, 0, 0), Point(0, 0, 0), Point(1, 0, 0), Point(-1, 0, 0)};
+  soup.triangles = {{0, 1, 2}, {1, 0, 3}};
+  const Mesh mesh = to_mesh(soup);
+  const auto graph = steiner_graph(mesh, Weights(2, infinity), Fixed_number_of_points(1));
+  const Triangulation& t = graph.triangulation();
+  const auto expect_no_line = [](const std::size_t, const double cost) {
+    EXPECT_EQ(infinity, cost);
+  };
+  for(Node h = 0; h < t.number_of_halfedges(); ++h)
+  {
+    const auto p = AG::Intrinsic_point::on_edge(h, 0.5);
+    const AG::Points_by_face points(t, {AG::Intrinsic_point::on_edge(h, 0.25)});
+    std::feclearexcept(FE_INVALID);
+    graph.attach(p).for_each_node(expect_no_line);
+    graph.attach(p).for_each_point(points, expect_no_line);
+    AG::Lines_in_faces(t, p).for_each_point(points, expect_no_line);
+    EXPECT_FALSE(std::fetestexcept(FE_INVALID)) << "undefined cost on halfedge " << h;
+  }
 }
 
 // ----- of all magnitudes

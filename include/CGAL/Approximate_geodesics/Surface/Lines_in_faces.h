@@ -19,28 +19,133 @@
 
 namespace CGAL::Approximate_geodesics {
 
+namespace internal {
+
+/*
+ * Costs of straight lines that are lengths times the weights of faces.
+ */
+class Line_weights
+{
+  using Index = Intrinsic_triangulation::Index;
+
+public:
+  explicit Line_weights(const Intrinsic_triangulation& triangulation) : m_surface(triangulation) {}
+
+  // Returns whether paths may enter the face to the left of `h`.
+  bool is_open(const Index h) const
+  {
+    return m_surface.weight(h) < std::numeric_limits<double>::infinity();
+  }
+
+  // Returns the cost per unit of length along `h`, or against its direction on its left side.
+  double along(const Index h, const bool /* is_forward */) const
+  {
+    return m_surface.weight_of_edge(h);
+  }
+
+  // Returns the cost of a line in the face to the left of `h`.
+  double between(const Index h, const Face_point& p, const Face_point& q) const
+  {
+    return m_surface.weight(h) * distance(m_surface, p, q);
+  }
+
+private:
+  const Intrinsic_triangulation& m_surface;
+};
+
+/*
+ * The straight lines from a point of the surface to other points in the same face. `Costs` is
+ * `Line_weights`, or offers the same member functions.
+ */
+template <typename Costs>
+class Lines_of_point
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  template <typename F>
+  void for_each_point(const Points_by_face& points, F f) const
+  {
+    m_point.for_each_face(m_triangulation, [&](const Index h) {
+      points.for_each_in_face(h, [&](const std::size_t i) { for_each_line(h, points[i], i, f); });
+    });
+  }
+
+  // A line in a face crosses no edge.
+  template <typename End, typename F>
+  double for_each_crossing(const End& /* end */, const double cost, F /* f */) const
+  {
+    return cost;
+  }
+
+protected:
+  Lines_of_point(const Intrinsic_triangulation& triangulation,
+                 const Costs& costs,
+                 const Intrinsic_point& point)
+    : m_triangulation(triangulation), m_costs(costs), m_point(point)
+  {
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Costs m_costs;
+  const Intrinsic_point m_point;
+
+private:
+  // Along an edge, and across the face to the left of `h`.
+  template <typename F>
+  void for_each_line(const Index h, const Intrinsic_point& end, const std::size_t i, F& f) const
+  {
+    if(m_point.is_same(end, m_triangulation))
+    {
+      f(i, 0.);
+      return;
+    }
+    f(i, cost_along_edge(end));
+    if(m_costs.is_open(h))
+      for_each_face_point(m_triangulation, m_point, h, [&](const Face_point& p) {
+        for_each_face_point(m_triangulation, end, h,
+                            [&](const Face_point& q) { f(i, m_costs.between(h, p, q)); });
+      });
+  }
+
+  // Returns infinity if there is no edge that both points lie on.
+  double cost_along_edge(const Intrinsic_point& end) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Index h = m_point.halfedge, opposite = m_triangulation.opposite(h);
+    if(!m_point.is_on_edge() || !end.is_on_edge() ||
+       (end.halfedge != h && end.halfedge != opposite))
+      return infinity;
+    const double step = (end.halfedge == h ? end.t : 1 - end.t) - m_point.t; // along `h`
+    const double cost = (std::min)(m_costs.along(h, step > 0), m_costs.along(opposite, step < 0));
+    return cost < infinity ? cost * (std::abs(step) * m_triangulation.length(h)) : infinity;
+  }
+};
+
+} // namespace internal
+
 /*!
  * \ingroup PkgApproximateGeodesicsSurface
  *
  * The straight lines from a point of the surface to others in the same face.
  *
- * This is how `Edge_graph` attaches a point, and how a graph may do so whose nodes are the vertices
- * and whose arcs do not leave a face: `attach(point)` returns `Lines_in_faces(triangulation(),
- * point)`.
+ * This is how `Edge_graph` attaches a point. Any graph whose nodes are the vertices, and whose arcs
+ * do not leave a face, can return `Lines_in_faces(triangulation(), point)` from `attach(point)`: it
+ * has the member functions that `SurfaceGraph::attach()` requires.
  *
- * Lengths are in units of the triangulation, so that has to be the unit of the graph; costs, if the
- * triangulation has weights, are in units of lengths times weights.
+ * Lengths are in units of the triangulation, which has to be the unit of the graph; if the
+ * triangulation has weights, costs are in units of lengths times weights.
  */
-class Lines_in_faces
+class Lines_in_faces : public internal::Lines_of_point<internal::Line_weights>
 {
 public:
   /// the number of a vertex, or of a halfedge.
   using Index = Intrinsic_triangulation::Index;
 
-  /// the lines from `point`.
+  /// constructs the lines from `point`.
   /// \warning `triangulation` is referred to, not copied.
   Lines_in_faces(const Intrinsic_triangulation& triangulation, const Intrinsic_point& point)
-    : m_triangulation(triangulation), m_point(point)
+    : Lines_of_point(triangulation, internal::Line_weights(triangulation), point)
   {
   }
 
@@ -55,32 +160,14 @@ public:
       return;
     }
     m_point.for_each_face(m_triangulation, [&](const Index h) {
-      const double weight = m_triangulation.weight(h);
-      if(!(weight < std::numeric_limits<double>::infinity()))
+      if(!m_costs.is_open(h))
         return;
       internal::for_each_face_point(m_triangulation, m_point, h, [&](const auto& p) {
         for(const Index side : m_triangulation.halfedges_of_face(h))
           f(m_triangulation.source(side),
-            weight * distance(m_triangulation, p, internal::Face_point::at_source(side)));
+            m_costs.between(h, p, internal::Face_point::at_source(side)));
       });
     });
-  }
-
-  /// calls `f(i, cost)` for each line to one of `points`. There may be several to the same point.
-  /// \pre The point is not a vertex.
-  template <typename F>
-  void for_each_point(const Points_by_face& points, F f) const
-  {
-    m_point.for_each_face(m_triangulation, [&](const Index h) {
-      points.for_each_in_face(h, [&](const std::size_t i) { for_each_line(h, points[i], i, f); });
-    });
-  }
-
-  /// calls `f` for no edge, as a line in a face crosses none. Returns `length`.
-  template <typename End, typename F>
-  double for_each_crossing(const End& /* end */, const double length, F /* f */) const
-  {
-    return length;
   }
 
 protected:
@@ -89,43 +176,6 @@ protected:
 
   /// returns the point.
   const Intrinsic_point& point() const { return m_point; }
-
-private:
-  // Along an edge, and across the face to the left of `h`.
-  template <typename F>
-  void for_each_line(const Index h, const Intrinsic_point& end, const std::size_t i, F& f) const
-  {
-    if(m_point.is_same(end, m_triangulation))
-    {
-      f(i, 0.);
-      return;
-    }
-    f(i, cost_along_edge(end));
-    const double weight = m_triangulation.weight(h);
-    if(!(weight < std::numeric_limits<double>::infinity()))
-      return;
-    internal::for_each_face_point(m_triangulation, m_point, h, [&](const auto& p) {
-      internal::for_each_face_point(m_triangulation, end, h, [&](const auto& q) {
-        f(i, weight * distance(m_triangulation, p, q));
-      });
-    });
-  }
-
-  // infinity if there is no edge that both points lie on
-  double cost_along_edge(const Intrinsic_point& end) const
-  {
-    const Index h = m_point.halfedge, opposite = m_triangulation.opposite(h);
-    if(!m_point.is_on_edge() || !end.is_on_edge() ||
-       (end.halfedge != h && end.halfedge != opposite))
-      return std::numeric_limits<double>::infinity();
-    const double difference = m_point.t - (end.halfedge == h ? end.t : 1 - end.t);
-    const double weight =
-        (std::min)(m_triangulation.weight_of_edge(h), m_triangulation.weight_of_edge(opposite));
-    return weight * (std::abs(difference) * m_triangulation.length(h));
-  }
-
-  const Intrinsic_triangulation& m_triangulation;
-  const Intrinsic_point m_point;
 };
 
 } // namespace CGAL::Approximate_geodesics

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
@@ -25,8 +26,8 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * What paths along edges cost per unit of length, in either direction, where costs depend on it:
- * the smaller of what both faces say. A barrier is an edge on either side, which has one face.
+ * The costs of paths along edges per unit of length, in both directions: the smaller cost of the
+ * two faces. A barrier counts as two edges, with one face each.
  */
 class Edge_costs
 {
@@ -39,6 +40,9 @@ public:
     : m_cost(triangulation.number_of_halfedges()),
       m_cost_back(triangulation.has_barriers() ? m_cost.size() : 0)
   {
+    if(!triangulation.has_directional_costs())
+      reject("the triangulation of a Directional_graph has no costs; they are given to its "
+             "constructor, as face_weight_map(directional_cost(f))");
     for(Index h = 0; h < m_cost.size(); ++h)
     {
       const double there = in_face(triangulation, h, 1);
@@ -52,10 +56,10 @@ public:
     }
   }
 
-  // in the direction of `h`
+  // Returns the cost in the direction of `h`.
   double along(const Index h) const { return m_cost[h]; }
 
-  // against the direction of `h`, on its left side
+  // Returns the cost against the direction of `h`, on its left side.
   double against(const Intrinsic_triangulation& triangulation, const Index h) const
   {
     return triangulation.is_barrier(h) ? m_cost_back[h] : m_cost[triangulation.opposite(h)];
@@ -67,7 +71,7 @@ public:
   }
 
 private:
-  // what the face to the left of `h` says of its direction, or of the opposite one
+  // Returns the cost of the direction of `h`, or of the opposite one, in the face to its left.
   static double
   in_face(const Intrinsic_triangulation& triangulation, const Index h, const double sign)
   {
@@ -82,11 +86,11 @@ private:
 };
 
 /*
- * Costs in a Steiner graph that depend on the direction: those of straight lines in faces with
- * gauges. A line starts where the search comes from. The traveler goes the same way, or, to a
- * source that the search has started from, the opposite one.
+ * Costs in a Steiner graph that depend on the direction: the gauges of faces for straight lines. A
+ * line has the direction of the search. If distances are those to the sources, costs are those of
+ * the opposite direction.
  */
-class Gauge_costs
+class Gauge_costs : public Steiner_view
 {
   using Index = Intrinsic_triangulation::Index;
   using Node = Steiner_nodes::Node;
@@ -94,27 +98,29 @@ class Gauge_costs
 
 public:
   static constexpr bool are_symmetric = false;
+  using Edges = Edge_costs;
 
   Gauge_costs(const Intrinsic_triangulation& triangulation,
               const Steiner_nodes& nodes,
-              const Edge_costs& edges,
+              const Edges& edges,
               const bool is_backward)
-    : m_triangulation(triangulation),
-      m_nodes(nodes),
-      m_points(nodes.points()),
-      m_edges(edges),
-      m_is_backward(is_backward)
+    : Steiner_view(triangulation, nodes), m_edges(edges), m_is_backward(is_backward)
   {
   }
 
-  // Whether paths may enter the face to the left of `h`.
+  static double unit(const Intrinsic_triangulation& triangulation)
+  {
+    return triangulation.gauges().unit();
+  }
+
+  // Returns whether paths may enter the face to the left of `h`.
   bool is_open(const Index h) const
   {
     const Face_gauges& gauges = m_triangulation.gauges();
     return !m_triangulation.is_border(h) && !gauges.is_forbidden(gauges.face(h));
   }
 
-  // Along `h`, or against it on its left side, per unit of length.
+  // Returns the cost per unit of length along `h`, or against its direction on its left side.
   double along(const Index h, const bool is_forward) const
   {
     return is_forward == m_is_backward ? m_edges.against(m_triangulation, h) : m_edges.along(h);
@@ -122,7 +128,7 @@ public:
 
   // ----- straight lines in the face to the left of `h`
 
-  // Where its corners are, from the source of `h` on, in the frame of the gauge.
+  // Returns the positions of its corners, from the source of `h` on, in the frame of the gauge.
   std::array<Plane_vector, 3> corners(const Index h) const
   {
     const auto halfedges = m_triangulation.halfedges_of_face(h);
@@ -147,7 +153,7 @@ public:
 
   // ----- arcs across faces, for `f(target, cost)`
 
-  // From the source of `h` across the face to the left of `h`.
+  // Enumerates the arcs from the source of `h` across the face to the left of `h`.
   template <typename F>
   void expand_corner(const Node /* source */, const Index h, F& f) const
   {
@@ -156,7 +162,8 @@ public:
     visit(h, opposite, {0, opposite.size}, f);
   }
 
-  // From a viewpoint across a face, whose first halfedge is that of the viewpoint.
+  // Enumerates the arcs from a viewpoint across a face, whose first halfedge is that of the
+  // viewpoint.
   template <typename Labels, typename F>
   void expand_face(const Viewpoint& view, const Face& face, const Labels& labels, F& f) const
   {
@@ -175,11 +182,11 @@ public:
   }
 
 private:
-  // Rows of at least this size are searched for the points that can get a smaller label.
+  // In rows of at least this size, a binary search finds the points that can get a smaller label.
   static constexpr Index LONG_ROW = 8;
 
-  // The points of an edge, ranked from the corner of a face on, with their places relative to where
-  // arcs start: `start` is the place of the corner, and points are in the given direction.
+  // The points of an edge, ranked from a corner of a face on. Their positions are relative to the
+  // node where arcs start: `start` is that of the corner, and points follow in the given direction.
   struct Row
   {
     Index edge, first, size;
@@ -188,14 +195,14 @@ private:
     Plane_vector start, direction;
   };
 
-  // A node that arcs start from, its label, and its place relative to another one.
+  // The label of a node where arcs start, and its position relative to another one.
   struct Rival
   {
     double label;
     Plane_vector offset;
   };
 
-  // The points of the edge of `h`, which is a side of a face, from its source or its target on.
+  // Returns the points of the edge of `h`, ranked from its source or its target.
   Row row(const Index h, const bool is_from_source, const Plane_vector start) const
   {
     const Index e = m_points.edge(h);
@@ -231,14 +238,7 @@ private:
     }
   }
 
-  template <typename F>
-  static void offer(const Node node, const double cost, F& f)
-  {
-    if(cost < std::numeric_limits<double>::infinity())
-      f(node, cost);
-  }
-
-  // The neighbor on the edge of the viewpoint toward the target of its halfedge, or the source.
+  // Returns the neighbor of the viewpoint toward the target of its halfedge, or the source.
   template <typename Labels>
   Rival neighbor(const Viewpoint& view,
                  const bool is_toward_target,
@@ -256,12 +256,12 @@ private:
     return {labels.distance(node), (is_toward_target ? distance : -distance) * side};
   }
 
-  // The ranks of the points of a row that a path over a node may be the cheapest one to, given its
-  // neighbors on the edge, of which one is nearer to the corner that the row starts from: as a
-  // first one and one beyond. Straight arcs from two points of a side to two points of another need
-  // not cross, as exchanging their ends does not make them dearer, by the triangle inequality at
-  // the crossing. So what a neighbor reaches at less cost lies at its own end of the row. Where
-  // both costs are infinite the search may miss some of that, which does no harm.
+  // Returns the range of ranks of the points of a row that a node may reach at a lower cost than
+  // its neighbors on the edge, one nearer to the corner where the row starts and one farther from
+  // it. Straight arcs from two points of a side to two points of another need not cross: exchanging
+  // their ends does not increase their costs, by the triangle inequality at the crossing. So the
+  // points that a neighbor reaches at a lower cost are at its own end of the row. Where both costs
+  // are infinite, the search may miss some of these points, which only enumerates more arcs.
   std::pair<Index, Index> worthwhile(const Index h,
                                      const Row& row,
                                      const Rival& self,
@@ -274,7 +274,8 @@ private:
     return {first, search(h, row, self, farther, first, false)};
   }
 
-  // The first rank from `low` on that the rival does not reach at less cost, or that it does.
+  // Returns the first rank from `low` on that the rival does not reach at a lower cost, if it is
+  // the nearer one, or that it does.
   Index search(const Index h,
                const Row& row,
                const Rival& self,
@@ -282,7 +283,7 @@ private:
                const Index low,
                const bool is_nearer) const
   {
-    // If costs are the same but for rounding, the one with the smaller label wins, or neither.
+    // If costs are the same up to rounding, the one with the smaller label wins, or neither.
     constexpr double tolerance = 1e-12;
     const double factor =
         rival.label < (1 - tolerance) * self.label ? 1 - tolerance : 1 + tolerance;
@@ -294,9 +295,6 @@ private:
     });
   }
 
-  const Intrinsic_triangulation& m_triangulation;
-  const Steiner_nodes& m_nodes;
-  const Points_on_edges& m_points;
   const Edge_costs& m_edges;
   bool m_is_backward;
 };

@@ -10,31 +10,32 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * The arcs of a Steiner graph, which are computed from its nodes when they are asked for. What they
- * cost, and which of those across a face matter, `Costs` knows: `Weighted_costs` or `Gauge_costs`.
+ * The arcs of a Steiner graph, which are computed from its nodes on the fly. `Costs` is
+ * `Weighted_costs` or `Gauge_costs`: it determines the costs of arcs, and which arcs across a face
+ * are enumerated.
  */
 template <typename Costs>
-class Steiner_arcs
+class Steiner_arcs : Steiner_view
 {
   using Index = Intrinsic_triangulation::Index;
   using Node = Index;
   using Face = Viewpoint::Face;
 
 public:
-  Steiner_arcs(const Intrinsic_triangulation& triangulation,
-               const Steiner_nodes& nodes,
-               const Costs& costs)
-    : m_triangulation(triangulation), m_nodes(nodes), m_points(nodes.points()), m_costs(costs)
-  {
-  }
+  explicit Steiner_arcs(const Costs& costs) : Steiner_view(costs), m_costs(costs) {}
 
   // Calls `f(target, cost)` for the arcs that start from `node` and may be part of a cheapest path
   // that arrives there as `labels` says.
@@ -51,17 +52,20 @@ public:
       m_nodes.for_each_sector(node, [&](const Node sector) { f(sector, 0.); });
   }
 
-  // A summary of the costs of arcs along edges, as if points divided every edge into equal parts.
+  // Returns a summary of the costs of arcs along edges, as if points divided every edge into equal
+  // parts.
   Arc_lengths along_edges() const
   {
     Arc_length_summary result;
     m_points.for_each_first_halfedge([&](const Index h, const Index e) {
       for(int i = 0; i < (Costs::are_symmetric ? 1 : 2); ++i)
       {
-        const double cost = m_costs.along(h, i == 0) * m_triangulation.length(h);
+        const double cost_per_length = m_costs.along(h, i == 0);
+        if(cost_per_length == infinity)
+          continue;
+        const double cost = cost_per_length * m_triangulation.length(h);
         const std::size_t number = m_points.number_of_points(e) + std::size_t(1);
-        if(cost < infinity) // nor a forbidden edge of length zero
-          result.add(cost / double(number), cost, cost, number);
+        result.add(cost / double(number), cost, cost, number);
       }
     });
     return result.result();
@@ -85,7 +89,7 @@ private:
       expand_corner(v, h, f);
       h = m_triangulation.counterclockwise(v, h);
     } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
-    // of a barrier, the side that faces the sector
+    // the side of a barrier that belongs to the sector
     expand_edge(m_triangulation.opposite(h), false, f);
   }
 
@@ -96,12 +100,12 @@ private:
     for(Index h = m_triangulation.first_halfedge(v); h < beyond; ++h)
     {
       expand_corner(v, h, f);
-      if(m_triangulation.is_barrier(h)) // both sides of which start here
+      if(m_triangulation.is_barrier(h)) // with arcs on both sides
         expand_edge(m_triangulation.opposite(h), false, f);
     }
   }
 
-  // The arcs from the source `v` of `h` along it and across the face to its left.
+  // Enumerates the arcs from the source `v` of `h` along it and across the face to its left.
   template <typename F>
   void expand_corner(const Node v, const Index h, F& f) const
   {
@@ -110,7 +114,7 @@ private:
       m_costs.expand_corner(v, h, f);
   }
 
-  // The arc along the edge of `h`, or along its left side, from its source or target.
+  // Enumerates the arc along the edge of `h`, or along its left side, from its source or target.
   template <typename F>
   void expand_edge(const Index h, const bool starts_at_source, F& f) const
   {
@@ -132,8 +136,8 @@ private:
 
   // ----- arcs from points on edges
 
-  // A path that comes along the edge goes on into both faces, any other one only into the face that
-  // it does not come from.
+  // A path that arrives along the edge continues into both faces, any other path only into the face
+  // that it does not come from.
   template <typename Labels, typename F>
   void expand_point(const Node node, const Labels& labels, F& f) const
   {
@@ -159,8 +163,8 @@ private:
       expand_crossed_edge(left, origin, labels, f);
   }
 
-  // The arcs from a viewpoint between two faces, one of which the path has crossed from `origin`
-  // on.
+  // Enumerates the arcs from a viewpoint between two faces, one of which the path has crossed from
+  // `origin`.
   template <typename Labels, typename F>
   void
   expand_crossed_edge(const Viewpoint& left, const Node origin, const Labels& labels, F& f) const
@@ -179,7 +183,7 @@ private:
       m_costs.expand_face(left.reversed(right_face[0]), right_face, labels, f);
   }
 
-  // The point `p`, whose edge has `h` as its first halfedge.
+  // Returns the viewpoint of `p`, on the edge whose first halfedge is `h`.
   Viewpoint viewpoint(const Index p, const Index h) const
   {
     const Index e = m_points.edge(h);
@@ -199,8 +203,7 @@ private:
             there * (is_last ? from_target : length * m_points.part_between(e, p))};
   }
 
-  // Whether a node is on one of the two edges of a face that are not the first, or where these
-  // meet.
+  // Returns whether a node is on the second or third edge of a face, or at their common vertex.
   bool is_opposite(const Node node, const Face& face) const
   {
     if(!m_nodes.is_point(node))
@@ -209,10 +212,103 @@ private:
     return e == m_points.edge(face[1]) || e == m_points.edge(face[2]);
   }
 
-  const Intrinsic_triangulation& m_triangulation;
-  const Steiner_nodes& m_nodes;
-  const Points_on_edges& m_points;
   const Costs m_costs;
+};
+
+/*
+ * The straight lines between a point of the surface and the nodes of a Steiner graph in the same
+ * face, and other points there. Costs are those of leaving the point, or of arriving at it if
+ * `Costs` are those of the opposite directions.
+ */
+template <typename Costs>
+class Steiner_attachment : Steiner_view, public Lines_of_point<Costs>
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Node = Steiner_nodes::Node;
+  using Lines = Lines_of_point<Costs>;
+  using Lines::m_costs;
+  using Lines::m_point;
+
+public:
+  Steiner_attachment(const Costs& costs, const Intrinsic_point& point)
+    : Steiner_view(costs), Lines(Steiner_view::m_triangulation, costs, point)
+  {
+  }
+
+  // Calls `f(node, cost)` for the lines to nodes. If the point is a vertex, these are its own
+  // nodes.
+  template <typename F>
+  void for_each_node(F f) const
+  {
+    if(m_point.is_vertex())
+    {
+      f(m_point.vertex, 0.);
+      if(m_nodes.is_divided(m_point.vertex))
+        m_nodes.for_each_sector(m_point.vertex, [&](const Node sector) { f(sector, 0.); });
+      return;
+    }
+    m_point.for_each_face(m_triangulation, [&](const Index h) {
+      if(m_costs.is_open(h))
+        expand_across_face(h, f);
+    });
+    if(m_point.is_on_edge())
+    {
+      expand_along_edge(m_point.halfedge, m_point.t, f);
+      expand_along_edge(m_triangulation.opposite(m_point.halfedge), 1 - m_point.t, f);
+    }
+  }
+
+private:
+  // Enumerates the lines to the corners of the face to the left of `h`, and to the nodes on those
+  // of its sides that the point is not on.
+  template <typename F>
+  void expand_across_face(const Index h, F& f) const
+  {
+    const auto corner = m_costs.corners(h);
+    const auto halfedges = m_triangulation.halfedges_of_face(h);
+    for_each_face_point(m_triangulation, m_point, h, [&](const Face_point& p) {
+      const Plane_vector position = p.seen_from(m_triangulation, h).position(corner);
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const Index side = halfedges[i];
+        const Plane_vector start = corner[i], end = corner[(i + 1) % 3];
+        offer(m_nodes.at_corner(m_triangulation.source(side), side),
+              m_costs.across(h, start - position), f);
+        if(!m_point.is_on_edge_of(side, m_triangulation))
+          for_each_node_on_edge(side, [&](const Node node, const double part) {
+            offer(node, m_costs.across(h, start + part * (end - start) - position), f);
+          });
+      }
+    });
+  }
+
+  // Enumerates the lines from the point at the part `t` of `h` to all nodes of the edge, or of its
+  // left side.
+  template <typename F>
+  void expand_along_edge(const Index h, const double t, F& f) const
+  {
+    const double length = m_triangulation.length(h);
+    const auto offer_at = [&](const Node node, const double part) {
+      const double cost = m_costs.along(h, part >= t);
+      if(cost < std::numeric_limits<double>::infinity())
+        f(node, cost * length * std::abs(part - t));
+    };
+    offer_at(m_nodes.at_source(m_triangulation, h), 0);
+    offer_at(m_nodes.at_target(m_triangulation, h), 1);
+    for_each_node_on_edge(h, offer_at);
+  }
+
+  // Calls `f(node, part)` for the points at a part of `h`, or of its left side.
+  template <typename F>
+  void for_each_node_on_edge(const Index h, F f) const
+  {
+    const Index e = m_points.edge(h);
+    for(Index p = m_points.first_point(e); p < m_points.beyond_point(e); ++p)
+      f(m_nodes.node_of_point(p),
+        m_points.is_first(h) ? m_points.part_before(e, p) : m_points.part_behind(e, p));
+  }
+
+  using Steiner_view::m_triangulation;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -15,15 +15,16 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * The sectors that barriers divide the surroundings of vertices into. A vertex where there are at
- * least two is called divided: no path leads through it from one sector to another. The border
- * divides as barriers do, but only where there is a barrier as well: a vertex where two parts of
- * the surface touch is none otherwise. Sectors are numbered from 0, those of a vertex in a row.
+ * The sectors into which barriers divide the faces around vertices. A vertex with at least two
+ * sectors is called divided: no path leads through it from one sector to another. The border
+ * divides as barriers do, but only at vertices with a barrier: where two parts of the surface touch
+ * at a vertex, paths lead through it. Sectors are numbered from 0, those of a vertex consecutively.
  */
 class Sectors
 {
@@ -43,14 +44,15 @@ public:
   bool is_empty() const { return m_first_halfedge.empty(); }
   Index number_of_sectors() const { return static_cast<Index>(m_first_halfedge.size()); }
 
-  // the vertex of a sector
+  // Returns the vertex of a sector.
   Index vertex(const Index sector) const { return m_vertex[sector]; }
 
-  // The first halfedge of a sector: going counterclockwise from there, the faces to the left are
-  // those of the sector, up to the next halfedge that is a barrier or at the border.
+  // Returns the first halfedge of a sector: its faces are to the left of the halfedges from there
+  // on, counterclockwise, up to the next halfedge that is a barrier or at the border.
   Index first_halfedge(const Index sector) const { return m_first_halfedge[sector]; }
 
-  // the first one of a vertex, and the one after the last; the same if it is not divided
+  // Return the first sector of a vertex, and the one after the last. They are equal if it is not
+  // divided.
   Index first_sector(const Index v) const
   {
     return static_cast<Index>(std::lower_bound(m_vertex.begin(), m_vertex.end(), v) -
@@ -62,8 +64,8 @@ public:
                               m_vertex.begin());
   }
 
-  // The sector of `v` that the face to the left of `h` is in, or null_index if `v` is not divided.
-  // \pre `h` starts from `v`.
+  // Returns the sector of `v` with the face to the left of `h`, or null_index if `v` is not
+  // divided. \pre `h` starts from `v`.
   Index sector(const Index v, const Index h) const
   {
     const Index first = first_sector(v), beyond = beyond_sector(v);
@@ -107,7 +109,7 @@ private:
 
 /*
  * The nodes of a Steiner graph: the vertices, then the points on edges, then the sectors of divided
- * vertices. The triangulation is that of the constructor in all member functions.
+ * vertices. All member functions must be given the triangulation that the constructor was given.
  */
 class Steiner_nodes
 {
@@ -117,10 +119,10 @@ public:
 
   Steiner_nodes() = default;
 
-  // Prepares the placement, and puts its points on the edges. `0` stands for the default of
-  // `maximum_number_of_points`. Throws std::length_error if there are more points, or more nodes
-  // than 32-bit numbers can tell apart, and std::invalid_argument if there are points, and a face
-  // breaks the triangle inequality.
+  // Prepares the placement, and puts its points on the edges. If `maximum_number_of_points` is 0,
+  // the default applies. Throws std::length_error if there are more points, or more than 2^32 - 1
+  // nodes, and std::invalid_argument if there are points and a face violates the triangle
+  // inequality.
   template <typename Placement>
   Steiner_nodes(const Intrinsic_triangulation& triangulation,
                 Placement& placement,
@@ -145,15 +147,15 @@ public:
 
   std::size_t size() const { return std::size_t(m_first_sector) + m_sectors.number_of_sectors(); }
 
-  // An upper bound of the number of arcs that start from a node.
+  // Returns an upper bound of the number of arcs that start from a node.
   std::size_t maximum_degree() const { return m_maximum_degree; }
 
-  // False for numbers that no node has, such as `null_index`.
+  // These return false for numbers that are no node, such as `null_index`.
   bool is_vertex(const Node node) const { return node < m_first_point; }
   bool is_point(const Node node) const { return node - m_first_point < number_of_points(); }
   bool is_sector(const Node node) const { return node - m_first_sector < number_of_sectors(); }
 
-  // between nodes and the numbers of points and sectors
+  // Convert between nodes and the numbers of points and sectors.
   Node point(const Node node) const { return node - m_first_point; }
   Node sector(const Node node) const { return node - m_first_sector; }
   Node node_of_point(const Node p) const { return m_first_point + p; }
@@ -184,7 +186,7 @@ public:
       f(node_of_sector(s));
   }
 
-  // The node at the vertex `v` in the face to the left of `h`, which starts there.
+  // Returns the node of the vertex `v` in the face to the left of `h`, which starts there.
   Node at_corner(const Node v, const Index h) const
   {
     if(m_sectors.is_empty())
@@ -193,7 +195,7 @@ public:
     return sector == Sectors::null_index ? v : node_of_sector(sector);
   }
 
-  // The nodes at the ends of the edge of `h`, or of its left side.
+  // Return the nodes at the ends of the edge of `h`, or of its left side.
   Node at_source(const Intrinsic_triangulation& triangulation, const Index h) const
   {
     const Index opposite = triangulation.opposite(h);
@@ -233,7 +235,7 @@ private:
     {
       std::size_t degree = 1; // to the vertex, from one of its sectors
       for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-        degree += 2 + number_of_opposite_points(triangulation, h); // a barrier is two edges
+        degree += 2 + number_of_opposite_points(triangulation, h); // a barrier counts as two edges
       result = (std::max)(result, degree);
     }
     return result;
@@ -253,7 +255,7 @@ private:
     return result;
   }
 
-  // on the edge opposite to the source of `h`, in the face to the left of `h`
+  // Returns the number of points opposite to the source of `h`, in the face to the left of `h`.
   std::size_t number_of_opposite_points(const Intrinsic_triangulation& triangulation,
                                         const Index h) const
   {
@@ -270,7 +272,31 @@ private:
 };
 
 /*
- * A node on an edge, seen from the face to the left of a halfedge of that.
+ * References to the data that costs and arcs are computed from.
+ */
+class Steiner_view
+{
+protected:
+  Steiner_view(const Intrinsic_triangulation& triangulation, const Steiner_nodes& nodes)
+    : m_triangulation(triangulation), m_nodes(nodes), m_points(nodes.points())
+  {
+  }
+
+  // Calls `f`, unless the cost is infinite.
+  template <typename F>
+  static void offer(const Steiner_nodes::Node node, const double cost, F& f)
+  {
+    if(cost < std::numeric_limits<double>::infinity())
+      f(node, cost);
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Steiner_nodes& m_nodes;
+  const Points_on_edges& m_points;
+};
+
+/*
+ * A point on an edge as a node of the face to the left of a halfedge of the edge.
  */
 struct Viewpoint
 {
@@ -286,9 +312,9 @@ struct Viewpoint
 
   Index halfedge;
   Node node;
-  double from_source, from_target;       // distances
-  Node toward_source, toward_target;     // neighbors
-  double cost_to_source, cost_to_target; // of arcs to these
+  double from_source, from_target;       // distances from the ends of the halfedge
+  Node toward_source, toward_target;     // neighbors on the edge
+  double cost_to_source, cost_to_target; // costs of the arcs to the neighbors
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -10,7 +10,9 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
@@ -36,9 +38,9 @@ class Point_row
 public:
   using Index = Intrinsic_triangulation::Index;
 
-  // Points are nodes from `first_node` on. Their positions are as in `Points_on_edges`, or missing
-  // if they divide the edge into equal parts. The corner is at the first end of the edge or at the
-  // second one.
+  // Points are nodes from `first_node` on. Their positions are as in `Points_on_edges`, or a null
+  // pointer if they divide the edge into equal parts. The corner is at the first end of the edge or
+  // at the second one.
   Point_row(const Index first_node,
             const Index size,
             const float* const positions,
@@ -54,7 +56,7 @@ public:
 
   Index size() const { return m_size; }
 
-  // the length of the edge
+  // Returns the length of the edge.
   double length() const { return m_length; }
 
   double distance_from_corner(const Index rank) const
@@ -63,9 +65,9 @@ public:
     return m_positions == nullptr ? equal_parts()(i) : stored_positions()(i);
   }
 
-  // Calls `f(node, costs, number)` for consecutive points with ranks from `first` to before
-  // `beyond`, with their distances from the point of the corner's other side that is at the
-  // distance `x` from it, times `weight`.
+  // Calls `f(node, costs, number)` for blocks of consecutive points, which have the ranks from
+  // `first` to before `beyond`. Costs are `weight` times the distances from the point on the other
+  // side of the corner, at the distance `x` from the corner.
   template <typename F>
   void for_each_block(const Index first,
                       const Index beyond,
@@ -85,7 +87,7 @@ public:
 private:
   static constexpr Index SIZE_OF_BLOCK = 8;
 
-  // Distances from the corner, by the order on the edge.
+  // Function objects for the distances of points from the corner, by their order on the edge.
   struct Equal_parts
   {
     double operator()(const Index i) const { return start + step * number(i); }
@@ -105,7 +107,7 @@ private:
     double start, start_of_second_half, step;
   };
 
-  // Without branches, as what direction an edge has cannot be predicted.
+  // Without branches, since the direction of an edge is unpredictable.
   Equal_parts equal_parts() const
   {
     const double part = m_length / number(m_size + 1);
@@ -120,7 +122,7 @@ private:
 
   double direction() const { return number(1) - 2 * number(m_is_reversed); }
 
-  // which is faster for signed integers
+  // faster for signed integers
   static double number(const Index i) { return static_cast<double>(std::int32_t(i)); }
 
   template <typename Distance_from_corner, typename F>
@@ -154,7 +156,7 @@ private:
   Index m_is_reversed; // 0 or 1
 };
 
-// A point that is reached at some cost, and its distance from a corner.
+// The label of a point, and its distance from a corner.
 struct Reached_point
 {
   double label;
@@ -162,14 +164,14 @@ struct Reached_point
 };
 
 /*
- * Two points of one side of a corner, from which paths compete for the points of its other side.
+ * Two points on one side of a corner, whose paths compete for the points on its other side.
  *
  * Straight arcs from two points of a side to two points of the other need not cross: exchanging
- * their ends does not make them longer. So what either of the two reaches at less cost lies at its
- * own end of the row, and a binary search finds where it ends.
+ * their ends does not make them longer. So the points that one of the two reaches at a lower cost
+ * are at its own end of the row, and a binary search finds the last of them.
  *
- * Beside large labels, costs of arcs vanish, and many sums are the same. So what is compared is the
- * difference of two arcs with that of two labels. Each is right up to a small part of itself, as
+ * Sums of large labels and short arcs lose digits by rounding. So the difference of two arcs is
+ * compared with that of two labels. Both have small relative errors, as
  *   d^2 - d'^2 = (x - x') (x + x' - 2 y cos(angle)).
  * All is divided by the weight, which may be zero.
  */
@@ -198,32 +200,32 @@ public:
     m_doubt = (std::min)(SMALLEST_DIFFERENCE * gap, rounding * (label + m_farther + row.length()));
   }
 
-  // Returns the number of points that the nearer one reaches at less cost, beyond doubt.
+  // Returns the number of points that the nearer one certainly reaches at a lower cost.
   Index end_of_nearer() const
   {
     return search([this](const double y) { return lead_of_nearer(y, -m_doubt) > 0; });
   }
 
-  // Returns the rank of the first point that the farther one reaches at less cost, beyond doubt.
+  // Returns the rank of the first point that the farther one certainly reaches at a lower cost.
   Index start_of_farther() const
   {
     return search([this](const double y) { return !(lead_of_nearer(y, m_doubt) < 0); });
   }
 
 private:
-  // Sums that are rounded to the same number shall not count, so that costs are those with all
-  // arcs, to the last bit; unless labels are so large that nothing else is left of a whole face.
+  // Sums that are rounded to the same number are not pruned, so that costs are those with all arcs,
+  // to the last bit, unless labels are so large that rounding cancels all arcs of a face.
   static constexpr double SMALLEST_DIFFERENCE = 1e-3;
 
-  // In a face of weight zero, the difference of two labels decides, however small it is.
+  // In a face of weight zero, any difference of two labels decides.
   static double divided(const double label, const double weight)
   {
     return weight > 0 ? label / weight
                       : std::copysign(std::numeric_limits<double>::infinity(), label);
   }
 
-  // By how much the nearer one is better for the point at the distance `y` from the corner, times
-  // a positive number.
+  // Returns by how much the nearer one is better for the point at the distance `y` from the corner,
+  // times a positive number.
   double lead_of_nearer(const double y, const double allowance) const
   {
     const double sum = m_corner.distance(m_nearer, y) + m_corner.distance(m_farther, y);
@@ -231,7 +233,7 @@ private:
            (m_farther - m_nearer) * (m_farther + m_nearer - (2 - m_corner.opening()) * y);
   }
 
-  // Returns the first rank of which `f` is not true.
+  // Returns the first rank for which `f` is false.
   template <typename F>
   Index search(const F& f) const
   {
@@ -249,9 +251,8 @@ private:
 };
 
 /*
- * The ranks of those points of a row that two rivals of a point do not reach at less cost: as a
- * first one and one beyond. One rival is nearer to the corner and one farther from it, on the same
- * side of it.
+ * Returns the range of ranks of the points that `point` may reach at a lower cost than two other
+ * points on the same side of the corner, one nearer to it and one farther from it.
  */
 inline std::pair<Point_row::Index, Point_row::Index> cell(const Point_row& row,
                                                           const Corner& corner,
@@ -267,7 +268,7 @@ inline std::pair<Point_row::Index, Point_row::Index> cell(const Point_row& row,
 /*
  * Costs in a Steiner graph: lengths times the weights of faces.
  */
-class Weighted_costs
+class Weighted_costs : public Steiner_view, public Line_weights
 {
   using Index = Intrinsic_triangulation::Index;
   using Node = Steiner_nodes::Node;
@@ -275,29 +276,35 @@ class Weighted_costs
   using Face = Viewpoint::Face;
 
 public:
-  // Whether going back costs as much as going there.
+  // whether opposite directions have the same cost
   static constexpr bool are_symmetric = true;
 
-  Weighted_costs(const Intrinsic_triangulation& triangulation, const Steiner_nodes& nodes)
-    : m_triangulation(triangulation), m_nodes(nodes), m_points(nodes.points())
+  // Weights of edges are not stored.
+  struct Edges
+  {
+    explicit Edges(const Intrinsic_triangulation& triangulation)
+    {
+      reject_directional_costs(triangulation, "Steiner_graph");
+    }
+    static std::size_t memory() { return 0; }
+  };
+
+  Weighted_costs(const Intrinsic_triangulation& triangulation,
+                 const Steiner_nodes& nodes,
+                 const Edges& /* edges */,
+                 const bool /* is_backward */)
+    : Steiner_view(triangulation, nodes), Line_weights(triangulation)
   {
   }
 
-  // Whether paths may enter the face to the left of `h`.
-  bool is_open(const Index h) const
+  static double unit(const Intrinsic_triangulation& triangulation)
   {
-    return m_triangulation.weight(h) < std::numeric_limits<double>::infinity();
-  }
-
-  // Along `h`, or against it on its left side, per unit of length.
-  double along(const Index h, const bool /* is_forward */) const
-  {
-    return m_triangulation.weight_of_edge(h);
+    return triangulation.weight_unit();
   }
 
   // ----- straight lines in the face to the left of `h`
 
-  // Where its corners are, from the source of `h` on, in a frame for vectors.
+  // Returns the positions of its corners, from the source of `h` on.
   std::array<Plane_vector, 3> corners(const Index h) const
   {
     const Face_layout layout(m_triangulation, h);
@@ -309,14 +316,9 @@ public:
     return m_triangulation.weight(h) * length(step);
   }
 
-  double between(const Index h, const Face_point& p, const Face_point& q) const
-  {
-    return m_triangulation.weight(h) * distance(m_triangulation, p, q);
-  }
-
   // ----- arcs across faces, for `f(target, cost)`
 
-  // From `v`, the source of `h`, across the face to the left of `h`.
+  // Enumerates the arcs from `v`, the source of `h`, across the face to the left of `h`.
   template <typename F>
   void expand_corner(const Node v, const Index h, F& f) const
   {
@@ -331,7 +333,8 @@ public:
     visit(opposite, {0, opposite.size()}, corner, x, m_triangulation.weight(h), f);
   }
 
-  // From a viewpoint across a face, whose first halfedge is that of the viewpoint.
+  // Enumerates the arcs from a viewpoint across a face, whose first halfedge is that of the
+  // viewpoint.
   template <typename Labels, typename F>
   void expand_face(const Viewpoint& view, const Face& face, const Labels& labels, F& f) const
   {
@@ -356,10 +359,10 @@ public:
   }
 
 private:
-  // Rows of at least this size are searched for the points that can get a smaller label.
+  // In rows of at least this size, a binary search finds the points that can get a smaller label.
   static constexpr Index LONG_ROW = 16;
 
-  // The points of the edge of `h`, as seen from its source or its target.
+  // Returns the points of the edge of `h`, ranked from its source or its target.
   Row row(const Index h, const bool is_from_source) const
   {
     const Index e = m_points.edge(h), first = m_points.first_point(e);
@@ -368,7 +371,7 @@ private:
                m_points.is_first(h) == is_from_source);
   }
 
-  // The arcs to points of a row, from the point at the distance `x` from its corner.
+  // Enumerates the arcs to points of a row, from the point at the distance `x` from its corner.
   template <typename F>
   void visit(const Row& row,
              const std::pair<Index, Index> ranks,
@@ -387,8 +390,8 @@ private:
                        });
   }
 
-  // The ranks of the points of a row that a path over a viewpoint may be the cheapest one to, given
-  // its neighbors. The row starts from the corner at the source or target of its halfedge.
+  // Returns the range of ranks of the points of a row that a viewpoint may reach at a lower cost
+  // than its neighbors. The row starts from the corner at the source or target of its halfedge.
   template <typename Labels>
   std::pair<Index, Index> worthwhile(const Row& row,
                                      const Corner& corner,
@@ -400,7 +403,7 @@ private:
     if(row.size() < LONG_ROW)
       return {0, row.size()};
     const double label = labels.distance(view.node);
-    // a neighbor, which is reached from here in any case
+    // a neighbor, which is also reached from here
     const auto rival = [&](const Node node, const double cost, const double distance_if_end) {
       return Reached_point{(std::min)(labels.distance(node), label + cost),
                            m_nodes.is_point(node)
@@ -417,7 +420,7 @@ private:
                         : cell(row, corner, weight, point, at_target, at_source);
   }
 
-  // The distance of a point on the edge of `h` from the source or the target of `h`.
+  // Returns the distance of a point on the edge of `h` from the source or the target of `h`.
   double distance_from_end(const Index h, const Node node, const bool is_from_source) const
   {
     const Index p = m_nodes.point(node), e = m_points.edge(h);
@@ -425,10 +428,6 @@ private:
     return m_triangulation.length(h) *
            (is_from_first_end ? m_points.part_before(e, p) : m_points.part_behind(e, p));
   }
-
-  const Intrinsic_triangulation& m_triangulation;
-  const Steiner_nodes& m_nodes;
-  const Points_on_edges& m_points;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal
