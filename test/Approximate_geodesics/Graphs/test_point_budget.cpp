@@ -217,6 +217,19 @@ TEST(Budget_of_points, is_one_of_functions)
       CGAL::approximate_geodesic_distances(mesh, map, Vertex(0), np.maximum_number_of_points(224)));
 }
 
+// ... as a node has a number below 2^32.
+TEST(Budget_of_points, is_limited_by_the_number_of_nodes)
+{
+  Soup soup;
+  soup.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)};
+  soup.triangles = {{0, 1, 2}};
+  const Triangulation t(to_mesh(soup));
+  const std::size_t number = 1431655765; // (2^32 - 1) / 3
+  expect_message<std::length_error>(
+      [&] { Steiner_graph<Fixed_number_of_points>(t, Fixed_number_of_points(number), 3 * number); },
+      "takes 4294967295 points on edges", "2^32 - 1 nodes");
+}
+
 TEST(Budget_of_points, is_refused_if_it_is_none)
 {
   const Triangulation t(to_mesh(octahedron()));

@@ -28,20 +28,20 @@ namespace CGAL::Approximate_geodesics {
  * \ingroup PkgApproximateGeodesicsPlacements
  *
  * Points in geometric progressions from the ends of the edges, for costs that depend on the
- * direction: so that paths cost at most \f$1 + \varepsilon\f$ times as much as the cheapest ones on
+ * direction, so that paths cost at most \f$1 + \varepsilon\f$ times as much as the cheapest ones on
  * the surface.
  *
- * They are placed as `Geometric_points` does it, with two differences. How close they are depends
- * on how fast costs change with the direction: where the unit balls of costs are smooth, their
- * distances are in proportion to \f$\sqrt\varepsilon\f$ divided by the root of their curvature, and
- * where they have corners, to \f$\varepsilon\f$. And progressions start at all vertices as if
- * weights were different, with the ratio of the largest cost of an edge there to the smallest cost
- * of any direction. Section \ref AG_directional_bound of the manual states the theorem, and the
- * report \cgalCite{ag-report} proves it.
+ * They differ from `Geometric_points` in two ways. Their spacing depends on how fast costs change
+ * with the direction: where the unit ball of the gauge is smooth, it is proportional to
+ * \f$\sqrt\varepsilon\f$ divided by the root of the curvature, and where it has corners, to
+ * \f$\varepsilon\f$. And progressions start at all vertices as if weights were different, with the
+ * ratio of the largest cost of an edge there to the smallest cost of any direction. Section
+ * \ref AG_directional_bound of the manual states the theorem, and the report \cgalCite{ag-report}
+ * proves it.
  *
  * There is no bound where some directions in a face are free or forbidden, and others are not. Such
- * faces are refused, and so are those with an edge that takes more than
- * `maximum_number_of_points_per_edge` points, as their area is next to zero, for example. With
+ * faces are rejected, and so are faces with an edge that needs more than
+ * `maximum_number_of_points_per_edge` points, since their area is almost zero, for example. With
  * `accept_weaker_bound`, such edges get 20 / \f$\sqrt\varepsilon\f$ points, and there is no bound.
  *
  * \cgalModels{SteinerPointPlacement}
@@ -52,10 +52,10 @@ public:
   /// the number of a halfedge.
   using Index = Intrinsic_triangulation::Index;
 
-  /// whether points divide every edge into equal parts, so that their number says where they are.
+  /// whether points divide every edge into equal parts, so that no positions are stored.
   static constexpr bool makes_equal_parts = false;
 
-  /// the limit by default.
+  /// the default limit.
   static constexpr std::size_t MAXIMUM_NUMBER_OF_POINTS_PER_EDGE = 20000;
 
   /// progressions start at least this far from the end, in lengths of the edge.
@@ -84,14 +84,13 @@ public:
    *     \cgalParamDefault{`0.1`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{maximum_number_of_points_per_edge}
-   *     \cgalParamDescription{so many points may be needed on an edge}
+   *     \cgalParamDescription{the maximum number of points on an edge}
    *     \cgalParamType{an integer type}
    *     \cgalParamDefault{`20000`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{accept_weaker_bound}
-   *     \cgalParamDescription{whether faces are accepted that the bound cannot be kept in. The
-   *                           member function `epsilon()` returns infinity if there are any}
-   *     \cgalParamType{`bool`}
+   *     \cgalParamDescription{whether faces are accepted in which the bound does not hold. The
+   * member function `epsilon()` returns infinity if there are any} \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
@@ -104,17 +103,13 @@ public:
     : m_epsilon(internal::checked_epsilon(np)),
       m_limit(internal::limit_of_points(np, MAXIMUM_NUMBER_OF_POINTS_PER_EDGE))
   {
-    static_assert(!internal::is_any_given<Named_function_parameters<T, Tag, Base>,
-                                          internal_np::number_of_points_per_edge_t,
-                                          internal_np::nb_points_per_distance_unit_t>,
-                  "Directional_points reads epsilon, which says how many points there are: for a "
-                  "number of your own, use Fixed_number_of_points or Points_at_interval");
   }
 
-  /// computes where progressions start and how close points are. If no bound is accepted, edges
-  /// that take most points get few, until there are no more than `maximum_number_of_points` on all
-  /// edges together.
-  /// \throws std::invalid_argument naming a face or an edge that the bound cannot be kept at.
+  /// computes where progressions start and how close points are. If a weaker bound is accepted,
+  /// edges that need most points get few, until there are no more than `maximum_number_of_points`
+  /// on all edges together.
+  ///
+  /// \throws std::invalid_argument naming a face or an edge where the bound does not hold.
   ///
   /// Run time is \cgalBigO{n} times the square of the number of directions per face.
   void
@@ -167,7 +162,7 @@ public:
     }
   }
 
-  /// returns the bound; infinity if there is none, which was accepted.
+  /// returns the bound, or infinity if a weaker one was accepted.
   double epsilon(const Intrinsic_triangulation& /* triangulation */) const { return m_bound; }
 
   /// returns whether `accept_weaker_bound` was given.
@@ -179,10 +174,11 @@ public:
 private:
   using Gauge_shape = internal::Gauge_shape;
 
-  static constexpr double SHARE_OF_CROSSINGS = 0.65; // of epsilon; the rest is for vicinities
+  static constexpr double SHARE_OF_CROSSINGS =
+      0.65; // of epsilon; the rest is for passing near vertices
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double ROUNDING = 1e-9;
-  static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7; // what positions are rounded by
+  static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7; // of positions in single precision
 
   static bool is_open(const Intrinsic_triangulation& triangulation, const Index h)
   {
@@ -205,8 +201,8 @@ private:
                       static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
   }
 
-  // The largest admissible square of the shift of a point in a face, in proportion to that of its
-  // distance from the other edges.
+  // Computes, per face, the largest admissible square of the shift of a point, relative to the
+  // square of its distance from the other edges.
   void compute_spacings(const Intrinsic_triangulation& triangulation, const double epsilon)
   {
     const auto& gauges = triangulation.gauges();
@@ -225,8 +221,8 @@ private:
     }
   }
 
-  // Part of the error is taken as it is, the rest grows with the square of the shift. What is the
-  // best part depends on whether the gauge has corners.
+  // A part of the error is constant, the rest grows with the square of the shift. Which part is
+  // best depends on whether the gauge has corners.
   static double spread(const Gauge_shape& shape, const double epsilon)
   {
     double result = 0;
@@ -256,7 +252,7 @@ private:
     }
   }
 
-  // The smallest cost in the face to the left of `h`, if that is not zero, and the largest one
+  // Updates the smallest cost in the face to the left of `h` that is not zero, and the largest cost
   // along its two sides at the source of `h`.
   static void add_costs(const Intrinsic_triangulation& triangulation,
                         const Index h,
@@ -312,10 +308,10 @@ private:
 
   double m_epsilon;
   internal::Limit_of_points m_limit{MAXIMUM_NUMBER_OF_POINTS_PER_EDGE, false};
-  std::size_t m_largest_number = 0; // of points on an edge: the limit, or less to keep the budget
-  double m_bound = 0;               // what can be kept
-  std::vector<double> m_start;      // of the progressions at a vertex: the distance from it
-  std::vector<double> m_spread;     // per face
+  std::size_t m_largest_number = 0; // of points on an edge: the limit, or less because of the total
+  double m_bound = 0;
+  std::vector<double> m_start;  // of the progressions at a vertex: the distance from it
+  std::vector<double> m_spread; // per face
 };
 
 } // namespace CGAL::Approximate_geodesics

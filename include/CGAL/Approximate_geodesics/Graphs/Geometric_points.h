@@ -28,28 +28,28 @@ namespace CGAL::Approximate_geodesics {
  * Points in geometric progressions from the ends of the edges, so that paths cost at most
  * \f$1 + \varepsilon\f$ times as much as the cheapest ones on the surface, whatever the weights.
  *
- * From either end of an edge, points follow each other at distances that grow by a constant factor,
+ * From either end of an edge, the distances of the points from that end grow by a constant factor,
  * \f$\lambda = \exp(2 \sinh^{-1}(\sqrt{\varepsilon} \sin \alpha))\f$, where \f$\alpha\f$ is the
- * smaller angle that the edge makes there with others of its two faces (if it is acute, else the
- * sine is to be read as 1). The progression starts at a distance from the vertex that is in
- * proportion to the radius of its star: the radius times about \f$\sqrt{\varepsilon / 2}\f$ if all
- * faces around it have the same weight, and else times about \f$\varepsilon / 6\f$. There are no
- * points on edges at the border, nor on barriers, since no cheapest path needs them. Section
+ * smallest angle that the edge makes there with the other edges of its two faces (if it is acute,
+ * else the sine is replaced by 1). The progression starts at a distance from the vertex that is
+ * proportional to the radius of its star: the radius times about \f$\sqrt{\varepsilon / 2}\f$ if
+ * all faces around it have the same weight, and else times about \f$\varepsilon / 6\f$. There are
+ * no points on edges at the border, nor on barriers, since no cheapest path needs them. Section
  * \ref AG_geometric_points of the manual states the theorem, and the report \cgalCite{ag-report}
  * proves it.
  *
- * So there are \cgalBigO{\log(1 / \varepsilon) / \sqrt\varepsilon} points on an edge, times a
- * factor that depends on the angles. The idea of progressions is that of Aleksandrov, Lanthier,
- * Maheshwari and Sack \cgalCite{alms-eawsp-98}, whose own progressions
- * have \cgalBigO{\log(1 / \varepsilon) / \varepsilon} points, and a
- * factor that grows with the ratio of the weights.
+ * The number of points on an edge is \cgalBigO{\log(1 / \varepsilon) / \sqrt\varepsilon} times a
+ * factor that depends on the angles. Progressions were introduced by Aleksandrov, Lanthier,
+ * Maheshwari and Sack \cgalCite{alms-eawsp-98}; theirs have
+ * \cgalBigO{\log(1 / \varepsilon) / \varepsilon} points, and a factor that grows with the ratio of
+ * the weights.
  *
- * <b>Thin faces.</b> The number of points is in inverse proportion to the sine of the smallest
- * angle. For \f$\varepsilon = 0.1\f$ and an angle of 0.001, a needle takes some 2500 on either of
- * its long sides. A face that takes more than `maximum_number_of_points_per_edge` points is
- * refused, and so are faces of area zero, unless they are forbidden. With `accept_weaker_bound`, it
- * is given up instead: it gets at most 20 / \f$\sqrt\varepsilon\f$ points in a progression, and
- * what bound is left for the whole mesh, `epsilon()` tells. That one is infinity if there are faces
+ * <b>Thin faces.</b> The number of points is inversely proportional to the sine of the smallest
+ * angle. For \f$\varepsilon = 0.1\f$ and an angle of 0.001, a needle needs some 2500 on either of
+ * its long sides. A face that needs more than `maximum_number_of_points_per_edge` points is
+ * rejected, and so are faces of area zero, unless they are forbidden. With `accept_weaker_bound`,
+ * the face is accepted with at most 20 / \f$\sqrt\varepsilon\f$ points in a progression, and
+ * `epsilon()` returns the bound that is left for the whole mesh. It is infinity if there are faces
  * of area zero.
  *
  * \cgalModels{SteinerPointPlacement}
@@ -60,18 +60,18 @@ public:
   /// the number of a halfedge.
   using Index = Intrinsic_triangulation::Index;
 
-  /// whether points divide every edge into equal parts, so that their number says where they are.
+  /// whether points divide every edge into equal parts, so that no positions are stored.
   static constexpr bool makes_equal_parts = false;
 
-  /// the limit by default: 8 megabytes on one edge.
+  /// the default limit: 8 megabytes on one edge.
   static constexpr std::size_t MAXIMUM_NUMBER_OF_POINTS_PER_EDGE = 1000000;
 
   /*!
    * places points for the bound `epsilon`.
    *
    * \param epsilon the bound
-   * \param weights_may_differ whether the bound shall also hold around vertices where all weights
-   *        are the same now, and may be exchanged for different ones
+   * \param weights_may_differ whether the bound also holds after `Steiner_graph::set_weights()`
+   *        around vertices where all weights are the same now
    *
    * \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
    */
@@ -92,13 +92,13 @@ public:
    *     \cgalParamDefault{`0.1`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{maximum_number_of_points_per_edge}
-   *     \cgalParamDescription{so many points may be needed on an edge because of a thin face}
+   *     \cgalParamDescription{the maximum number of points on an edge of a thin face}
    *     \cgalParamType{an integer type}
    *     \cgalParamDefault{`1000000`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{accept_weaker_bound}
-   *     \cgalParamDescription{whether faces that need more points get few, and the bound becomes a
-   *                           weaker one, which `epsilon()` tells; else they are refused}
+   *     \cgalParamDescription{whether faces that need more points are accepted with few, at the
+   * cost of a weaker bound, which `epsilon()` returns; else they are rejected}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
    *   \cgalParamNEnd
@@ -112,20 +112,15 @@ public:
     : m_epsilon(internal::checked_epsilon(np)),
       m_limit(internal::limit_of_points(np, MAXIMUM_NUMBER_OF_POINTS_PER_EDGE))
   {
-    static_assert(!internal::is_any_given<Named_function_parameters<T, Tag, Base>,
-                                          internal_np::number_of_points_per_edge_t,
-                                          internal_np::nb_points_per_distance_unit_t>,
-                  "Geometric_points reads epsilon, which says how many points there are: for a "
-                  "number of your "
-                  "own, use Fixed_number_of_points or Points_at_interval");
   }
 
-  /// computes where the progressions of every vertex start, and looks for faces that take too many
-  /// points. If a weaker bound is accepted, those that take most are given up until there are no
-  /// more points than `maximum_number_of_points` on all edges together.
+  /// computes where the progressions of every vertex start, and looks for faces that need too many
+  /// points. If a weaker bound is accepted, the faces that need most points get few, until there
+  /// are no more than `maximum_number_of_points` on all edges together.
   ///
-  /// \throws std::length_error if there is one, and no weaker bound is accepted: the message names
-  ///         the face and the number.
+  /// \throws std::length_error if a face needs too many points, and no weaker bound is accepted:
+  /// the
+  ///         message names the face and the number.
   ///
   /// Run time is \cgalBigO{n}.
   void
@@ -181,8 +176,8 @@ public:
       m_progressions.on_edge(triangulation, h).place(positions);
   }
 
-  /// returns the bound that holds with the present weights of `triangulation`, which can have been
-  /// exchanged; not less than what was asked for. Run time is \cgalBigO{n}.
+  /// returns the bound that holds with the present weights of `triangulation`; it is not smaller
+  /// than the requested one. Run time is \cgalBigO{n}.
   double epsilon(const Intrinsic_triangulation& triangulation) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -219,11 +214,11 @@ public:
   std::size_t memory() const { return m_progressions.memory(); }
 
 private:
-  // If weights differ, what is left of epsilon is for passing vertices at some distance; this share
-  // makes for about as few points as possible.
+  // The share of epsilon for crossing faces if weights differ; the rest is for passing near
+  // vertices. This share approximately minimizes the number of points.
   static constexpr double SHARE_OF_CROSSINGS = 0.65;
 
-  // A halfedge of a face whose weight is not its own, as others are too large beside it.
+  // Returns a halfedge of a face whose weight was raised since others are too large beside it.
   static Index raised_weight(const Intrinsic_triangulation& triangulation)
   {
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
@@ -241,7 +236,7 @@ private:
                        "accept_weaker_bound(true), there is none");
   }
 
-  // Where progressions start, in proportion to the radius of the star.
+  // Returns where progressions start, relative to the radius of the star.
   double relative_start(const bool is_uniform) const
   {
     constexpr double largest = 1. / 3;
@@ -255,7 +250,7 @@ private:
   double m_epsilon;
   internal::Limit_of_points m_limit{MAXIMUM_NUMBER_OF_POINTS_PER_EDGE, false};
   bool m_weights_may_differ = false;
-  double m_epsilon_of_crossings = 0; // as far as paths are straight
+  double m_epsilon_of_crossings = 0; // for paths across faces, away from vertices
   internal::Measured_progressions m_progressions;
 };
 

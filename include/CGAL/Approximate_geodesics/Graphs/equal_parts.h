@@ -21,26 +21,53 @@
 
 namespace CGAL::Approximate_geodesics {
 
+namespace internal {
+
+// What models of `SteinerPointPlacement` have in common that divide each edge into equal parts.
+class Equal_parts
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+  static constexpr bool makes_equal_parts = true;
+
+  void prepare(const Intrinsic_triangulation& /* triangulation */,
+               std::size_t /* maximum_number_of_points */)
+  {
+  }
+
+  double epsilon(const Intrinsic_triangulation& /* triangulation */) const
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+
+  std::size_t memory() const { return 0; }
+
+protected:
+  template <typename NamedParameters>
+  static void reject_limits()
+  {
+    static_assert(!limits_points<NamedParameters>,
+                  "maximum_number_of_points_per_edge, accept_weaker_bound: they are for "
+                  "Geometric_points");
+  }
+};
+
+} // namespace internal
+
 /*!
  * \ingroup PkgApproximateGeodesicsPlacements
  *
  * The same number of points on every edge, which divide it into equal parts.
  *
- * There is no bound: between two slivers, a path can be longer than the geodesic by any factor. On
- * scanned models the mean error falls from 1.4 % with one point per edge to 0.2 % with eight.
- * Without any points, the paths are those along edges.
+ * There is no bound, `epsilon()` is infinity: between two slivers, a path can be longer than the
+ * geodesic by any factor. On scanned models the mean error falls from 1.4 % with one point per edge
+ * to 0.2 % with eight. Without any points, the paths are those along edges.
  *
  * \cgalModels{SteinerPointPlacement}
  */
-class Fixed_number_of_points
+class Fixed_number_of_points : public internal::Equal_parts
 {
 public:
-  /// the number of a halfedge.
-  using Index = Intrinsic_triangulation::Index;
-
-  /// whether points divide every edge into equal parts, so that their number says where they are.
-  static constexpr bool makes_equal_parts = true;
-
   /// places so many points on every edge.
   explicit Fixed_number_of_points(const std::size_t number_of_points_per_edge = 3)
     : m_number_of_points(number_of_points_per_edge)
@@ -68,27 +95,12 @@ public:
   {
   }
 
-  /// does nothing: all edges are alike.
-  void prepare(const Intrinsic_triangulation& /* triangulation */,
-               std::size_t /* maximum_number_of_points */)
-  {
-  }
-
   /// returns the number of points on the edge of a halfedge.
   std::size_t number_of_points(const Intrinsic_triangulation& /* triangulation */,
                                Index /* halfedge */) const
   {
     return m_number_of_points;
   }
-
-  /// returns infinity, as there is no bound.
-  double epsilon(const Intrinsic_triangulation& /* triangulation */) const
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-
-  /// returns `0`: nothing is stored per element of the mesh.
-  std::size_t memory() const { return 0; }
 
 private:
   template <typename NamedParameters>
@@ -98,10 +110,8 @@ private:
                                           internal_np::nb_points_per_distance_unit_t>,
                   "Fixed_number_of_points reads number_of_points_per_edge, and gives no bound: for "
                   "epsilon, use Geometric_points");
-    static_assert(!internal::limits_points<NamedParameters>,
-                  "maximum_number_of_points_per_edge, accept_weaker_bound: they are for "
-                  "Geometric_points");
-    constexpr double too_many = 4294967296; // for 32-bit numbers, on a single edge
+    reject_limits<NamedParameters>();
+    constexpr double too_many = 4294967296; // nodes, on a single edge
     const double number = CGAL::to_double(parameters::choose_parameter(
         parameters::get_parameter(np, internal_np::number_of_points_per_edge), 3));
     if(!(number >= 0) || number != std::floor(number) || number > too_many)
@@ -116,24 +126,18 @@ private:
 /*!
  * \ingroup PkgApproximateGeodesicsPlacements
  *
- * Points that divide every edge into equal parts, as few as make all parts at most as long as a
- * given spacing. So few points are spent on small faces, and more on large ones, as meshes of
- * mechanical parts have them.
+ * Points that divide every edge into equal parts, as few as possible so that no part is longer than
+ * a given spacing. Small faces get few points, and large ones more, which suits meshes of
+ * mechanical parts.
  *
- * There is no bound: paths that cross faces thinner than the spacing can be longer than the
- * geodesics by any factor.
+ * There is no bound, `epsilon()` is infinity: paths that cross faces thinner than the spacing can
+ * be longer than the geodesics by any factor.
  *
  * \cgalModels{SteinerPointPlacement}
  */
-class Points_at_interval
+class Points_at_interval : public internal::Equal_parts
 {
 public:
-  /// the number of a halfedge.
-  using Index = Intrinsic_triangulation::Index;
-
-  /// whether points divide every edge into equal parts, so that their number says where they are.
-  static constexpr bool makes_equal_parts = true;
-
   /// places points at distances of at most `spacing`, in the unit of the mesh.
   /// \throws std::invalid_argument if `spacing` is not a number above `0`.
   explicit Points_at_interval(const double spacing) : m_spacing(spacing)
@@ -162,29 +166,14 @@ public:
   {
   }
 
-  /// does nothing: edges are looked at one by one.
-  void prepare(const Intrinsic_triangulation& /* triangulation */,
-               std::size_t /* maximum_number_of_points */)
-  {
-  }
-
   /// returns the number of points on the edge of `h`.
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
-    constexpr double too_many = 1e18; // and yet an integer
+    constexpr double too_many = 1e18; // still fits an integer
     const double number_of_parts =
         std::ceil(triangulation.length(h) * (triangulation.unit() / m_spacing));
     return static_cast<std::size_t>((std::clamp)(number_of_parts - 1, 0., too_many));
   }
-
-  /// returns infinity, as there is no bound.
-  double epsilon(const Intrinsic_triangulation& /* triangulation */) const
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-
-  /// returns `0`: nothing is stored per element of the mesh.
-  std::size_t memory() const { return 0; }
 
 private:
   template <typename NamedParameters>
@@ -198,9 +187,7 @@ private:
         "Points_at_interval reads number_of_points_per_distance_unit, and gives no bound: "
         "for epsilon, use Geometric_points; for number_of_points_per_edge, "
         "Fixed_number_of_points");
-    static_assert(!internal::limits_points<NamedParameters>,
-                  "maximum_number_of_points_per_edge, accept_weaker_bound: they are for "
-                  "Geometric_points");
+    reject_limits<NamedParameters>();
     return internal::checked_positive(
         CGAL::to_double(parameters::get_parameter(np, internal_np::nb_points_per_distance_unit)),
         "the number of points per distance unit");

@@ -142,7 +142,7 @@ void call_wrongly(const Mesh& mesh,
   // single pairs read straighten, maximum_distance and visitor
   shortest_paths.shortest_distance(Vertex(0), Vertex(1), parameters::targets(vertices));
 
-  // Geometric_points reads epsilon, which says how many points there are
+  // Geometric_points and Directional_points read epsilon, which determines the number of points
   AG::Geometric_points(parameters::number_of_points_per_edge(3));
 
   // Fixed_number_of_points reads number_of_points_per_edge, and gives no bound

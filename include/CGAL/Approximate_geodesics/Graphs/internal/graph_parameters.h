@@ -28,8 +28,8 @@ inline double checked_positive(const double number, const char* const name)
   return number;
 }
 
-// Reads the named parameter `epsilon`. Above the largest bound that is of any use, it is that one,
-// since others would overflow when multiplied.
+// Reads the named parameter `epsilon`. Larger values than the largest useful bound are replaced by
+// that, since they would overflow when multiplied.
 template <typename NamedParameters>
 double checked_epsilon(const NamedParameters& np)
 {
@@ -42,7 +42,7 @@ double checked_epsilon(const NamedParameters& np)
   return (std::min)(checked_positive(epsilon, "epsilon"), largest);
 }
 
-// For graphs that know no direction.
+// Throws an error if costs depend on the direction, for graphs that do not support that.
 inline void reject_directional_costs(const Intrinsic_triangulation& triangulation,
                                      const char* const name)
 {
@@ -51,7 +51,8 @@ inline void reject_directional_costs(const Intrinsic_triangulation& triangulatio
                                "triangulation has; use Directional_graph");
 }
 
-// How many points an edge may have, and whether faces that need more are given up.
+// The maximum number of points on an edge, and whether faces that need more are accepted, with few
+// points and a weaker bound.
 struct Limit_of_points
 {
   std::size_t number;
@@ -60,16 +61,21 @@ struct Limit_of_points
 
 inline std::size_t checked_limit(const double number, const char* const name)
 {
-  constexpr double largest = 4294967296; // for 32-bit numbers
+  constexpr double largest = 4294967296; // one more than a graph may have nodes
   if(!(number >= 1) || number != std::floor(number) || number > largest)
     reject(std::string(name) + " is " + text_of(number) + "; it must be an integer from 1 to 2^32");
   return static_cast<std::size_t>((std::min)(number, largest - 1));
 }
 
-// Reads what is to happen to thin faces.
+// Reads the parameters of placements with a bound.
 template <typename NamedParameters>
 Limit_of_points limit_of_points(const NamedParameters& np, const std::size_t by_default)
 {
+  static_assert(!is_any_given<NamedParameters, internal_np::number_of_points_per_edge_t,
+                              internal_np::nb_points_per_distance_unit_t>,
+                "Geometric_points and Directional_points read epsilon, which determines the number "
+                "of points: for a number of your own, use Fixed_number_of_points or "
+                "Points_at_interval");
   const double number = CGAL::to_double(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::maximum_number_of_points_per_edge),
       double(by_default)));
@@ -78,7 +84,7 @@ Limit_of_points limit_of_points(const NamedParameters& np, const std::size_t by_
               parameters::get_parameter(np, internal_np::accept_weaker_bound), false)};
 }
 
-// How many points there may be on all edges, if that is given, and else 0.
+// Returns the maximum number of points on all edges, or 0 if it is not given.
 template <typename NamedParameters>
 std::size_t maximum_number_of_points([[maybe_unused]] const NamedParameters& np)
 {
@@ -90,13 +96,13 @@ std::size_t maximum_number_of_points([[maybe_unused]] const NamedParameters& np)
     return 0;
 }
 
-// Whether parameters are given that matter to graphs with a bound for weights only.
+// Whether parameters are given that only placements with a bound read.
 template <typename NamedParameters>
 constexpr bool limits_points = is_any_given<NamedParameters,
                                             internal_np::maximum_number_of_points_per_edge_t,
                                             internal_np::accept_weaker_bound_t>;
 
-// For graphs other than Steiner graphs, which do not support what these parameters say.
+// Rejects weights, barriers and their parameters, for graphs other than Steiner graphs.
 template <typename NamedParameters>
 void reject_weights(const Intrinsic_triangulation& triangulation,
                     const NamedParameters& /* np */,

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -31,8 +32,8 @@ namespace CGAL::Approximate_geodesics::internal {
 class Geometric_progressions
 {
 public:
-  // What is known of an end: where its progression starts, how close the other edges of the faces
-  // are (see `Face_shape`), and the logarithm of the largest ratio between neighbors.
+  // The parameters of an end: where its progression starts, the sine of the angle there (see
+  // `Face_shape`), and the logarithm of the largest ratio of the distances of neighbors.
   struct End
   {
     double start;
@@ -55,7 +56,7 @@ public:
     return static_cast<std::size_t>(m_first_number + m_second_number) + 1;
   }
 
-  // Writes the positions of the points; for positions, see `Points_on_edges`.
+  // Writes the positions of the points, as `Points_on_edges` defines them.
   void place(float* positions) const
   {
     const auto first = static_cast<std::size_t>(m_first_number);
@@ -75,7 +76,7 @@ private:
   static double number_of_steps(const double end, const End& e)
   {
     constexpr double tolerance = 1e-9;
-    constexpr double too_many = 1e18; // and yet an integer
+    constexpr double too_many = 1e18; // still fits an integer
     return (std::clamp)(std::ceil(std::log(end / e.start) / e.log_of_ratio - tolerance), 0.,
                         too_many);
   }
@@ -97,11 +98,11 @@ private:
 };
 
 /*
- * The progressions on all edges of a triangulation: as dense as it takes for crossing the faces on
- * both sides to cost at most `1 + epsilon` times as much as it should.
+ * The progressions on all edges of a triangulation, which are so dense that crossing the faces on
+ * both sides costs at most `1 + epsilon` times as much as on the surface.
  *
- * Thin faces take many points. One that takes more than the limit is given up, if that is allowed:
- * it gets few points, and a bound of its own. So is a thin face that is forbidden.
+ * Thin faces need many points. If weaker bounds are accepted, a face that needs more than the limit
+ * is given up: it gets few points, and a bound of its own. Thin forbidden faces are given up, too.
  */
 class Measured_progressions
 {
@@ -112,17 +113,17 @@ public:
   // a face with an angle whose sine is smaller is thin
   static constexpr double SMALLEST_SINE = 0.02;
 
-  // a progression has at most so many points for faces that are given up, divided by the root of
+  // the largest number of points of a progression in faces that are given up, times the root of
   // epsilon
   static constexpr double LARGEST_NUMBER_IF_GIVEN_UP = 20;
 
-  // progressions start at least this far from the end, in lengths of the edge
+  // the smallest distance from the end where progressions start, relative to the edge
   static constexpr double SMALLEST_START = 1e-36;
 
   Measured_progressions() = default;
 
   // The progressions at vertices start at the distances `start`. Throws std::length_error if a face
-  // takes too many points, and none is to be given up.
+  // needs too many points, and weaker bounds are not accepted.
   Measured_progressions(const Intrinsic_triangulation& triangulation,
                         std::vector<double> start,
                         const double epsilon,
@@ -149,8 +150,8 @@ public:
     return {ends[0], ends[1]};
   }
 
-  // Crossing the faces that points are too few for costs at most one plus this number times as much
-  // as it should: zero if there are none, infinity if one has no area.
+  // Returns the bound for crossing the faces that are given up: 0 if there are none, infinity if
+  // one has no area.
   double epsilon_of_given_up(const Intrinsic_triangulation& triangulation) const
   {
     double result = 0;
@@ -161,17 +162,16 @@ public:
     return result;
   }
 
-  // Says that the face to the left of `h` takes so many points, and may have fewer.
+  // Throws an error since the face to the left of `h` needs more points than the limit.
   [[noreturn]] static void refuse(const Intrinsic_triangulation& triangulation,
                                   const Index h,
                                   const std::size_t number,
                                   const std::size_t largest)
   {
-    triangulation.check_triangle_inequality(); // which would be the better reason
-    constexpr std::size_t far_too_many = 1000000000000;
+    triangulation.check_triangle_inequality(); // throws a more precise error
     throw std::length_error(
-        "Approximate_geodesics: for epsilon, " + name_of_face(triangulation, h) + " takes " +
-        (number < far_too_many ? std::to_string(number) : std::string("more than 10^12")) +
+        "Approximate_geodesics: for epsilon, " + triangulation.name_of_face(h) + " takes " +
+        text_of_points(double(number)) +
         " points on an edge, and maximum_number_of_points_per_edge is " + std::to_string(largest) +
         "; with accept_weaker_bound(true), it gets few, and Steiner_graph::epsilon() tells the "
         "bound that is left");
@@ -183,11 +183,11 @@ public:
   }
 
 private:
-  // what positions are rounded by can bring two neighbors apart
+  // rounded positions can increase the distance of two neighbors
   static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7;
   static constexpr double SMALLEST_LOGARITHM = 2 * ROUNDING_OF_LOGARITHM;
 
-  // a sine that progressions can do with, and yet take more points than there may be
+  // a sine that is not 0, but needs more points than any limit
   static constexpr double almost_zero = 1e-200;
 
   // ----- faces to give up
@@ -225,7 +225,8 @@ private:
     }
   }
 
-  // Of `h` and its opposite, the one with the face that takes more points, unless it is given up.
+  // Of `h` and its opposite, returns the one with the face that needs more points, among faces that
+  // are not given up.
   Index thinner_side(const Intrinsic_triangulation& triangulation, const Index h) const
   {
     const Index opposite = triangulation.opposite(h);
@@ -238,21 +239,9 @@ private:
     return sine(opposite) < sine(h) ? opposite : h;
   }
 
-  static std::string name_of_face(const Intrinsic_triangulation& triangulation, const Index h)
-  {
-    std::string result = "the face with vertices ", separator;
-    for(const Index side : triangulation.halfedges_of_face(h))
-    {
-      const Index v = triangulation.target(triangulation.opposite(side));
-      result += separator + std::to_string(triangulation.index(v));
-      separator = ", ";
-    }
-    return result;
-  }
-
   // ----- progressions
 
-  // Those from the source of `h` and from its target.
+  // Returns the parameters at the source of `h` and at its target.
   std::array<End, 2> ends(const Intrinsic_triangulation& triangulation, const Index h) const
   {
     const Index opposite = triangulation.opposite(h);
@@ -273,12 +262,12 @@ private:
     return (std::clamp)(m_start[v] / length, SMALLEST_START, largest_start);
   }
 
-  // What a face with this sine at an end of an edge asks for there.
+  // Returns the parameters that a face with this sine requires at an end of an edge.
   End end(const double start, const double sine, const bool is_given_up) const
   {
     End result{start, (std::max)(sine, is_given_up ? SMALLEST_SINE : almost_zero), 0};
     const double log_of_ratio = 2 * std::asinh(result.sine * m_root);
-    const bool is_too_small = log_of_ratio < SMALLEST_LOGARITHM; // to tell positions apart
+    const bool is_too_small = log_of_ratio < SMALLEST_LOGARITHM; // rounded positions would coincide
     result.log_of_ratio = is_too_small ? almost_zero : log_of_ratio - ROUNDING_OF_LOGARITHM;
     if(is_given_up)
       result.log_of_ratio =
@@ -286,8 +275,8 @@ private:
     return result;
   }
 
-  // What two faces ask for. Where one is given up, progressions meet where the other one needs it,
-  // whose bound stays what it is.
+  // Combines the requirements of two faces. If one is given up, progressions meet where the other
+  // one requires it, so that its bound still holds.
   static End denser(const End& left,
                     const bool is_left_given_up,
                     const End& right,
@@ -304,13 +293,13 @@ private:
 
   // ----- the bound of faces with few points
 
-  // For the face to the left of `h`, as far as points on the edge of `h` matter.
+  // Returns the bound for the face to the left of `h` that follows from points on the edge of `h`.
   double epsilon_beside(const Intrinsic_triangulation& triangulation, const Index h) const
   {
     const Face_shape face(triangulation, h);
     const std::array<double, 2> sines{face.sine_of_corner(), face.sine_of_next_corner()};
     const std::array<End, 2> ends = this->ends(triangulation, h);
-    double largest_shift = 0, largest_ratio = 0; // in distances that points were made for
+    double largest_shift = 0, largest_ratio = 0; // relative to the sines that points are made for
     for(std::size_t i = 0; i < 2; ++i)
     {
       if(sines[i] == 0)

@@ -11,20 +11,20 @@
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
+#include <boost/type_traits/is_detected.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// How many points there may be on all edges of a graph together. They are counted before there is
-// any memory for them, in time that depends on the number of edges only.
-
-// The limit that was given, or by default, if it is 0: as many as small bounds take on large
-// meshes, and on small meshes what a search takes some seconds for. A point takes about 50 bytes of
-// a graph and a search.
+// Returns the maximum number of points on all edges together: `given`, or the default if that is 0.
+// The default is enough for small bounds on large meshes, and on small meshes it limits a search to
+// some seconds. A point takes about 50 bytes of a graph and a search.
 inline std::size_t maximum_number_of_points(const Intrinsic_triangulation& triangulation,
                                             const std::size_t given)
 {
@@ -34,88 +34,44 @@ inline std::size_t maximum_number_of_points(const Intrinsic_triangulation& trian
   return given > 0 ? given : static_cast<std::size_t>(by_default);
 }
 
-// A sum of numbers of points that does not overflow.
-class Number_of_points
+// Returns a number of points for a message. Sums of these are doubles, which do not overflow.
+inline std::string text_of_points(const double number)
 {
-public:
-  static constexpr double FAR_TOO_MANY = 1e12;
+  constexpr double far_too_many = 1e12;
+  return number < far_too_many ? std::to_string(static_cast<long long>(number))
+                               : std::string("more than 10^12");
+}
 
-  void add(const std::size_t number) { m_sum += double(number); }
-  bool is_above(const std::size_t limit) const { return m_sum > double(limit); }
-
-  friend std::string to_string(const Number_of_points& number)
-  {
-    return number.m_sum < FAR_TOO_MANY ? std::to_string(static_cast<long long>(number.m_sum))
-                                       : std::string("more than 10^12");
-  }
-
-private:
-  double m_sum = 0; // exact as far as it is told
-};
-
-// Whether there are more points than the limit on the edges that paths may cross.
+// Returns whether there are more than `limit` points on the edges that paths may cross. They are
+// only counted, which takes time proportional to the number of edges.
 template <typename Placement>
 bool has_more_points(const Intrinsic_triangulation& triangulation,
                      const Placement& placement,
                      const std::size_t limit)
 {
   using Index = Intrinsic_triangulation::Index;
-  Number_of_points sum;
+  double sum = 0;
   for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
     if(h < triangulation.opposite(h) && triangulation.is_crossable(h) &&
        triangulation.length(h) > 0)
-      sum.add(placement.number_of_points(triangulation, h));
-  return sum.is_above(limit);
+      sum += double(placement.number_of_points(triangulation, h));
+  return sum > double(limit);
 }
 
-// What makes a placement take fewer points, for a message; nothing if it has no bound, or has
-// accepted a weaker one.
 template <typename Placement>
-auto advice_on_points(const Placement& placement, int)
-    -> decltype(placement.accepts_weaker_bound(), std::string())
-{
-  return placement.accepts_weaker_bound()
-             ? ""
-             : "; fewer are enough for a larger epsilon, or with accept_weaker_bound(true)";
-}
-template <typename Placement>
-std::string advice_on_points(const Placement& /* placement */, long)
-{
-  return "";
-}
-
-// Says how many points there would be, and on which edge most of them.
-[[noreturn]] inline void refuse_points(const Intrinsic_triangulation& triangulation,
-                                       const Number_of_points& number,
-                                       const Intrinsic_triangulation::Index halfedge_with_most,
-                                       const std::size_t number_there,
-                                       const std::size_t limit,
-                                       const std::string& advice)
-{
-  Number_of_points on_edge;
-  on_edge.add(number_there);
-  const auto index = [&](const Intrinsic_triangulation::Index h) {
-    return std::to_string(triangulation.index(triangulation.target(h)));
-  };
-  throw std::length_error("Approximate_geodesics: the graph takes " + to_string(number) +
-                          " points on edges, " + to_string(on_edge) + " of them between vertices " +
-                          index(triangulation.opposite(halfedge_with_most)) + " and " +
-                          index(halfedge_with_most) + ", and maximum_number_of_points is " +
-                          std::to_string(limit) + advice);
-}
+using Accepts_weaker_bound = decltype(std::declval<const Placement&>().accepts_weaker_bound());
 
 /*
- * The points that a placement puts on the edges of a triangulation. They are numbered from 0: those
- * of an edge follow each other, from the source of one of its halfedges, called the first one, to
+ * The points that a placement puts on the edges of a triangulation, numbered from 0. Those of an
+ * edge have consecutive numbers, from the source of one of its halfedges, called the first one, to
  * its target.
  *
- * A barrier is two edges here, one for either side, each with points of its own. So edges have a
- * number that only this class knows.
+ * A barrier counts as two edges, one for each side, with points of their own. Therefore edges have
+ * numbers that are private to this class.
  *
- * A position is a part of the edge, measured from the nearer end, which keeps points apart that are
- * very close to an end: from 0 to 1/2, the part between the first end and the point; below 0, minus
- * the part between the point and the second end. Positions that follow from the number of points
- * are not stored.
+ * A position is a part of the edge, measured from the nearer end, so that points very close to an
+ * end can be told apart: from 0 to 1/2, it is the part between the first end and the point; below
+ * 0, minus the part between the point and the second end. Positions of equal parts are not stored.
  */
 class Points_on_edges
 {
@@ -125,8 +81,9 @@ public:
 
   Points_on_edges() = default;
 
-  // Throws std::length_error if there are more points than `limit` says, or than `largest_number`,
-  // which is what numbers can tell apart.
+  // Throws std::length_error if there are more points than `limit`, or than `largest_number`, so
+  // that a graph would have more than 2^32 - 1 nodes. Points are counted before memory is
+  // allocated.
   template <typename Placement>
   Points_on_edges(const Intrinsic_triangulation& triangulation,
                   const Placement& placement,
@@ -154,10 +111,11 @@ public:
 
   Index number_of_edges() const { return static_cast<Index>(m_first_point.size() - 1); }
 
-  // the edge of a halfedge of the triangulation, the one on its left side if it is a barrier
+  // Returns the edge of a halfedge; of a barrier, the one on the left side of `h`.
   Index edge(const Index h) const { return m_edge[h] / 2; }
 
-  // whether `h` is the first halfedge of its edge; there is a face to the left of that, if any
+  // Returns whether `h` is the first halfedge of its edge. It is not at the border, unless both
+  // are.
   bool is_first(const Index h) const { return m_edge[h] % 2 == 0; }
 
   // Calls `f(h, e)` for every edge `e` and its first halfedge `h`.
@@ -176,10 +134,10 @@ public:
   Index beyond_point(const Index e) const { return m_first_point[e + 1]; }
   Index number_of_points(const Index e) const { return beyond_point(e) - first_point(e); }
 
-  // the first halfedge of the edge of a point
+  // Returns the first halfedge of the edge of a point.
   Index halfedge(const Index p) const { return m_halfedge[p]; }
 
-  // the part of the edge `e` between its first end and its point `p`, and the rest of it
+  // Return the part of the edge `e` between its first end and its point `p`, and the rest of it.
   double part_before(const Index e, const Index p) const
   {
     if(m_position.empty())
@@ -193,7 +151,7 @@ public:
     return m_position[p] < 0 ? -double(m_position[p]) : 1 - double(m_position[p]);
   }
 
-  // the part of the edge `e` between its point `p` and the next one
+  // Returns the part of the edge `e` between its point `p` and the next one.
   double part_between(const Index e, const Index p) const
   {
     if(m_position.empty())
@@ -202,7 +160,7 @@ public:
     return m_position[p] >= 0 && m_position[p + 1] < 0 ? 1 + difference : difference;
   }
 
-  // The positions from that of `p` on, or a null pointer if points divide edges into equal parts.
+  // Returns the positions from that of `p` on, or a null pointer if they are not stored.
   const float* positions(const Index p) const
   {
     return m_position.empty() ? nullptr : m_position.data() + p;
@@ -246,27 +204,48 @@ private:
                     const std::size_t limit,
                     const std::size_t largest_number)
   {
-    Number_of_points number;
+    double number = 0;
     Index halfedge_with_most = 0;
-    std::size_t largest = 0;
+    std::size_t most = 0;
     for_each_first_halfedge([&](const Index h, const Index e) {
       const std::size_t number_on_edge =
           triangulation.length(h) > 0 ? placement.number_of_points(triangulation, h) : 0;
-      number.add(number_on_edge);
-      if(number_on_edge > largest)
+      number += double(number_on_edge);
+      if(number_on_edge > most)
       {
-        largest = number_on_edge;
+        most = number_on_edge;
         halfedge_with_most = h;
       }
-      m_first_point[e + 1] = m_first_point[e] + static_cast<Index>(number_on_edge); // if it fits
+      m_first_point[e + 1] = m_first_point[e] + static_cast<Index>(number_on_edge); // checked below
     });
-    if(number.is_above(limit))
-      refuse_points(triangulation, number, halfedge_with_most, largest, limit,
-                    advice_on_points(placement, 0));
-    if(number.is_above(largest_number))
-      throw std::length_error("Approximate_geodesics: the graph would have more than " +
-                              std::to_string(largest_number) +
-                              " points on edges, which is what 32-bit numbers can tell apart");
+    if(number > double((std::min)(limit, largest_number)))
+      refuse_points(triangulation, placement, number, halfedge_with_most, most, limit);
+  }
+
+  template <typename Placement>
+  [[noreturn]] static void refuse_points(const Intrinsic_triangulation& triangulation,
+                                         const Placement& placement,
+                                         const double number,
+                                         const Index halfedge_with_most,
+                                         const std::size_t most,
+                                         const std::size_t limit)
+  {
+    std::string reason = "can have at most 2^32 - 1 nodes";
+    if(number > double(limit))
+    {
+      reason = "maximum_number_of_points is " + std::to_string(limit);
+      if constexpr(boost::is_detected_v<Accepts_weaker_bound, Placement>)
+        if(!placement.accepts_weaker_bound())
+          reason += "; fewer are enough for a larger epsilon, or with accept_weaker_bound(true)";
+    }
+    const auto index = [&](const Index h) {
+      return std::to_string(triangulation.index(triangulation.target(h)));
+    };
+    throw std::length_error("Approximate_geodesics: the graph takes " + text_of_points(number) +
+                            " points on edges, " + text_of_points(double(most)) +
+                            " of them between vertices " +
+                            index(triangulation.opposite(halfedge_with_most)) + " and " +
+                            index(halfedge_with_most) + ", and " + reason);
   }
 
   std::vector<Index> m_edge;              // per halfedge: twice the edge, plus one if not first
