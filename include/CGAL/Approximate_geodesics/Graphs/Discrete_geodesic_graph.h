@@ -41,20 +41,18 @@ namespace CGAL::Approximate_geodesics {
  * A graph whose shortest paths are longer than the shortest paths on the surface by a factor of at
  * most \f$1 + \varepsilon\f$.
  *
- * Its nodes are the vertices of the mesh, and points inside faces if most of these are far longer
- * than wide, as lines would cross very many of them else. Its arcs are straight lines across the
- * faces that lie between them, laid out in the plane. From every vertex, all directions are
- * followed for as long as they lead to something that cannot be reached well enough over another
- * vertex; section \ref AG_discrete_geodesic_graph of the user manual describes how that is decided,
- * and the report \cgalCite{ag-report} proves the bound. On scanned models the mean error is about
- * \f$\varepsilon / 100\f$ for \f$\varepsilon = 0.1\f$, and the largest error about
- * \f$\varepsilon / 4\f$ or less.
+ * Its nodes are the vertices of the mesh, and points inside faces if most faces are far longer than
+ * wide, since lines would otherwise cross very many of them. Its arcs are straight lines across
+ * faces, unfolded into the plane. From every vertex, cones of directions are followed until other
+ * vertices provide paths that are short enough; section \ref AG_discrete_geodesic_graph of the user
+ * manual describes the criterion, and the report \cgalCite{ag-report} proves the bound. On scanned
+ * models the mean error is about \f$\varepsilon / 100\f$ for \f$\varepsilon = 0.1\f$, and the
+ * largest error about \f$\varepsilon / 4\f$ or less.
  *
- * Lengths are stored in single precision and rounded up, which makes them too long by a factor of
- * at most \f$1 + 2^{-23}\f$, unless they are shorter than the longest edge by a factor of more than
- * \f$2^{126}\f$, which single precision cannot tell apart any more: then they are too long by up to
- * \f$2^{-149}\f$ times the longest edge. An arc takes 6 bytes, which is
- * about 250 bytes per vertex for \f$\varepsilon = 0.1\f$, in addition to the triangulation.
+ * Lengths are stored in single precision and rounded up, by a factor of at most
+ * \f$1 + 2^{-23}\f$, or, if they are less than \f$2^{-126}\f$ times the longest edge, by up to
+ * \f$2^{-149}\f$ times the longest edge. An arc takes 6 bytes, which is about 250 bytes per vertex
+ * for \f$\varepsilon = 0.1\f$, in addition to the triangulation.
  *
  * An object of this class never changes after its construction and may be used by several threads.
  * For one search, or few, `Lazy_discrete_geodesic_graph` is faster.
@@ -102,10 +100,10 @@ public:
    * \throws std::invalid_argument if `epsilon` is not a finite number above `0`, if a face breaks
    *         the triangle inequality, or if `triangulation` has weights or barriers.
    *
-   * How much time and memory a vertex takes is measured, and not proved: about the same on all
-   * meshes whose faces are not too oblong, whatever its degree and the size of the mesh. Cones can
-   * cross all faces of a mesh, as in a fan of `n` needles whose outer ends turn inwards, and take
-   * time \cgalBigO{n} each then.
+   * There is no proved bound of run time and memory. In measurements, they are about the same for
+   * all vertices of meshes whose faces are not too oblong, whatever the degree of the vertex and
+   * the size of the mesh. In the worst case, cones cross all `n` faces of a mesh, as in a fan of
+   * needles whose outer ends turn inwards, and take time \cgalBigO{n} each.
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Discrete_geodesic_graph(Intrinsic_triangulation triangulation,
@@ -124,15 +122,15 @@ public:
   /// returns the triangulation that the graph was built on.
   const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
 
-  /// returns the bound that the graph was built for, or, below \f$7.2\cdot10^{-7}\f$, the larger
-  /// one that is left as lengths are rounded.
+  /// returns the bound that the graph was built for, or, below \f$7.2\cdot10^{-7}\f$, a larger one,
+  /// as lengths are rounded.
   double epsilon() const
   {
     constexpr double of_rounding = 1. / (1 << 23);
     return (std::max)(m_rules.epsilon, m_rules.longest_detour * (1 + of_rounding) - 1);
   }
 
-  /// what a search needs for paths.
+  /// the data that a search needs for paths.
 #ifdef DOXYGEN_RUNNING
   using Run = unspecified_type;
 #else
@@ -160,7 +158,7 @@ public:
   /*!
    * calls `f(target, length)` for every arc that starts from `node`.
    *
-   * The arcs do not depend on how `node` was reached, so the labels are not looked at.
+   * The arcs do not depend on the labels.
    */
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& /* labels */, F f) const
@@ -170,8 +168,8 @@ public:
 
   /*!
    * calls `f(h, t)` for every edge that the arc of the given length from `source` to `target`
-   * crosses, in this order: at the point that is at the part `t` of the way from the source to the
-   * target of the halfedge `h`. Returns the length of the arc, before it was rounded.
+   * crosses, in this order: the crossing is at the part `t` of the halfedge `h`, from its source.
+   * Returns the length of the arc, before it was rounded.
    * \pre There is such an arc.
    */
   template <typename F>
@@ -183,8 +181,8 @@ public:
   /// returns where a node is, which may be one of the vertices.
   Intrinsic_point position(const Node node) const { return m_cone_triangulation.position(node); }
 
-  /// attaches a point of the surface by straight lines across the faces around it, as far as those
-  /// from a vertex are followed. So the bound holds for it, too.
+  /// attaches a point of the surface by straight lines across the faces around it, like the arcs of
+  /// a vertex. So the bound holds for it, too.
   internal::Cones_of_point attach(const Intrinsic_point& point) const
   {
     return {m_triangulation, m_rules, point};
@@ -210,9 +208,9 @@ public:
 
   /*!
    * writes the graph to `out`, a binary stream: 8 bytes per arc, 4 per node, and a header. The
-   * triangulation is not written, as it is quickly made from the mesh. Include
-   * `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h` to make it.
-   * \throws std::runtime_error if `out` does not take it.
+   * triangulation is not written, since constructing it from the mesh is fast. That requires the
+   * header `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h`.
+   * \throws std::runtime_error if writing fails.
    */
   void save(std::ostream& out) const
   {
@@ -221,11 +219,11 @@ public:
   }
 
   /*!
-   * reads a graph from `in`, a binary stream, that was written for the same triangulation: one of
-   * lengths is not the same as one of coordinates, if there are thin faces.
+   * reads a graph from `in`, a binary stream, that was written for the same triangulation. If there
+   * are thin faces, a triangulation of edge lengths differs from one of coordinates.
    *
-   * \throws std::invalid_argument if the stream holds something else, is damaged or incomplete, or
-   *         belongs to another triangulation. The message says which.
+   * \throws std::invalid_argument if the stream does not contain a graph, is damaged or incomplete,
+   *         or belongs to another triangulation. The message says which.
    */
   static Discrete_geodesic_graph load(std::istream& in, Intrinsic_triangulation triangulation)
   {
@@ -246,8 +244,8 @@ public:
 private:
   friend class internal::Arc_run<Discrete_geodesic_graph>;
 
-  // Blocks of nodes, each of which is worked on by one thread. They do not depend on the number of
-  // threads, so that the graph does not either.
+  // Each thread works on blocks of nodes. They do not depend on the number of threads, so that the
+  // graph does not either.
   static constexpr Node SIZE_OF_BLOCK = 1024;
 
   template <typename F>

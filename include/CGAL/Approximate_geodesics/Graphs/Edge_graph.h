@@ -42,15 +42,15 @@ public:
   /// the number of a node; that of the vertex it stands for.
   using Node = Intrinsic_triangulation::Index;
 
-  /// paths of this graph have no points but vertices.
+  /// all points of paths are vertices.
   static constexpr bool arcs_are_edges = true;
 
   /// the graph of an empty mesh.
   Edge_graph() = default;
 
-  /// the graph of the edges of `triangulation`. It has no parameters of its own; the named ones are
-  /// looked at only to refuse `epsilon` and those of `Steiner_graph`, which this graph cannot give.
-  /// \throws std::invalid_argument if `triangulation` has weights or barriers.
+  /// the graph of the edges of `triangulation`. It has no parameters of its own; `epsilon` and
+  /// those of `Steiner_graph` are rejected at compile time. \throws std::invalid_argument if
+  /// `triangulation` has weights or barriers.
   ///
   /// Run time is \cgalBigO{n}.
   template <typename NamedParameters = parameters::Default_named_parameters>
@@ -81,11 +81,8 @@ public:
   /// returns the largest number of arcs that start from a node.
   std::size_t maximum_degree() const { return m_maximum_degree; }
 
-  /*!
-   * calls `f(target, length)` for every arc that starts from `node`.
-   *
-   * The arcs do not depend on how `node` was reached, so the labels are not looked at.
-   */
+  /// calls `f(target, length)` for every arc that starts from `node`. They do not depend on the
+  /// labels.
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& /* labels */, F f) const
   {

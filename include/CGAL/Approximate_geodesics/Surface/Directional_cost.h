@@ -18,8 +18,8 @@ namespace CGAL::Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
  *
- * A cost function as a value of the named parameter `face_weight_map`: `directional_cost()` makes
- * it.
+ * A cost function as a value of the named parameter `face_weight_map`, as `directional_cost()`
+ * returns it.
  *
  * \tparam CostFunction a model of `DirectionalCostFunction`
  */
@@ -27,10 +27,10 @@ template <typename CostFunction>
 class Directional_cost
 {
 public:
-  /// takes a copy of the function.
+  /// stores a copy of the function.
   explicit Directional_cost(CostFunction function) : m_function(std::move(function)) {}
 
-  /// returns what the function does.
+  /// returns the result of the function.
   template <typename Face, typename Vector_3>
   double operator()(const Face& face, const Vector_3& direction) const
   {
@@ -44,17 +44,18 @@ private:
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
  *
- * A cost function for the ways back: a model of `DirectionalCostFunction`, which asks another one
- * for the opposite direction.
+ * The cost function of ways back: it calls another one with the opposite direction.
+ *
+ * \cgalModels{DirectionalCostFunction}
  */
 template <typename CostFunction>
 class Reversed_cost
 {
 public:
-  /// takes a copy of the function.
+  /// stores a copy of the function.
   explicit Reversed_cost(CostFunction function) : m_function(std::move(function)) {}
 
-  /// returns what going the other way costs.
+  /// returns the cost of the opposite direction.
   template <typename Face, typename Vector_3>
   double operator()(const Face& face, const Vector_3& direction) const
   {
@@ -68,15 +69,19 @@ private:
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
  *
- * makes a value of the named parameter `face_weight_map` for costs that depend on where one goes:
+ * returns a value of the named parameter `face_weight_map` for costs that depend on the direction:
  * `face_weight_map(directional_cost(f))`.
  *
  * The function is called when the mesh is read, for each face and in some 20 to 200 directions in
- * its plane. What paths cost is the largest convex gauge below these costs: where a function is not
- * convex, zigzags are cheaper than straight lines, and their cost is the one that counts. Gauges of
- * convex functions are too high by a tenth of `epsilon` at most, if that is given, and else by 1 %.
- * They are exact in the directions of the edges. Each direction takes 32 bytes, but for those that
- * zigzags make needless.
+ * its plane. Paths have the costs of the largest convex gauge below the function: where a function
+ * is not convex, zigzags are cheaper than straight lines, and their cost counts.
+ *
+ * Gauges of convex functions are exact in the directions of the edges. Elsewhere they are too high
+ * by at most a tenth of `epsilon`, if that is given, and else by at most 1 %. The exception are
+ * narrow gauges, whose costs change by large factors within small angles: no more directions are
+ * added to 2048 in a face, nor between directions that are \f$10^{-5}\f$ apart.
+ * `Directional_graph::sampling_error()` returns the bound that is left, which the bound of
+ * `Directional_points` includes. Each direction takes 32 bytes, unless zigzags make it redundant.
  *
  * \param f a model of `DirectionalCostFunction`
  */
@@ -89,9 +94,9 @@ Directional_cost<CostFunction> directional_cost(CostFunction f)
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
  *
- * makes a cost function for the ways back, of one for the ways there. Distances from a source are
- * then those to it, to the last bit; the named parameter `direction_to_source` is another way to
- * get these.
+ * returns the cost function of ways back. With it, distances from a source are those to the source
+ * with the original function, to the last bit. The named parameter `direction_to_source` has the
+ * same effect.
  */
 template <typename CostFunction>
 Reversed_cost<CostFunction> reversed_cost(CostFunction f)
@@ -111,7 +116,7 @@ struct Is_directional_cost<Directional_cost<F>> : std::true_type
 {
 };
 
-// Whether named parameters give costs that depend on the direction.
+// Whether named parameters contain costs that depend on the direction.
 template <typename NamedParameters>
 constexpr bool has_directional_cost =
     Is_directional_cost<std::decay_t<decltype(parameters::get_parameter(

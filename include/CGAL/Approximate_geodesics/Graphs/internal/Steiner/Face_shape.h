@@ -19,10 +19,10 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// Shape parameters of faces and vertex stars, which the placement of points depends on.
+// Shape parameters of faces, vertex stars and gauges, which the placement of points depends on.
 
 /*
- * The face to the left of a halfedge, as seen from the source of that.
+ * The face to the left of a halfedge, and its corner at the source of the halfedge.
  */
 class Face_shape
 {
@@ -40,15 +40,14 @@ public:
       m_area = face->doubled_area / 2;
   }
 
-  // How far the points of an edge that starts at the corner are from the face's other two edges, in
-  // proportion to their distance from the corner, as long as that end of the edge is the one that
-  // matters: the sine of the angle there, or 1 if it is obtuse.
+  // Returns the sine of the angle at the corner, or 1 if it is obtuse: the distance of a point of
+  // one of the two edges there from the other edge, relative to its distance from the corner.
   double sine_of_corner() const { return sine(m_first, m_second, m_opposite); }
 
-  // ... at the other end of the halfedge
+  // Returns the same for the corner at the target of the halfedge.
   double sine_of_next_corner() const { return sine(m_first, m_opposite, m_second); }
 
-  // the distance from the corner to the opposite edge
+  // Returns the distance from the corner to the opposite edge.
   double distance_to_opposite_edge() const
   {
     if(is_obtuse(m_opposite, m_first, m_second))
@@ -59,7 +58,7 @@ public:
   }
 
 private:
-  // whether the angle between the sides `a` and `b` is
+  // Returns whether the angle between the sides `a` and `b` is obtuse.
   static bool is_obtuse(const double a, const double b, const double opposite)
   {
     return opposite * opposite >= a * a + b * b;
@@ -84,7 +83,7 @@ class Star
 public:
   using Index = Intrinsic_triangulation::Index;
 
-  // stars are taken to have at least this radius, in lengths of the longest edge in them
+  // the smallest radius that is returned, relative to the longest edge at the vertex
   static constexpr double SMALLEST_RADIUS = 1e-9;
 
   Star(const Intrinsic_triangulation& triangulation, const Index v)
@@ -98,13 +97,13 @@ public:
     }
   }
 
-  // the distance from the vertex to the border of the star; infinity if there is no face
+  // Returns the distance from the vertex to the border of the star; infinity if there is no face.
   double radius() const { return (std::max)(m_radius, SMALLEST_RADIUS * m_longest_edge); }
 
-  // whether the radius is smaller than it is taken for, because of a face that paths may enter
+  // Returns whether the radius is smaller than `radius()` because of a face that paths may enter.
   bool is_degenerate() const { return m_radius_of_open < SMALLEST_RADIUS * m_longest_edge; }
 
-  // the halfedge that starts from the vertex, with the face to its left that makes it so small
+  // Returns the halfedge from the vertex whose face determines the radius; it is not forbidden.
   Index narrowest_face() const { return m_narrowest; }
 
 private:
@@ -138,7 +137,7 @@ public:
         add(triangulation.weight(h));
   }
 
-  // whether paths near the vertex are straight
+  // Returns whether paths near the vertex are straight.
   bool are_uniform() const { return m_largest == 0 || (!m_has_free && m_smallest == m_largest); }
 
 private:
@@ -161,7 +160,7 @@ private:
 };
 
 /*
- * What the error of a path across a face depends on, where the face has a gauge.
+ * The properties of a gauge that the error of a path across its face depends on.
  */
 class Gauge_shape
 {
@@ -186,16 +185,17 @@ public:
   bool is_forbidden() const { return m_first == m_beyond; }
   bool is_free() const { return !is_forbidden() && m_is_finite && m_largest == 0; }
 
-  // whether no direction is free, and none is forbidden, unless all are
+  // Returns whether no direction is free or forbidden, or all are.
   bool is_bounded() const { return is_forbidden() || is_free() || (m_is_finite && m_smallest > 0); }
 
-  // the cost of the cheapest direction, per unit of length
+  // Returns the cost of the cheapest direction, per unit of length.
   double smallest() const { return m_smallest; }
 
-  // A number Q such that a change `c` of a vector `d` adds at most
-  //   F(d) (r + Q |c|^2 / (2 |d|^2))
-  // to what a linear function of `c`, which depends on `d` only, says of the gauge F. \pre The face
-  // is neither free nor forbidden. Sectors where F is zero or infinite are left out.
+  // Returns a number Q such that for all vectors c, the gauge F(d + c) exceeds a linear function of
+  // c, which depends on d only, by at most
+  //   F(d) (r + Q |c|^2 / (2 |d|^2)).
+  // Sectors where F is zero or infinite are left out.
+  // \pre The face is neither free nor forbidden.
   //
   // From sector s to sector t, F(d + c) exceeds the functional of s by (t - s)(d + c), and the
   // largest Q for that is |t - s|^2 / (2 F(d) (r F(d) - (t - s) d)), for |d| = 1. Both factors
@@ -225,7 +225,7 @@ private:
       const double gap = (std::min)((std::max)(-dot(step, s.direction), 0.) + r * at_start,
                                     (std::max)(-dot(step, end), 0.) + r * at_end);
       const double q = dot(step, step) / (2 * smallest * gap);
-      result = q > result ? q : result; // not if it is not a number
+      result = q > result ? q : result; // false for NaN
     }
     return result;
   }

@@ -21,9 +21,9 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * What paths cost in the faces of a triangulation where this depends on their direction: for each
- * face, a convex gauge, whose unit ball is a polygon, and a frame, in which the directions of its
- * sides are known. Costs are in units of `unit()`.
+ * The costs of paths in faces that depend on the direction: for each face, a convex gauge whose
+ * unit ball is a polygon, in a frame that is given by the directions of its sides. Costs are in
+ * units of `unit()`.
  */
 class Face_gauges
 {
@@ -35,7 +35,7 @@ public:
   struct Sector
   {
     Plane_vector direction;
-    Plane_vector functional; // what vectors are to be multiplied by; not numbers if infinite
+    Plane_vector functional; // its scalar product with a vector is the gauge; NaN if infinite
 
     bool is_finite() const { return !std::isnan(functional.x); }
   };
@@ -44,14 +44,14 @@ public:
   Index number_of_faces() const { return static_cast<Index>(m_beyond_upper.size()); }
   double unit() const { return m_unit; }
 
-  // How much higher gauges are than the given costs, relatively, if those are convex.
+  // Returns a bound of the relative error of the gauges, which holds if cost functions are convex.
   double sampling_error() const { return m_sampling_error; }
 
   // ----- faces; there is one to the left of `h`
 
   Index face(const Index h) const { return m_corner_of_halfedge[h] / 3; }
 
-  // the direction of `h` in the frame of its face; zero if it has no length
+  // Returns the direction of `h` in the frame of its face; zero if its length is zero.
   Plane_vector side(const Index h) const { return m_side[m_corner_of_halfedge[h]]; }
 
   const Sector* first_sector(const Index face) const { return sectors() + m_first_sector[face]; }
@@ -65,7 +65,7 @@ public:
     return m_first_sector[face] == m_first_sector[face + 1];
   }
 
-  // What it costs to go from one end of a vector in the frame of the face to the other.
+  // Returns the gauge of a vector in the frame of the face.
   double cost(const Index face, const Plane_vector v) const
   {
     if(v.x == 0 && v.y == 0)
@@ -124,14 +124,15 @@ public:
     m_first_sector.push_back(m_sectors.size());
     const Sector* const first = first_sector(number_of_faces());
     const Sector* const beyond = sectors() + m_sectors.size();
-    const Sector* const lower = // the first one is not: rounded, it may be to the right of itself
+    const Sector* const
+        lower = // not the first one, which may be to the right of itself by rounding
         first == beyond ? beyond : std::find_if(first + 1, beyond, [&](const Sector& sector) {
           return !is_ahead(*first, sector.direction);
         });
     m_beyond_upper.push_back(static_cast<Index>(lower - first));
   }
 
-  // Expresses costs in a power of two, so that products with lengths neither overflow nor vanish.
+  // Chooses a power of two as unit, so that products with lengths neither overflow nor underflow.
   void normalize(const double unit_of_lengths)
   {
     double largest = 0;
@@ -144,7 +145,7 @@ public:
     const int exponent =
         (std::max)(std::ilogb(largest), smallest_of_costs - std::ilogb(unit_of_lengths));
     m_unit = std::ldexp(1., exponent);
-    const double root = std::ldexp(1., -(exponent / 2)); // powers of two, which a double can hold
+    const double root = std::ldexp(1., -(exponent / 2)); // powers of two within the range of double
     const double rest = std::ldexp(1., exponent / 2 - exponent);
     for(Sector& s : m_sectors)
       s.functional = rest * (root * s.functional);
@@ -153,14 +154,14 @@ public:
 private:
   const Sector* sectors() const { return m_sectors.data(); }
 
-  // Whether a direction is in the half circle from the first one of the face on.
+  // Returns whether a direction is in the half circle that begins with the first one of the face.
   static bool is_ahead(const Sector& first, const Plane_vector v)
   {
     const double sine = cross(first.direction, v);
     return sine > 0 || (sine == 0 && dot(first.direction, v) > 0);
   }
 
-  // The last of the sectors of the same half circle that starts before `v`, or at it. If there is
+  // Returns the last sector of the same half circle that starts before `v`, or at it. If there is
   // none in the second half, that is the last one of the first half.
   const Sector* sector(const Index face, const Plane_vector v) const
   {
@@ -173,8 +174,8 @@ private:
            1;
   }
 
-  // The last direction before an infinite sector, and the first one behind it, belong to the finite
-  // ones, even if they are rounded.
+  // Returns the adjacent sector if `v` is a boundary direction of the infinite sector `s`, up to
+  // rounding, and else `s`: boundaries belong to the finite sectors.
   const Sector* neighbor_at_end(const Index face, const Sector* const s, const Plane_vector v) const
   {
     const Sector *const begin = first_sector(face), *const end = beyond_sector(face);

@@ -20,36 +20,35 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * The largest convex gauge that is not above given costs in given directions: what zigzags cost.
- * Its unit ball is the convex hull of the origin and the points that one unit of cost leads to.
- * Costs of zero put points at infinity, and infinite ones none, so that all is done in terms of
- * costs: between two corners of the hull, the gauge is linear.
+ * The largest convex gauge that is not above given costs in given directions: the costs of zigzags.
+ * Its unit ball is the convex hull of the origin and the points at the cost 1. Zero costs put
+ * points at infinity, and infinite costs put them at the origin. So the computation uses costs
+ * instead of points: between two corners of the hull, the gauge is linear.
  *
- * If directions and costs are those of another hull turned by half a circle, so are all results, to
- * the last bit.
+ * Turning all directions by 180 degrees turns the results, to the last bit.
  */
 class Gauge_hull
 {
 public:
   using Id = std::size_t; // of a direction, in the order of insertion
 
-  // Two directions with a smaller sine between them make no sector.
+  // the smallest sine between the two directions of a sector
   static constexpr double SMALLEST_SINE = 1e-9;
 
-  // A direction, and if that is a corner of the hull, the sector from there to the next corner.
+  // A direction, and if it is a corner of the hull, the sector from there to the next corner.
   struct Direction
   {
     Plane_vector vector; // of length 1
     double cost;
     Id next, previous; // counterclockwise and clockwise
     bool is_corner;
-    bool is_listed; // whether its sector is to be computed
+    bool is_listed; // whether its sector has to be computed
     Id next_corner, previous_corner;
     bool is_finite;          // whether the gauge is, in the sector
-    bool is_bridge;          // whether directions were given inside, where zigzags cost no more
-    Plane_vector functional; // the gauge, as a vector to be multiplied by, if it is finite
-    double error_at_start;   // how much too large the gauge can be, relatively, before the first
-    double error_at_end;     // direction inside and behind the last one; the same if there is none
+    bool is_bridge;          // whether the sector contains directions, which are redundant
+    Plane_vector functional; // the gauge as a linear functional, if it is finite
+    double error_at_start; // bounds of the relative error of the gauge, before the first direction
+    double error_at_end;   // inside and behind the last one; equal if there is none
 
     double error() const { return (std::max)(error_at_start, error_at_end); }
   };
@@ -64,8 +63,8 @@ public:
   std::size_t number_of_directions() const { return m_directions.size(); }
   const Direction& operator[](const Id i) const { return m_directions[i]; }
 
-  // Adds a direction between `i` and the next one, unless it is the first of all. Takes constant
-  // time for each corner that is none any more, and for each direction inside the sector.
+  // Adds a direction between `i` and the next one, or the first direction. Takes constant time for
+  // each corner that it makes redundant, and for each direction inside the sector.
   Id insert(const Id i, const Plane_vector v, const double cost)
   {
     const Id m = link(i, v, cost);
@@ -89,8 +88,8 @@ public:
     return m;
   }
 
-  // Computes what has changed since the last call, and calls `f(c)` for the corners whose sectors
-  // have errors that are new.
+  // Updates the sectors that have changed since the last call, and calls `f(c)` for the corners
+  // whose sectors have new errors.
   template <typename F>
   void update(F f)
   {
@@ -132,7 +131,7 @@ private:
     return m;
   }
 
-  // ... between two others
+  // Makes `m` a corner between two others.
   void make_corner(const Id m, const Id previous, const Id next)
   {
     m_directions[m].is_corner = true;
@@ -160,7 +159,7 @@ private:
       remove(k);
   }
 
-  // Whether going in directions `i` and `k` in turn costs no more than going in direction `j`.
+  // Returns whether zigzags in directions `i` and `k` cost no more than direction `j`.
   bool is_needless(const Id i, const Id j, const Id k) const
   {
     constexpr double rounding = 1e-12; // so that the order of insertion does not matter
@@ -173,7 +172,7 @@ private:
 
   // ----- sectors
 
-  // Notes that the sector at a corner is another one.
+  // Marks the sector at a corner as changed.
   void list(const Id c)
   {
     if(m_directions[c].is_listed)
@@ -196,11 +195,10 @@ private:
                       (end.cost * s.vector.x - s.cost * end.vector.x) / sine};
   }
 
-  // If costs are those of a convex gauge, they are not below what the neighboring sectors continue
-  // to, and a bridge is a flat piece that they share with the gauge. If not, nothing follows from
-  // bridges: costs beside and below their ends may continue as they come from outside. What is
-  // assumed is always the larger error of these, so that it is valid in the first case. The gauge
-  // is taken to be right beside directions without end.
+  // Costs of a convex gauge are not below the linear continuations of the neighboring sectors, and
+  // on a bridge they are linear. For other costs, bridges imply nothing: costs beside and below
+  // their ends may continue like the neighboring sectors. The estimate is the larger error of both
+  // cases, so that it is valid in the first one. Next to infinite sectors, it is zero.
   void estimate_errors(const Id c)
   {
     Direction& s = m_directions[c];
@@ -225,8 +223,8 @@ private:
     }
   }
 
-  // By which part of itself the gauge of a finite sector drops in the direction `d` to what another
-  // sector continues to.
+  // Returns the relative difference of the gauge of a finite sector in the direction `d` and the
+  // linear continuation of another sector.
   static double drop(const Direction& sector, const Direction& other, const Plane_vector d)
   {
     if(!other.is_finite)
@@ -248,14 +246,14 @@ private:
 };
 
 /*
- * Directions in the plane of a face, and what a function says they cost: so many that the hull of
- * these costs is close to the function, if that is convex. With each direction comes the opposite
- * one, and costs in the opposite directions lead to the opposite directions.
+ * Samples of a cost function in the plane of a face, in so many directions that the hull of these
+ * costs is close to the function, if that is convex. Opposite directions are sampled together, so
+ * that the samples of the reversed function are those of the function, turned by 180 degrees.
  */
 class Gauge_samples
 {
 public:
-  // no directions are added to this number
+  // directions are not added to this number or more
   static constexpr std::size_t LARGEST_NUMBER = 2048;
 
   Gauge_samples()
@@ -268,8 +266,8 @@ public:
     }
   }
 
-  // Starts with the directions of the sides of the face, the first of which is the x axis. `cost`
-  // is called with a unit vector. What was sampled before is forgotten.
+  // Replaces the samples, starting with the directions of the sides of the face, the first of which
+  // is the x axis. `cost` is called with a unit vector.
   template <typename Cost>
   void sample(const std::array<Plane_vector, 3>& sides, const double tolerance, const Cost& cost)
   {
@@ -283,7 +281,7 @@ public:
     while(m_hull.number_of_directions() < LARGEST_NUMBER && refine(cost));
   }
 
-  // the hull of the costs in all directions, the first of which is the x axis
+  // Returns the hull of the costs in all directions, the first of which is the x axis.
   const Gauge_hull& hull() const { return m_hull; }
 
 private:
@@ -291,9 +289,9 @@ private:
 
   static constexpr int FIRST_NUMBER = 8;        // of directions in half a circle
   static constexpr double SMALLEST_SINE = 1e-5; // between directions
-  static constexpr double SMALLEST_GAP = 0.002; // where one side of it has infinite cost
+  static constexpr double SMALLEST_GAP = 0.002; // between a finite and an infinite cost
 
-  // Those of the sides take the places of others that are near.
+  // Directions of the sides replace others that are near.
   void set_first_directions(const std::array<Plane_vector, 3>& sides)
   {
     constexpr double near = 0.02, same = 1e-6;
@@ -321,7 +319,7 @@ private:
   static Id opposite(const Id i) { return i ^ 1; }
 
   // Inserts a direction of the first half circle behind `i`, and the opposite one. Returns the
-  // former.
+  // first.
   template <typename Cost>
   Id ask(const Id i, const Plane_vector d, const Cost& cost)
   {
@@ -332,7 +330,7 @@ private:
     return result;
   }
 
-  // Asks between directions that are too far apart. Returns whether there are any.
+  // Bisects wide gaps between directions. Returns whether there are any.
   template <typename Cost>
   bool refine(const Cost& cost)
   {
@@ -361,15 +359,15 @@ private:
       if(sector.error_at_end > tolerance)
         widen(last, SMALLEST_SINE);
       if(!sector.is_finite)
-        // where directions with finite costs end is somewhere between the last one and the next
+        // the boundary of the finite costs is somewhere in the gap
         for(const Id i : {c, last})
           if(std::isinf(m_hull[i].cost) != std::isinf(m_hull[m_hull[i].next].cost))
             widen(i, SMALLEST_GAP);
     });
   }
 
-  // Marks the gap behind a direction in the first half circle, or behind the opposite one, if it is
-  // not too small.
+  // Marks the gap behind a direction, or the opposite gap if that is in the first half circle,
+  // unless it is too small.
   void widen(const Id i, const double smallest)
   {
     const double sine = cross(m_hull[i].vector, m_hull[m_hull[i].next].vector);
@@ -377,9 +375,9 @@ private:
       m_is_wide[i % 2 == 0 ? i : opposite(i)] = true;
   }
 
-  std::vector<Plane_vector> m_equal_parts; // directions that divide half a circle
-  std::vector<Plane_vector> m_first;       // directions to start with, from the x axis on
-  std::vector<char> m_is_wide;             // by direction, whether to ask between it and the next
+  std::vector<Plane_vector> m_equal_parts; // half a circle, divided into equal parts
+  std::vector<Plane_vector> m_first;       // initial directions, from the x axis on
+  std::vector<char> m_is_wide;             // per direction: whether to bisect the gap behind it
   Gauge_hull m_hull;
 };
 
