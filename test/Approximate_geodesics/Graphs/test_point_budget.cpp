@@ -62,7 +62,7 @@ void expect_limit(const Triangulation& triangulation, const NamedParameters&... 
   const std::size_t number = graph(1000000).number_of_points();
   ASSERT_GT(number, 1u);
   expect_message<std::length_error>(
-      [&] { graph(number - 1); }, "takes " + std::to_string(number) + " points on edges",
+      [&] { graph(number - 1); }, "needs " + std::to_string(number) + " points on edges",
       " of them between vertices ", "maximum_number_of_points is " + std::to_string(number - 1));
   EXPECT_EQ(number, graph(number).number_of_points());
 }
@@ -212,7 +212,7 @@ TEST(Budget_of_points, is_one_of_functions)
   const auto np = parameters::maximum_number_of_points(100).number_of_points_per_edge(4);
   expect_message<std::length_error>(
       [&] { CGAL::approximate_geodesic_distances(mesh, map, Vertex(0), np); },
-      "takes 224 points on edges, 4 of them", "maximum_number_of_points is 100");
+      "needs 224 points on edges, 4 of them", "maximum_number_of_points is 100");
   EXPECT_NO_THROW(
       CGAL::approximate_geodesic_distances(mesh, map, Vertex(0), np.maximum_number_of_points(224)));
 }
@@ -227,7 +227,7 @@ TEST(Budget_of_points, is_limited_by_the_number_of_nodes)
   const std::size_t number = 1431655765; // (2^32 - 1) / 3
   expect_message<std::length_error>(
       [&] { Steiner_graph<Fixed_number_of_points>(t, Fixed_number_of_points(number), 3 * number); },
-      "takes 4294967295 points on edges", "2^32 - 1 nodes");
+      "needs 4294967295 points on edges", "2^32 - 1 nodes");
 }
 
 TEST(Budget_of_points, is_refused_if_it_is_none)

@@ -291,7 +291,7 @@ TEST_F(Directional_queries, refuse_bounds_that_cannot_be_kept)
         Directional_graph<>(triangulation,
                             CGAL::parameters::epsilon(0.1).maximum_number_of_points_per_edge(1));
       },
-      "takes more points on an edge than 1,");
+      "needs more points on an edge than 1,");
   const Directional_graph<> few(triangulation, parameters.maximum_number_of_points_per_edge(1));
   EXPECT_EQ(infinity, few.epsilon());
   EXPECT_GT(few.number_of_points(), 0);

@@ -123,9 +123,10 @@ public:
     compute_spacings(triangulation, of_crossings);
     compute_starts(triangulation, (rest - of_crossings) / (1 + of_crossings));
     if((1 + rest) * (1 + sampling_error) > (1 + m_epsilon) * (1 + ROUNDING))
-      give_up("costs were asked for in too few directions, and may be too high by " +
-              internal::text_of(sampling_error) +
-              ": epsilon has to be given to the triangulation, too, or a larger one");
+      give_up(
+          "the cost function was sampled in too few directions, so that costs may be too high by " +
+          internal::text_of(sampling_error) +
+          ": give epsilon to the triangulation, too, or a larger one");
     m_largest_number = m_limit.number;
     while(m_limit.is_soft && m_largest_number > 1 &&
           internal::has_more_points(triangulation, *this, maximum_number_of_points))
@@ -133,7 +134,7 @@ public:
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(triangulation.is_crossable(h) && triangulation.length(h) > 0 &&
          progressions(triangulation, h).number_of_points() > m_largest_number)
-        give_up(triangulation.name_of_face(h) + " takes more points on an edge than " +
+        give_up(triangulation.name_of_face(h) + " needs more points on an edge than " +
                 std::to_string(m_largest_number) + ", the maximum_number_of_points_per_edge");
   }
 
@@ -190,7 +191,7 @@ private:
   {
     if(!m_limit.is_soft)
       internal::reject("the bound epsilon cannot be kept, as " + reason +
-                       "; with accept_weaker_bound(true), there is none");
+                       "; accept_weaker_bound(true) accepts that there is no bound");
     m_bound = infinity;
   }
 

@@ -132,8 +132,7 @@ public:
     const Index number_of_vertices = triangulation.number_of_vertices();
     std::vector<bool> is_uniform(number_of_vertices);
     for(Index v = 0; v < number_of_vertices; ++v)
-      is_uniform[v] =
-          !m_weights_may_differ && internal::Weight_spread(triangulation, v).are_uniform();
+      is_uniform[v] = !m_weights_may_differ && internal::are_weights_uniform(triangulation, v);
     const bool are_uniform =
         std::all_of(is_uniform.begin(), is_uniform.end(), [](const bool is) { return is; });
     m_epsilon_of_crossings = are_uniform ? m_epsilon : SHARE_OF_CROSSINGS * m_epsilon;
@@ -194,7 +193,7 @@ public:
       const double start = 2 * m_progressions.start(v) / star.radius();
       if(start >= 1)
         return infinity;
-      if(internal::Weight_spread(triangulation, v).are_uniform())
+      if(internal::are_weights_uniform(triangulation, v))
         of_crossings = (std::max)(of_crossings, std::expm1(-std::log1p(-start * start) / 2));
       else
         of_vicinities = (std::max)(of_vicinities, start / (1 - start));
@@ -232,8 +231,8 @@ private:
     const Index h = raised_weight(triangulation);
     if(h != Intrinsic_triangulation::null_index)
       internal::reject("the bound epsilon cannot be kept, as " + triangulation.name_of_face(h) +
-                       " has a weight that is less than 1e-307 of the largest finite one; with "
-                       "accept_weaker_bound(true), there is none");
+                       " has a weight that is less than 1e-307 of the largest finite one; "
+                       "accept_weaker_bound(true) accepts that there is no bound");
   }
 
   // Returns where progressions start, relative to the radius of the star.

@@ -81,7 +81,7 @@ public:
   /// returns the unit of costs, in the unit of the mesh times that of the costs per unit of length.
   double unit() const { return m_triangulation.unit() * Costs::unit(m_triangulation); }
 
-  /// returns a summary of the costs of the arcs along edges, which are the shortest ones, as if
+  /// returns a summary of the costs of the arcs along edges, as if
   /// points divided every edge into equal parts.
   const Arc_lengths& arc_lengths() const { return m_arc_lengths; }
 

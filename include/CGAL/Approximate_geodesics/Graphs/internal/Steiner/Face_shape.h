@@ -122,42 +122,21 @@ private:
   Index m_narrowest = Intrinsic_triangulation::null_index;
 };
 
-/*
- * Whether the weights of the faces around a vertex differ. Forbidden faces do not count.
- */
-class Weight_spread
+// Returns whether all faces around a vertex have the same weight, so that paths near it are
+// straight. Forbidden faces do not count.
+inline bool are_weights_uniform(const Intrinsic_triangulation& triangulation,
+                                const Intrinsic_triangulation::Index v)
 {
-public:
-  using Index = Intrinsic_triangulation::Index;
-
-  Weight_spread(const Intrinsic_triangulation& triangulation, const Index v)
-  {
-    if(triangulation.has_weights())
-      for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-        add(triangulation.weight(h));
-  }
-
-  // Returns whether paths near the vertex are straight.
-  bool are_uniform() const { return m_largest == 0 || (!m_has_free && m_smallest == m_largest); }
-
-private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  void add(const double weight)
-  {
-    if(weight == infinity)
-      return;
-    m_largest = (std::max)(m_largest, weight);
-    if(weight > 0)
-      m_smallest = (std::min)(m_smallest, weight);
-    else
-      m_has_free = true;
-  }
-
-  double m_smallest = infinity; // of those that are not zero
-  double m_largest = 0;
-  bool m_has_free = false;
-};
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  if(triangulation.has_weights())
+    for(auto h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+      if(const double weight = triangulation.weight(h); !std::isinf(weight))
+      {
+        smallest = (std::min)(smallest, weight);
+        largest = (std::max)(largest, weight);
+      }
+  return largest == 0 || smallest == largest;
+}
 
 /*
  * The properties of a gauge that the error of a path across its face depends on.

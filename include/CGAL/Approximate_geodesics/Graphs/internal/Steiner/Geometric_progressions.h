@@ -170,11 +170,11 @@ public:
   {
     triangulation.check_triangle_inequality(); // throws a more precise error
     throw std::length_error(
-        "Approximate_geodesics: for epsilon, " + triangulation.name_of_face(h) + " takes " +
+        "Approximate_geodesics: for this epsilon, " + triangulation.name_of_face(h) + " needs " +
         text_of_points(double(number)) +
         " points on an edge, and maximum_number_of_points_per_edge is " + std::to_string(largest) +
-        "; with accept_weaker_bound(true), it gets few, and Steiner_graph::epsilon() tells the "
-        "bound that is left");
+        "; accept_weaker_bound(true) accepts the face with few points and a weaker bound, which "
+        "Steiner_graph::epsilon() returns");
   }
 
   std::size_t memory() const

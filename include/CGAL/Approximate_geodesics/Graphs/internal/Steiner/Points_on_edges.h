@@ -241,7 +241,7 @@ private:
     const auto index = [&](const Index h) {
       return std::to_string(triangulation.index(triangulation.target(h)));
     };
-    throw std::length_error("Approximate_geodesics: the graph takes " + text_of_points(number) +
+    throw std::length_error("Approximate_geodesics: the graph needs " + text_of_points(number) +
                             " points on edges, " + text_of_points(double(most)) +
                             " of them between vertices " +
                             index(triangulation.opposite(halfedge_with_most)) + " and " +
