@@ -2,12 +2,12 @@
 \ingroup PkgApproximateGeodesicsConcepts
 \cgalConcept
 
-The concept `DirectionalCostFunction` describes a function object that says what paths in a face
-cost where this depends on their direction. `CGAL::Approximate_geodesics::directional_cost()` makes
-a value of the named parameter `face_weight_map` of it.
+The concept `DirectionalCostFunction` describes a function object for costs of paths in a face that
+depend on the direction. `CGAL::Approximate_geodesics::directional_cost()` converts it to a value of
+the named parameter `face_weight_map`.
 
-It need not be convex: what counts are the costs of zigzags, where these are cheaper than straight
-lines. It is called when the mesh is read, and not kept.
+It need not be convex: where zigzags are cheaper than straight lines, their costs count. It is
+called when the mesh is read, and not stored.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Hiking_time}
@@ -22,10 +22,10 @@ class DirectionalCostFunction
 {
 public:
   /*!
-  returns what a path in `face` costs per unit of length, seconds per meter for instance: a number
-  that is not negative, or infinity where paths must not go. `direction` is a unit vector in the
-  plane of the face, a `%Vector_3` of the mesh's kernel, up to rounding. In a face without area, the
-  plane is any that contains it.
+  returns the cost of a path in `face` per unit of length, in seconds per meter for instance: a
+  number that is not negative, or infinity for forbidden directions. `direction` is a unit vector in
+  the plane of the face, up to rounding, a `%Vector_3` of the mesh's kernel. For a face without
+  area, the plane is any that contains it.
 
   `Face` is the `face_descriptor` of the mesh, and the result converts to `double`.
   */

@@ -3,8 +3,8 @@
 \cgalConcept
 
 The concept `SteinerPointPlacement` describes where `CGAL::Approximate_geodesics::Steiner_graph`
-and `CGAL::Approximate_geodesics::Directional_graph` put points on edges. A graph has a copy of its
-placement.
+and `CGAL::Approximate_geodesics::Directional_graph` place points on edges. A graph stores a copy of
+its placement.
 
 A <b>position</b> on an edge is a part of it, measured from the nearer end, so that points very
 close to an end can be told apart: from `0` to `0.5`, it is the part of the edge between the source
@@ -30,9 +30,9 @@ public:
   template <typename NamedParameters>
   explicit SteinerPointPlacement(const NamedParameters& np);
 
-  /// is called once, before all others. If there are more points on all edges together than
-  /// `maximum_number_of_points`, the graph refuses them before it has memory for them; a placement
-  /// may have fewer then, and a weaker bound.
+  /// is called once, before all other functions. If there are more than `maximum_number_of_points`
+  /// points on all edges together, the graph rejects them before it allocates memory. A placement
+  /// can avoid that by fewer points and a weaker bound.
   void prepare(const CGAL::Approximate_geodesics::Intrinsic_triangulation& triangulation,
                std::size_t maximum_number_of_points);
 
