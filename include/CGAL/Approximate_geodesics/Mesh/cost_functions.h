@@ -50,11 +50,9 @@ public:
   /// constructs the cost function, with all speeds multiplied by `factor`. Tobler's function is for
   /// footpaths; he suggests `0.6` off paths, and `1.25` on horseback.
   /// \throws std::invalid_argument if `factor` is not a finite number above `0`.
-  explicit Hiking_time(const double factor = 1) : m_factor(factor)
+  explicit Hiking_time(const double factor = 1)
+    : m_factor(internal::checked_positive(factor, "the factor of hiking speeds"))
   {
-    if(!(factor > 0) || std::isinf(factor))
-      internal::reject("the factor of hiking speeds is " + internal::text_of(factor) +
-                       "; it must be a finite number larger than 0");
   }
 
   /// returns the time per unit of length in a direction, in seconds per meter.
@@ -121,11 +119,10 @@ public:
   /// unit.
   /// \pre Each velocity lies in the plane of its face; a normal component increases the cost.
   /// \throws std::invalid_argument if `speed` is not a finite number above `0`.
-  Drift_time(FaceVectorMap drift, const double speed) : m_drift(std::move(drift)), m_speed(speed)
+  Drift_time(FaceVectorMap drift, const double speed)
+    : m_drift(std::move(drift)),
+      m_speed(internal::checked_positive(speed, "the speed through the drift"))
   {
-    if(!(speed > 0) || std::isinf(speed))
-      internal::reject("the speed through the drift is " + internal::text_of(speed) +
-                       "; it must be a finite number larger than 0");
   }
 
   /// returns the time per unit of length in a direction.
@@ -217,8 +214,8 @@ public:
                        "; it must be a number from -1 to 1");
   }
 
-  /// returns the cost per unit of length in a direction; not a number if that of the face is none,
-  /// or infinite, which is refused when the mesh is read.
+  /// returns the cost per unit of length in a direction; NaN if the vector of the face is infinite
+  /// or NaN, so that reading the mesh fails.
   template <typename Face, typename Vector_3>
   double operator()(const Face& face, const Vector_3& direction) const
   {

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <sstream>
@@ -36,6 +37,15 @@ inline const std::string& name_of_package()
 [[noreturn]] inline void reject(const std::string& reason)
 {
   throw std::invalid_argument(name_of_package() + reason);
+}
+
+// Returns a parameter. Throws an error if it is not a finite number larger than 0.
+inline double checked_positive(const double number, const char* const name)
+{
+  if(!(number > 0) || std::isinf(number))
+    reject(std::string(name) + " is " + text_of(number) +
+           "; it must be a finite number larger than 0");
+  return number;
 }
 
 inline std::string name_in_list(const std::string& role, const std::size_t position)

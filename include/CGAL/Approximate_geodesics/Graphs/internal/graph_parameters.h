@@ -20,14 +20,6 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-inline double checked_positive(const double number, const char* const name)
-{
-  if(!(number > 0) || std::isinf(number))
-    reject(std::string(name) + " is " + text_of(number) +
-           "; it must be a finite number larger than 0");
-  return number;
-}
-
 // Reads the named parameter `epsilon`. Larger values than the largest useful bound are replaced by
 // that, since they would overflow when multiplied.
 template <typename NamedParameters>
