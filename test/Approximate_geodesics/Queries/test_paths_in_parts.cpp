@@ -21,7 +21,9 @@ using namespace geodesics_test;
 namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 
-TEST(Part_of_mesh, has_the_shortest_paths)
+// Calls `f(mesh, source, target)` for random points of all large meshes.
+template <typename F>
+void for_each_random_pair(F f)
 {
   Random random(test_seed());
   for(const auto& [name, mesh] : large_meshes())
@@ -30,47 +32,44 @@ TEST(Part_of_mesh, has_the_shortest_paths)
     for(int i = 0; i < 10; ++i)
     {
       const Surface_point source = random_surface_point(mesh, random);
-      const Surface_point target = random_target(mesh, source, random);
-      const double exact = length_of_path(mesh, source, target, without_part(0));
-      const double along_edges = length_of_path(mesh, source, target, parameters::default_values());
-      expect_same_length(length_of_path(mesh, source, target, parameters::epsilon(0)), exact, mesh);
-      expect_same_length(
-          length_of_path(mesh, source, target, parameters::epsilon(0).straighten(true)), exact,
-          mesh);
-      for(const double epsilon : {0.02, 0.5})
-      {
-        const double length = length_of_path(mesh, source, target, parameters::epsilon(epsilon));
-        const double straight =
-            length_of_path(mesh, source, target, parameters::epsilon(epsilon).straighten(true));
-        const double tolerance = rounding_of_lengths * (exact + size(mesh));
-        EXPECT_GE(length, exact - tolerance);
-        EXPECT_LE(length, (1 + epsilon) * exact + tolerance);
-        EXPECT_LE(length, along_edges + tolerance); // so that it ends nowhere but the mesh does
-        EXPECT_GE(straight, exact - tolerance);
-        EXPECT_LE(straight, length + tolerance);
-      }
+      f(mesh, source, random_target(mesh, source, random));
     }
   }
 }
 
+TEST(Part_of_mesh, has_the_shortest_paths)
+{
+  for_each_random_pair([&](const Mesh& mesh, const auto& source, const auto& target) {
+    const double exact = length_of_path(mesh, source, target, without_part(0));
+    const double along_edges = length_of_path(mesh, source, target, parameters::default_values());
+    expect_same_length(length_of_path(mesh, source, target, parameters::epsilon(0)), exact, mesh);
+    expect_same_length(
+        length_of_path(mesh, source, target, parameters::epsilon(0).straighten(true)), exact, mesh);
+    for(const double epsilon : {0.02, 0.5})
+    {
+      const double length = length_of_path(mesh, source, target, parameters::epsilon(epsilon));
+      const double straight =
+          length_of_path(mesh, source, target, parameters::epsilon(epsilon).straighten(true));
+      const double tolerance = rounding_of_lengths * (exact + size(mesh));
+      EXPECT_GE(length, exact - tolerance);
+      EXPECT_LE(length, (1 + epsilon) * exact + tolerance);
+      EXPECT_LE(length, along_edges + tolerance); // so that it ends nowhere but the mesh does
+      EXPECT_GE(straight, exact - tolerance);
+      EXPECT_LE(straight, length + tolerance);
+    }
+  });
+}
+
 TEST(Part_of_mesh, has_the_shortest_paths_along_edges_and_through_points_on_them)
 {
-  Random random(test_seed());
   const AG::Geodesic_visitor_base visitor;
-  for(const auto& [name, mesh] : large_meshes())
-  {
-    SCOPED_TRACE(name);
-    for(int i = 0; i < 10; ++i)
-    {
-      const Surface_point source = random_surface_point(mesh, random);
-      const Surface_point target = random_target(mesh, source, random);
-      expect_same_length(length_of_path(mesh, source, target, parameters::default_values()),
-                         length_of_path(mesh, source, target, parameters::visitor(visitor)), mesh);
-      const auto with_points = parameters::number_of_points_per_edge(2);
-      expect_same_length(length_of_path(mesh, source, target, with_points),
-                         length_of_path(mesh, source, target, with_points.visitor(visitor)), mesh);
-    }
-  }
+  for_each_random_pair([&](const Mesh& mesh, const auto& source, const auto& target) {
+    expect_same_length(length_of_path(mesh, source, target, parameters::default_values()),
+                       length_of_path(mesh, source, target, parameters::visitor(visitor)), mesh);
+    const auto with_points = parameters::number_of_points_per_edge(2);
+    expect_same_length(length_of_path(mesh, source, target, with_points),
+                       length_of_path(mesh, source, target, with_points.visitor(visitor)), mesh);
+  });
 }
 
 TEST(Part_of_mesh, has_the_path_from_the_nearest_of_several_sources)
@@ -91,24 +90,16 @@ TEST(Part_of_mesh, has_the_path_from_the_nearest_of_several_sources)
 
 TEST(Part_of_mesh, ends_at_the_maximum_distance)
 {
-  Random random(test_seed());
-  for(const auto& [name, mesh] : large_meshes())
-  {
-    SCOPED_TRACE(name);
-    for(int i = 0; i < 10; ++i)
+  for_each_random_pair([&](const Mesh& mesh, const auto& source, const auto& target) {
+    const double exact = length_of_path(mesh, source, target, without_part(0));
+    for(const double part : {0.5, 0.999, 1.001})
     {
-      const Surface_point source = random_surface_point(mesh, random);
-      const Surface_point target = random_target(mesh, source, random);
-      const double exact = length_of_path(mesh, source, target, without_part(0));
-      for(const double part : {0.5, 0.999, 1.001})
-      {
-        const auto np = parameters::epsilon(0).maximum_distance(part * exact);
-        const bool is_reached = std::isfinite(exact) && (exact == 0 || part > 1);
-        expect_same_length(length_of_path(mesh, source, target, np), is_reached ? exact : infinity,
-                           mesh);
-      }
+      const auto np = parameters::epsilon(0).maximum_distance(part * exact);
+      const bool is_reached = std::isfinite(exact) && (exact == 0 || part > 1);
+      expect_same_length(length_of_path(mesh, source, target, np), is_reached ? exact : infinity,
+                         mesh);
     }
-  }
+  });
 }
 
 TEST(Part_of_mesh, has_points_that_are_the_same)
