@@ -161,10 +161,10 @@ public:
            Visitor&& visitor = Visitor())
   {
     Points_by_face points = sorted(sources);
-    const auto seeds = this->seeds(sources);
-    const auto rule = rule_for_nodes(stop);
-    run_and_adopt(sources, std::move(points), stop.maximum_distance,
-                  [&] { m_search.run(seeds, rule, visitor, starting_from(sources, seeds)); });
+    run_and_adopt(std::move(sources), std::move(points), stop, stop.maximum_distance,
+                  [&](const auto& seeds, const auto& rule, const auto& enter_seeds) {
+                    m_search.run(seeds, rule, visitor, enter_seeds);
+                  });
   }
 
   /*!
@@ -185,17 +185,17 @@ public:
     Points_by_face points = sorted(sources);
     const double limit =
         (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
-    const auto seeds = this->seeds(sources);
-    const auto rule = rule_for_nodes({limit, {target}});
-    run_and_adopt(sources, std::move(points), maximum_distance, [&] {
-      const auto search_toward = [&](const auto& heuristic) {
-        m_search.run_toward(seeds, rule, heuristic, starting_from(sources, seeds));
-      };
-      if(positions.are_known() && is_goal_for_heuristic(target))
-        search_toward(internal::Euclidean_heuristic<Graph>(*m_graph, positions, target));
-      else
-        search_toward(internal::No_heuristic());
-    });
+    const bool is_led = positions.are_known() && is_goal_for_heuristic(target);
+    run_and_adopt(std::move(sources), std::move(points), {limit, {target}}, maximum_distance,
+                  [&](const auto& seeds, const auto& rule, const auto& enter_seeds) {
+                    if(is_led)
+                      m_search.run_toward(
+                          seeds, rule,
+                          internal::Euclidean_heuristic<Graph>(*m_graph, positions, target),
+                          enter_seeds);
+                    else
+                      m_search.run_toward(seeds, rule, internal::No_heuristic(), enter_seeds);
+                  });
   }
 
   /// is to be called when the weights of the graph have changed. Nothing is reached any more. Run
@@ -326,29 +326,25 @@ private:
   }
 
   // Enters the seeds, or, where lines are found with the help of labels, the ends of those from the
-  // sources.
+  // sources. The result has one type, so that the search is instantiated once.
   auto starting_from([[maybe_unused]] const std::vector<Source_point>& sources,
                      [[maybe_unused]] const std::vector<typename Search::Seed>& seeds) const
   {
     return [&](const auto& enter) {
       if constexpr(Run::attaches_by_labels)
+      {
+        const double unit = m_graph->unit();
         for(std::size_t i = 0; i < sources.size(); ++i)
-          enter_lines(sources[i], i, enter);
+          m_search.graph_run().for_each_line_from(
+              sources[i].point, sources[i].distance / unit,
+              [&](const Node node, const double length, const Payload& payload) {
+                enter({node, sources[i].distance + length * unit, i}, payload);
+              });
+      }
       else
         for(const auto& seed : seeds)
           enter(seed, Payload());
     };
-  }
-
-  template <typename Enter>
-  void enter_lines(const Source_point& source, const std::size_t number, const Enter& enter) const
-  {
-    const double unit = m_graph->unit();
-    m_search.graph_run().for_each_line_from(
-        source.point, source.distance / unit,
-        [&](const Node node, const double length, const Payload& payload) {
-          enter({node, source.distance + length * unit, number}, payload);
-        });
   }
 
   // Considers lines that leave the faces of the point, from other nodes and from sources.
@@ -367,17 +363,21 @@ private:
     }
   }
 
-  // Results fit the sources, also if the run fails: input that the search refuses changes nothing;
-  // after other exceptions, the search has nothing reached, and nor has this object.
+  // Calls `run(seeds, rule, enter_seeds)`. Sources and results fit together, even if the run fails:
+  // if the search refuses its input, nothing changes; after other exceptions, it has reached
+  // nothing, and there are no sources.
   template <typename F>
   void run_and_adopt(std::vector<Source_point> sources,
                      Points_by_face points,
+                     const Stop_rule& stop,
                      const double maximum_distance,
                      F run)
   {
+    const auto seeds = this->seeds(sources);
+    const auto rule = rule_for_nodes(stop);
     try
     {
-      run();
+      run(seeds, rule, starting_from(sources, seeds));
     }
     catch(...)
     {

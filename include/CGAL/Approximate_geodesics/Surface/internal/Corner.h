@@ -139,24 +139,37 @@ private:
   int m_half_turns = 0;
 };
 
-// The sum of the corners counterclockwise from one halfedge to another one that starts from the
-// same vertex, and all the way round if they are the same. Infinity if there is a border, or an
-// edge between them that cannot be crossed.
+// Calls `f(h)` for the corners counterclockwise from one halfedge to another one with the same
+// source, and for all corners around the vertex if both are the same. Stops and returns `false` if
+// `f` does, or at a border, or at an edge between them that cannot be crossed.
+template <typename F>
+bool for_each_corner(const Intrinsic_triangulation& triangulation,
+                     const Intrinsic_triangulation::Index first,
+                     const Intrinsic_triangulation::Index last,
+                     F f)
+{
+  const auto v = triangulation.source(first);
+  auto h = first;
+  do
+  {
+    if(triangulation.is_border(h) || (h != first && !triangulation.is_crossable(h)) || !f(h))
+      return false;
+    h = triangulation.counterclockwise(v, h);
+  } while(h != last);
+  return true;
+}
+
+// The sum of these corners, or infinity if paths cannot cross all edges between them.
 inline double angle_of_fan(const Intrinsic_triangulation& triangulation,
                            const Intrinsic_triangulation::Index first,
                            const Intrinsic_triangulation::Index last)
 {
-  const auto v = triangulation.source(first);
-  Angle_sum result;
-  auto h = first;
-  do
-  {
-    if(triangulation.is_border(h) || (h != first && !triangulation.is_crossable(h)))
-      return std::numeric_limits<double>::infinity();
-    result.add(corner_angle(triangulation, h));
-    h = triangulation.counterclockwise(v, h);
-  } while(h != last);
-  return result.value();
+  Angle_sum sum;
+  const bool is_open = for_each_corner(triangulation, first, last, [&](const auto h) {
+    sum.add(corner_angle(triangulation, h));
+    return true;
+  });
+  return is_open ? sum.value() : std::numeric_limits<double>::infinity();
 }
 
 } // namespace CGAL::Approximate_geodesics::internal

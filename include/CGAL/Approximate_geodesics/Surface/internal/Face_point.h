@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -43,6 +44,12 @@ struct Face_point
 
   bool is_vertex() const { return weight[1] == 0 && weight[2] == 0; }
   bool is_on_edge() const { return weight[2] == 0; }
+
+  // a point of an edge as seen from the opposite halfedge
+  Face_point seen_from_opposite(const Index opposite) const
+  {
+    return {opposite, {weight[1], weight[0], 0}};
+  }
 
   // the same point as seen from another halfedge of the face
   Face_point seen_from(const Intrinsic_triangulation& triangulation, const Index h) const
@@ -145,9 +152,7 @@ void for_each_face_point(const Intrinsic_triangulation& triangulation,
       f(Face_point::on_edge(side, 1 - p.t));
 }
 
-/*
- * A straight line through a face, or along an edge.
- */
+// A straight line through a face, or along an edge.
 struct Segment
 {
   using Index = Intrinsic_triangulation::Index;
@@ -156,79 +161,55 @@ struct Segment
   double length = std::numeric_limits<double>::infinity();
 };
 
-class Segment_finder
+// The shortest edge between two vertices.
+inline Segment shortest_edge(const Intrinsic_triangulation& triangulation,
+                             const Segment::Index v,
+                             const Segment::Index w)
 {
-public:
-  using Index = Intrinsic_triangulation::Index;
+  Segment result{};
+  if(v == w)
+    result.length = 0;
+  const Segment::Index beyond = triangulation.beyond_halfedge(v);
+  for(Segment::Index h = triangulation.first_halfedge(v); h < beyond; ++h)
+    if(triangulation.target(h) == w && triangulation.length(h) < result.length)
+      result = {Face_point::at_source(h), {h, {0, 1, 0}}, triangulation.length(h)};
+  return result;
+}
 
-  explicit Segment_finder(const Intrinsic_triangulation& triangulation)
-    : m_triangulation(triangulation)
+// The shortest segment between two points; of infinite length if no face and no edge contains both.
+inline Segment shortest_segment(const Intrinsic_triangulation& triangulation,
+                                const Intrinsic_point& p,
+                                const Intrinsic_point& q)
+{
+  if(p.is_vertex() && q.is_vertex())
+    return shortest_edge(triangulation, p.vertex, q.vertex);
+  if(p.is_vertex())
   {
+    const Segment s = shortest_segment(triangulation, q, p);
+    return {s.to, s.from, s.length};
   }
-
-  // The shortest of the segments between two points; of infinite length if no face and no edge has
-  // both.
-  Segment segment(const Intrinsic_point& p, const Intrinsic_point& q) const
-  {
-    if(!p.is_vertex())
-      return shortest_to(p, q);
-    if(!q.is_vertex())
-    {
-      const Segment s = shortest_to(q, p);
-      return {s.to, s.from, s.length};
-    }
-    return shortest_edge(p.vertex, q.vertex);
-  }
-
-private:
-  Segment shortest_edge(const Index v, const Index w) const
-  {
-    Segment result{};
-    if(v == w)
-      result.length = 0;
-    const Index beyond = m_triangulation.beyond_halfedge(v);
-    for(Index h = m_triangulation.first_halfedge(v); h < beyond; ++h)
-      if(m_triangulation.target(h) == w && m_triangulation.length(h) < result.length)
-        result = {Face_point::at_source(h), {h, {0, 1, 0}}, m_triangulation.length(h)};
-    return result;
-  }
-
-  // \pre `p` is not a vertex.
-  Segment shortest_to(const Intrinsic_point& p, const Intrinsic_point& q) const
-  {
-    Segment result{};
-    if(p.is_in_face())
-      improve(Face_point::in_face(p), q, result);
-    else
-    {
-      improve(Face_point::on_edge(p.halfedge, p.t), q, result);
-      improve({m_triangulation.opposite(p.halfedge), {p.t, 1 - p.t, 0}}, q, result);
-    }
-    return result;
-  }
-
-  // Looks for `q` in the face that `p` is seen in.
-  void improve(const Face_point& p, const Intrinsic_point& q, Segment& shortest) const
-  {
-    if(!m_triangulation.is_border(p.halfedge))
-      for_each_face_point(m_triangulation, q, p.halfedge, [&](const Face_point& r) {
-        const double length = distance(m_triangulation, p, r);
-        if(length < shortest.length)
-          shortest = {p, r, length};
+  Segment result{};
+  const auto look_for_q = [&](const Face_point& from) {
+    if(!triangulation.is_border(from.halfedge))
+      for_each_face_point(triangulation, q, from.halfedge, [&](const Face_point& to) {
+        const double length = distance(triangulation, from, to);
+        if(length < result.length)
+          result = {from, to, length};
       });
-  }
-
-  const Intrinsic_triangulation& m_triangulation;
-};
+  };
+  look_for_q(Face_point::in_face(p));
+  if(p.is_on_edge())
+    look_for_q(Face_point::in_face(p).seen_from_opposite(triangulation.opposite(p.halfedge)));
+  return result;
+}
 
 // The sum of the straight lines from each point to the next; infinity if two of them share no face.
-template <typename Points>
-double length_of_segments(const Intrinsic_triangulation& triangulation, const Points& points)
+inline double length_of_segments(const Intrinsic_triangulation& triangulation,
+                                 const std::vector<Intrinsic_point>& points)
 {
-  const Segment_finder finder(triangulation);
   double result = 0;
   for(std::size_t i = 1; i < points.size(); ++i)
-    result += finder.segment(points[i - 1], points[i]).length;
+    result += shortest_segment(triangulation, points[i - 1], points[i]).length;
   return result;
 }
 

@@ -96,7 +96,7 @@ private:
 
   Step step(const Intrinsic_point& p, const Intrinsic_point& q) const
   {
-    Step result{Segment_finder(m_triangulation).segment(p, q)};
+    Step result{shortest_segment(m_triangulation, p, q)};
     if(std::isinf(result.length) || !result.from.is_on_edge() || !result.to.is_on_edge())
       return result;
     for(const Index h : {result.from.halfedge, result.to.halfedge})
@@ -116,8 +116,8 @@ private:
   {
     const bool is_forward = from.weight[1] <= to.weight[1]; // points next to an end are at it
     step.edge = is_forward ? from.halfedge : m_triangulation.opposite(from.halfedge);
-    step.from = is_forward ? from : Face_point{step.edge, {from.weight[1], from.weight[0], 0}};
-    step.to = is_forward ? to : Face_point{step.edge, {to.weight[1], to.weight[0], 0}};
+    step.from = is_forward ? from : from.seen_from_opposite(step.edge);
+    step.to = is_forward ? to : to.seen_from_opposite(step.edge);
   }
 
   const Intrinsic_triangulation& m_triangulation;
@@ -281,9 +281,7 @@ private:
   // A point of a step, as seen in one of the faces above.
   Face_point seen_from(const Face_point& p, const Index h) const
   {
-    Face_point result = p;
-    if(p.halfedge != h)
-      result = {h, {p.weight[1], p.weight[0], 0}};
+    const Face_point result = p.halfedge == h ? p : p.seen_from_opposite(h);
     if(result.weight[1] == 1 && !m_triangulation.is_border(h))
       return Face_point::at_source(m_triangulation.next(h));
     return result;
@@ -293,41 +291,28 @@ private:
 
   void pass(const std::size_t i, Sleeve& sleeve) const
   {
-    if(m_path.points[i].is_vertex())
+    if(!m_path.points[i].is_vertex())
     {
-      if(m_stops[i].side == RIGHT)
-        pass_on_the_right(direction_back(i), direction_ahead(i), sleeve);
-      else
-        pass_on_the_left(direction_back(i), direction_ahead(i), sleeve);
+      if(first_face(i) != last_face(i - 1))
+        sleeve.cross(first_face(i));
+      return;
     }
-    else if(first_face(i) != last_face(i - 1))
-      sleeve.cross(first_face(i));
-  }
-
-  void pass_on_the_right(const Direction& back, const Direction& ahead, Sleeve& sleeve) const
-  {
-    if(is_in_corner(back, ahead))
+    const Direction back = direction_back(i), ahead = direction_ahead(i);
+    const bool is_right = m_stops[i].side == RIGHT;
+    if(is_right ? is_in_corner(back, ahead) : is_in_corner(ahead, back))
       return;
-    const Index v = m_triangulation.source(back.halfedge);
-    Index h = back.halfedge;
-    do
+    if(is_right)
     {
-      h = m_triangulation.counterclockwise(v, h);
-      if(h != ahead.halfedge || ahead.is_inside)
-        sleeve.cross(h);
-    } while(h != ahead.halfedge);
-  }
-
-  void pass_on_the_left(const Direction& back, const Direction& ahead, Sleeve& sleeve) const
-  {
-    if(is_in_corner(ahead, back))
-      return;
-    if(back.is_inside)
-      sleeve.cross(m_triangulation.opposite(back.halfedge));
-    const Index v = m_triangulation.source(back.halfedge);
-    for(Index h = m_triangulation.clockwise(v, back.halfedge); h != ahead.halfedge;
-        h = m_triangulation.clockwise(v, h))
-      sleeve.cross(m_triangulation.opposite(h));
+      sleeve.cross_counterclockwise(back.halfedge, ahead.halfedge);
+      if(ahead.is_inside)
+        sleeve.cross(ahead.halfedge);
+    }
+    else
+    {
+      if(back.is_inside)
+        sleeve.cross(m_triangulation.opposite(back.halfedge));
+      sleeve.cross_clockwise(back.halfedge, ahead.halfedge);
+    }
   }
 
   // Whether one gets from one direction to the other, counterclockwise, without leaving a face.

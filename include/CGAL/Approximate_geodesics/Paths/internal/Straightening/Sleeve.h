@@ -90,6 +90,24 @@ public:
     }
   }
 
+  // Goes around the source of two halfedges, across the edges between them, which are all others if
+  // the halfedges are the same. \pre The last face is on that side of `first`.
+  void cross_counterclockwise(const Index first, const Index last)
+  {
+    const Index v = m_triangulation->source(first);
+    for(Index h = m_triangulation->counterclockwise(v, first); h != last;
+        h = m_triangulation->counterclockwise(v, h))
+      cross(h);
+  }
+
+  void cross_clockwise(const Index first, const Index last)
+  {
+    const Index v = m_triangulation->source(first);
+    for(Index h = m_triangulation->clockwise(v, first); h != last;
+        h = m_triangulation->clockwise(v, h))
+      cross(m_triangulation->opposite(h));
+  }
+
   void end_at(const Face_point& p)
   {
     m_end = p;
@@ -135,22 +153,15 @@ private:
   // from the other face.
   bool move_across(Face_point& p, const Index h) const
   {
-    if(!p.is_on_edge())
-      return false;
     const Index opposite = m_triangulation->opposite(h);
-    if(p.is_vertex())
-    {
-      if(p.halfedge == opposite)
-        p.halfedge = m_triangulation->next(h);
-      else if(p.halfedge == m_triangulation->next(opposite))
-        p.halfedge = h;
-      else
-        return false;
-      return true;
-    }
-    if(p.halfedge != opposite)
+    if(p.is_vertex() && p.halfedge == m_triangulation->next(opposite))
+      p.halfedge = h;
+    else if(!p.is_on_edge() || p.halfedge != opposite)
       return false;
-    p = {h, {p.weight[1], p.weight[0], 0}};
+    else if(p.is_vertex())
+      p.halfedge = m_triangulation->next(h);
+    else
+      p = p.seen_from_opposite(h);
     return true;
   }
 

@@ -68,13 +68,9 @@ public:
         sleeve.cross(m_sleeve.gates()[i].halfedge);
     }
     else if(m_gates.is_left)
-      for(Index h = m_triangulation.clockwise(m_vertex, m_first); h != m_last;
-          h = m_triangulation.clockwise(m_vertex, h))
-        sleeve.cross(m_triangulation.opposite(h));
+      sleeve.cross_clockwise(m_first, m_last);
     else
-      for(Index h = m_triangulation.counterclockwise(m_vertex, m_first); h != m_last;
-          h = m_triangulation.counterclockwise(m_vertex, h))
-        sleeve.cross(h);
+      sleeve.cross_counterclockwise(m_first, m_last);
   }
 
 private:
@@ -92,25 +88,19 @@ private:
                      const Plane_vector off_last) const
   {
     Angle_sum sum;
-    Index h = first, next = null_index;
-    for(; next != beyond && sum.is_convex(); h = next)
-    {
-      next = m_triangulation.counterclockwise(m_vertex, h);
-      if(m_triangulation.is_border(h) || (h != first && !m_triangulation.is_crossable(h)))
-        return false;
-      if(h == first && next == beyond) // one corner, and the path goes round all the others
+    return for_each_corner(m_triangulation, first, beyond, [&](const Index h) {
+      const bool is_last = m_triangulation.counterclockwise(m_vertex, h) == beyond;
+      if(h == first && is_last) // one corner, and the path goes round all the others
         return true;
       Plane_vector angle = corner_angle(m_triangulation, h);
       if(h == first)
         angle = turned_right(angle, off_first);
-      if(next == beyond)
+      if(is_last)
         angle = turned_right(angle, off_last);
       sum.add(angle);
-    }
-    return sum.is_convex();
+      return sum.is_convex();
+    });
   }
-
-  static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
   const Sleeve& m_sleeve;
   const Intrinsic_triangulation& m_triangulation;
