@@ -156,12 +156,7 @@ public:
   /// returns the point at the parameter `t` along `h`: `0` is its source, `1` is its target.
   Intrinsic_point intrinsic_point(const halfedge_descriptor h, const double t) const
   {
-    if(h == Graph_traits::null_halfedge() ||
-       !internal::may_be_element(h, num_halfedges(mesh_of_numbers()), mesh_of_numbers()))
-      reject_foreign("halfedge", h, Graph_traits::null_halfedge());
-    if(!internal::is_parameter(t))
-      internal::reject("the parameter along a halfedge is " + internal::text_of(t) +
-                       "; it must be a number from 0 to 1");
+    check(h, t);
     if(t < internal::rounding_of_weights || 1 - t < internal::rounding_of_weights)
       return intrinsic_point(t < internal::rounding_of_weights ? source(h, *m_mesh)
                                                                : target(h, *m_mesh));
@@ -174,8 +169,8 @@ public:
   Intrinsic_point intrinsic_point(const face_descriptor f,
                                   const std::array<FT, 3>& coordinates) const
   {
-    check(f);
-    const std::array<double, 3> weights = checked(coordinates);
+    check(f, coordinates);
+    const std::array<double, 3> weights = *internal::barycentric_weights(coordinates);
     const halfedge_descriptor h = halfedge(f, *m_mesh);
     const std::array<halfedge_descriptor, 3> sides{h, next(h, *m_mesh), prev(h, *m_mesh)};
     for(std::size_t i = 0; i < 3; ++i)
@@ -221,9 +216,18 @@ public:
     std::vector<vertex_descriptor> result(m_triangulation->number_of_vertices(),
                                           Graph_traits::null_vertex());
     for(const vertex_descriptor v : vertices(*m_mesh))
-      result[node(v)] = v;
+    {
+      vertex_descriptor& listed = result[node(v)];
+      if(listed != Graph_traits::null_vertex())
+        internal::reject("vertex index " + std::to_string(get(m_vertex_index_map, v)) +
+                         " is assigned to more than one vertex");
+      listed = v;
+    }
     m_vertices = std::move(result);
   }
+
+  /// returns the listed vertices, in the order of the triangulation.
+  const std::vector<vertex_descriptor>& vertex_list() const { return m_vertices; }
 
   /// returns the vertex with the index `node` in the triangulation.
   vertex_descriptor vertex(const Index node) const
@@ -315,57 +319,21 @@ public:
   template <typename VertexPointMap>
   auto position_of_vertex(const VertexPointMap& point_map) const
   {
-    return [this, point_map](const Index v) -> std::array<double, 3> {
-      const auto way = get(point_map, vertex(v)) - get(point_map, vertex(0));
-      return {CGAL::to_double(way.x()), CGAL::to_double(way.y()), CGAL::to_double(way.z())};
+    return [this, point_map](const Index v) {
+      return internal::space_vector(get(point_map, vertex(v)) - get(point_map, vertex(0)));
     };
   }
 
   /// @}
 
 private:
-  const auto& mesh_of_numbers() const
+  template <typename Element, typename Coordinates>
+  void check(const Element element, const Coordinates& coordinates) const
   {
     using internal::whole;
-    return whole(*m_mesh);
-  }
-
-  void check(const face_descriptor f) const
-  {
-    const bool may_be_face =
-        f != Graph_traits::null_face() &&
-        internal::may_be_element(f, num_faces(mesh_of_numbers()), mesh_of_numbers());
-    const halfedge_descriptor h =
-        may_be_face ? halfedge(f, *m_mesh) : Graph_traits::null_halfedge();
-    if(h == Graph_traits::null_halfedge() || face(h, *m_mesh) != f) // or `f` was removed
-      reject_foreign("face", f, Graph_traits::null_face());
-  }
-
-  // Names an element by its index, if descriptors are integers.
-  template <typename Descriptor>
-  [[noreturn]] static void
-  reject_foreign(const std::string& kind, const Descriptor d, const Descriptor null)
-  {
-    std::string name = (d == null ? "the null " : "the ") + kind;
-    if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
-      if(d != null)
-        name = kind + ' ' + std::to_string(static_cast<std::size_t>(d));
-    internal::reject(name + " is not in the mesh");
-  }
-
-  template <typename FT>
-  static std::array<double, 3> checked(const std::array<FT, 3>& coordinates)
-  {
-    const auto result = internal::barycentric_weights(coordinates);
-    if(!result)
-    {
-      const auto text = [&](const std::size_t i) {
-        return internal::text_of(CGAL::to_double(coordinates[i]));
-      };
-      internal::reject("barycentric coordinates are " + text(0) + ", " + text(1) + ", " + text(2) +
-                       "; they must not be negative, and their sum must be 1");
-    }
-    return *result;
+    const std::string error = internal::error_in_point(element, coordinates, whole(*m_mesh));
+    if(!error.empty())
+      internal::reject(error);
   }
 
   // Returns the index of a halfedge in the triangulation, by rotating around the vertex of its face

@@ -8,15 +8,19 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/type_traits/detected_or.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -54,62 +58,51 @@ constexpr bool is_pair = false;
 template <typename T, typename U>
 constexpr bool is_pair<std::pair<T, U>> = true;
 
-// Whether `T` is a single point on the surface of a mesh.
-template <typename TriangleMesh, typename T>
-constexpr bool is_surface_point =
-    std::is_convertible_v<T, typename boost::graph_traits<TriangleMesh>::vertex_descriptor> ||
-    std::is_same_v<T, Surface_point<TriangleMesh>> || is_pair<T>;
-
 template <typename T>
 using Begin_of_range = decltype(*std::begin(std::declval<const T&>()));
 
-// Whether `T` is a point on the surface of a mesh, or a range of points.
-template <typename TriangleMesh, typename T, typename = void>
-constexpr bool is_source = is_surface_point<TriangleMesh, T>;
+// The type of the elements of a range, or `T` itself.
+template <typename T>
+using Element_of_range = std::decay_t<boost::detected_or_t<T, Begin_of_range, T>>;
 
 template <typename TriangleMesh, typename T>
-constexpr bool is_source<TriangleMesh, T, std::void_t<Begin_of_range<T>>> =
-    is_surface_point<TriangleMesh, T> ||
-    is_surface_point<TriangleMesh, std::decay_t<Begin_of_range<T>>>;
-
-// Whether `T` is a vertex of a mesh, or a range of vertices.
-template <typename TriangleMesh, typename T, typename = void>
-constexpr bool are_vertices =
+constexpr bool is_vertex =
     std::is_convertible_v<T, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>;
 
+// Whether `T` is a vertex of a mesh, or a range of vertices.
 template <typename TriangleMesh, typename T>
-constexpr bool are_vertices<TriangleMesh, T, std::void_t<Begin_of_range<T>>> =
-    std::is_convertible_v<T, typename boost::graph_traits<TriangleMesh>::vertex_descriptor> ||
-    std::is_convertible_v<std::decay_t<Begin_of_range<T>>,
-                          typename boost::graph_traits<TriangleMesh>::vertex_descriptor>;
+constexpr bool are_vertices =
+    is_vertex<TriangleMesh, T> || is_vertex<TriangleMesh, Element_of_range<T>>;
 
-template <typename TriangleMesh, typename Descriptor, typename = void>
-constexpr bool tells_what_is_removed = false;
+// Whether `T` is a single point on the surface of a mesh.
+template <typename TriangleMesh, typename T>
+constexpr bool is_surface_point =
+    is_vertex<TriangleMesh, T> || std::is_same_v<T, Surface_point<TriangleMesh>> || is_pair<T>;
+
+// Whether `T` is a point on the surface of a mesh, or a range of points.
+template <typename TriangleMesh, typename T>
+constexpr bool is_source =
+    is_surface_point<TriangleMesh, T> || is_surface_point<TriangleMesh, Element_of_range<T>>;
 
 template <typename TriangleMesh, typename Descriptor>
-constexpr bool
-    tells_what_is_removed<TriangleMesh,
-                          Descriptor,
-                          std::void_t<decltype(std::declval<const TriangleMesh&>().is_removed(
-                              std::declval<Descriptor>()))>> = true;
+using Removal_of_element =
+    decltype(std::declval<const TriangleMesh&>().is_removed(std::declval<Descriptor>()));
 
-// Whether a descriptor is in range and not marked as removed, as far as the mesh type can tell.
+// Whether a descriptor is not null, in range and not marked as removed, as far as the mesh type can
+// tell.
 template <typename TriangleMesh, typename Descriptor, typename Size>
 bool may_be_element(const Descriptor d,
+                    const Descriptor null,
                     [[maybe_unused]] const Size size,
                     [[maybe_unused]] const TriangleMesh& tmesh)
 {
+  bool result = d != null;
   if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
-    if(static_cast<std::size_t>(d) >= static_cast<std::size_t>(size))
-      return false;
-  if constexpr(tells_what_is_removed<TriangleMesh, Descriptor>)
-    return !tmesh.is_removed(d);
-  else
-    return true;
+    result = result && static_cast<std::size_t>(d) < static_cast<std::size_t>(size);
+  if constexpr(boost::is_detected_v<Removal_of_element, TriangleMesh, Descriptor>)
+    result = result && !tmesh.is_removed(d);
+  return result;
 }
-
-// Whether `t` is the parameter of a point along a halfedge. False for NaN.
-inline bool is_parameter(const double t) { return t >= 0 && t <= 1; }
 
 constexpr double rounding_of_weights = 1e-15; // of barycentric coordinates
 
@@ -136,6 +129,49 @@ std::optional<std::array<double, 3>> barycentric_weights(const std::array<FT, 3>
   for(double& weight : result)
     weight /= sum;
   return result;
+}
+
+// Names the element by its index, if descriptors are integers.
+template <typename Descriptor>
+std::string text_of_missing(const std::string& kind, const Descriptor d, const Descriptor null)
+{
+  std::string name = (d == null ? "the null " : "the ") + kind;
+  if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
+    if(d != null)
+      name = kind + ' ' + std::to_string(static_cast<std::size_t>(d));
+  return name + " is not in the mesh";
+}
+
+// Returns the error in a point along a halfedge, or an empty string.
+template <typename TriangleMesh>
+std::string error_in_point(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                           const double t,
+                           const TriangleMesh& tmesh)
+{
+  const auto null = boost::graph_traits<TriangleMesh>::null_halfedge();
+  if(!may_be_element(h, null, num_halfedges(tmesh), tmesh))
+    return text_of_missing("halfedge", h, null);
+  if(!(t >= 0 && t <= 1)) // or NaN
+    return "the parameter along a halfedge is " + text_of(t) + "; it must be a number from 0 to 1";
+  return "";
+}
+
+// Returns the error in a point of a face, or an empty string.
+template <typename TriangleMesh, typename FT>
+std::string error_in_point(const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+                           const std::array<FT, 3>& coordinates,
+                           const TriangleMesh& tmesh)
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  const bool may_be_face = may_be_element(f, Graph_traits::null_face(), num_faces(tmesh), tmesh);
+  const auto h = may_be_face ? halfedge(f, tmesh) : Graph_traits::null_halfedge();
+  if(h == Graph_traits::null_halfedge() || face(h, tmesh) != f) // or `f` was removed
+    return text_of_missing("face", f, Graph_traits::null_face());
+  if(barycentric_weights(coordinates))
+    return "";
+  const auto text = [&](const std::size_t i) { return text_of(CGAL::to_double(coordinates[i])); };
+  return "barycentric coordinates are " + text(0) + ", " + text(1) + ", " + text(2) +
+         "; they must not be negative, and their sum must be 1";
 }
 
 } // namespace internal

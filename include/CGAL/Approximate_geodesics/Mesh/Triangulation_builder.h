@@ -58,7 +58,7 @@ public:
   void build()
   {
     if(!try_to_build())
-      reject_mesh();
+      mesh_links().reject_mesh();
   }
 
   // Returns false if the connectivity is invalid. Throws if other data are.
@@ -105,12 +105,6 @@ private:
   auto mesh_links() const
   {
     return Mesh_links(m_mesh, vertex_index_map(m_mesh, m_np), halfedge_index_map(m_mesh, m_np));
-  }
-
-  [[noreturn]] void reject_mesh() const
-  {
-    Mesh_check(m_mesh, vertex_index_map(m_mesh, m_np), halfedge_index_map(m_mesh, m_np))
-        .reject_mesh();
   }
 
   // Returns false if the mesh is invalid or has removed vertices.
@@ -180,9 +174,8 @@ private:
                   "directional_cost, edge_length_map: directional costs require the lengths of the "
                   "embedding, which is given by the vertex point map");
     const auto& cost = parameters::get_parameter_reference(m_np, internal_np::face_weight);
-    const auto point_map = vertex_point_map(m_mesh, m_np);
-    m_result.m_gauges =
-        Gauge_reader(m_mesh, m_halfedges, point_map, cost, m_result).read(sampling_tolerance(m_np));
+    m_result.m_gauges = gauges_of_faces(m_mesh, m_halfedges, vertex_point_map(m_mesh, m_np), cost,
+                                        m_result, sampling_tolerance(m_np));
   }
 
   void copy_barriers()

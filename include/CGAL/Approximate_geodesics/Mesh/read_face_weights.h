@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -53,16 +54,15 @@ inline void normalize(Face_weights& weights, const double unit_of_lengths)
       w = (std::max)(std::ldexp(w, -exponent), Face_weights::SMALLEST_WEIGHT);
 }
 
-// Returns an upper bound on the cost of a simple path, in the units of lengths and weights. Each
-// edge counts once per face, which also covers path ends inside faces.
-inline double cost_of_all_edges(const Face_weights& weights,
-                                const Intrinsic_triangulation& triangulation)
+// Throws if the cost of a path, at most `cost` in the given unit, could overflow.
+inline void check_cost(const double cost,
+                       const double unit,
+                       const std::string& kind,
+                       const std::string& what_is_impassable)
 {
-  double result = 0;
-  for(Intrinsic_triangulation::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-    if(!std::isinf(weights.of_halfedge[h]))
-      result += weights.of_halfedge[h] * triangulation.length(h);
-  return result;
+  if(!std::isfinite(cost * unit))
+    reject("the " + kind + " and the lengths of the mesh are too large: the cost of a path would " +
+           "be more than a double can hold. Use infinity for " + what_is_impassable + '.');
 }
 
 // Reads the weights of the faces of a mesh. `halfedges` has the order of the triangulation.
@@ -73,8 +73,6 @@ Face_weights weights_of_faces(const TriangleMesh& tmesh,
                               const Intrinsic_triangulation& triangulation)
 {
   using Index = Intrinsic_triangulation::Index;
-  const auto name = [&](const Index h) { return std::to_string(triangulation.index(h)); };
-
   Face_weights result;
   result.of_halfedge.resize(halfedges.size(), std::numeric_limits<double>::infinity());
   for(Index h = 0; h < halfedges.size(); ++h)
@@ -83,57 +81,17 @@ Face_weights weights_of_faces(const TriangleMesh& tmesh,
       continue;
     const double weight = CGAL::to_double(get(face_weight_map, face(halfedges[h], tmesh)));
     if(!(weight >= 0))
-    {
-      const Index g = triangulation.next(h);
-      reject("the face with vertices " + name(triangulation.source(h)) + ", " +
-             name(triangulation.target(h)) + ", " + name(triangulation.target(g)) + " has weight " +
-             text_of(weight) + "; it must be a number that is not negative, or infinity");
-    }
+      reject(triangulation.name_of_face(h) + " has weight " + text_of(weight) +
+             "; it must be a number that is not negative, or infinity");
     result.of_halfedge[h] = weight + 0.0; // normalizes negative zero
   }
   normalize(result, triangulation.unit());
-  const double unit_of_costs = triangulation.unit() * result.unit;
-  if(std::isinf(unit_of_costs) ||
-     std::isinf(cost_of_all_edges(result, triangulation) * unit_of_costs))
-    reject(
-        "the weights and the lengths of the mesh are too large: the cost of a path would be more "
-        "than a double can hold. Use infinity for faces that paths must not enter.");
-  return result;
-}
-
-// Returns the halfedges of a mesh in the order of its triangulation.
-template <typename TriangleMesh, typename VertexIndexMap>
-auto halfedges_in_groups(const TriangleMesh& tmesh,
-                         const VertexIndexMap& vertex_index_map,
-                         const Intrinsic_triangulation& triangulation)
-{
-  using Index = Intrinsic_triangulation::Index;
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-
-  std::vector<typename Graph_traits::halfedge_descriptor> result(
-      triangulation.number_of_halfedges(), Graph_traits::null_halfedge());
-  std::size_t number_of_vertices = 0, number_of_halfedges = 0;
-  for(const auto v : vertices(tmesh))
-  {
-    ++number_of_vertices;
-    const Index node = triangulation.vertex(static_cast<std::size_t>(get(vertex_index_map, v)));
-    const auto first = first_halfedge_from(v, tmesh);
-    if(node == Intrinsic_triangulation::null_index || first == Graph_traits::null_halfedge())
-      continue;
-    Index i = triangulation.first_halfedge(node);
-    auto h = first;
-    do
-    {
-      if(i < triangulation.beyond_halfedge(node))
-        result[i++] = h;
-      ++number_of_halfedges;
-      h = counterclockwise(h, tmesh);
-    } while(h != first);
-  }
-  if(number_of_vertices != triangulation.number_of_vertices() ||
-     number_of_halfedges != triangulation.number_of_halfedges() ||
-     std::count(result.begin(), result.end(), Graph_traits::null_halfedge()) > 0)
-    reject("the triangulation was not built from this mesh");
+  double cost_of_all_edges = 0; // once per face, which also covers path ends inside faces
+  for(Index h = 0; h < halfedges.size(); ++h)
+    if(!std::isinf(result.of_halfedge[h]))
+      cost_of_all_edges += result.of_halfedge[h] * triangulation.length(h);
+  check_cost(cost_of_all_edges, triangulation.unit() * result.unit, "weights",
+             "faces that paths must not enter");
   return result;
 }
 
@@ -179,118 +137,87 @@ private:
   }
 };
 
-/*
- * Reads the gauges of the faces of a mesh from a function of faces and directions. `halfedges` has
- * the order of the triangulation.
- */
+// Throws if the cost of a path could overflow.
+inline void check_cost(const Face_gauges& gauges, const Intrinsic_triangulation& triangulation)
+{
+  using Index = Intrinsic_triangulation::Index;
+  std::vector<double> largest(gauges.number_of_faces(), 0);
+  for(Index f = 0; f < gauges.number_of_faces(); ++f)
+    for(auto s = gauges.first_sector(f); s != gauges.beyond_sector(f); ++s)
+      if(s->is_finite())
+        largest[f] = (std::max)(largest[f], length(s->functional));
+  double sum = 0;
+  for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+    if(!triangulation.is_border(h))
+      sum += largest[gauges.face(h)] * triangulation.length(h);
+  check_cost(sum, triangulation.unit() * gauges.unit(), "costs",
+             "directions that paths must not take");
+}
+
+// Returns unit vectors along the sides of a face: zero if a side has no length.
+inline std::array<Plane_vector, 3> directions_of_sides(const Face_layout& layout)
+{
+  std::array<Plane_vector, 3> result;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Plane_vector way = layout.corner((i + 1) % 3) - layout.corner(i);
+    const double distance = length(way);
+    result[i] = distance > 0 ? (1 / distance) * way : Plane_vector{0, 0};
+  }
+  return result;
+}
+
+// Reads the gauges of the faces of a mesh from a function of faces and directions. `halfedges` has
+// the order of the triangulation. The x axis of the plane of a face is along its longest side.
 template <typename TriangleMesh, typename Halfedges, typename VertexPointMap, typename Cost>
-class Gauge_reader
+Face_gauges gauges_of_faces(const TriangleMesh& tmesh,
+                            const Halfedges& halfedges,
+                            const VertexPointMap& point_map,
+                            const Cost& cost,
+                            const Intrinsic_triangulation& triangulation,
+                            const double tolerance)
 {
   using Index = Intrinsic_triangulation::Index;
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
-  using Kernel = typename Kernel_traits<Point>::Kernel;
-  using Vector_3 = typename Kernel::Vector_3;
-  using FT = typename Kernel::FT;
+  using Vector_3 = typename Kernel_traits<Point>::Kernel::Vector_3;
+  using FT = typename Kernel_traits<Point>::Kernel::FT;
 
-public:
-  Gauge_reader(const TriangleMesh& tmesh,
-               const Halfedges& halfedges,
-               const VertexPointMap& point_map,
-               const Cost& cost,
-               const Intrinsic_triangulation& triangulation)
-    : m_mesh(tmesh),
-      m_halfedges(halfedges),
-      m_point_map(point_map),
-      m_cost(cost),
-      m_triangulation(triangulation)
+  const auto vector_along = [&](const auto h) {
+    return space_vector(get(point_map, target(h, tmesh)) - get(point_map, source(h, tmesh)));
+  };
+  const auto is_shorter = [&](const Index h, const Index g) {
+    return triangulation.length(h) < triangulation.length(g);
+  };
+  Face_gauges result;
+  Gauge_samples samples; // its memory is reused
+  result.reserve(halfedges.size(), triangulation.number_of_faces());
+  for(Index h = 0; h < halfedges.size(); ++h)
   {
-  }
-
-  Face_gauges read(const double tolerance) const
-  {
-    Face_gauges result;
-    Gauge_samples samples; // whose memory serves all faces
-    result.reserve(m_halfedges.size(), m_triangulation.number_of_faces());
-    for(Index h = 0; h < m_halfedges.size(); ++h)
-    {
-      if(m_triangulation.is_border(h))
-        continue;
-      const auto sides = m_triangulation.halfedges_of_face(h);
-      if(h == *std::min_element(sides.begin(), sides.end()))
-        add_face(h, tolerance, samples, result);
-    }
-    result.normalize(m_triangulation.unit());
-    check_sum(result);
-    return result;
-  }
-
-private:
-  void add_face(Index h, const double tolerance, Gauge_samples& samples, Face_gauges& result) const
-  {
-    for(const Index side : m_triangulation.halfedges_of_face(h))
-      if(m_triangulation.length(side) > m_triangulation.length(h))
-        h = side;
-    const Face_layout layout(m_triangulation, h); // the x axis is along the longest side
-    std::array<Plane_vector, 3> sides;
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      const Plane_vector way = layout.corner((i + 1) % 3) - layout.corner(i);
-      const double distance = length(way);
-      sides[i] = distance > 0 ? (1 / distance) * way : Plane_vector{0, 0};
-    }
-    const auto halfedges = m_triangulation.halfedges_of_face(h);
-    const Face_frame frame(vector_along(halfedges[0]), backward(vector_along(halfedges[2])));
-    const auto f = face(m_halfedges[h], m_mesh);
-    samples.sample(sides, tolerance, [&](const Plane_vector v) {
+    if(triangulation.is_border(h))
+      continue;
+    const auto of_face = triangulation.halfedges_of_face(h);
+    if(h != *std::min_element(of_face.begin(), of_face.end()))
+      continue;
+    const Index first = *std::max_element(of_face.begin(), of_face.end(), is_shorter);
+    const auto base = halfedges[first];
+    const Face_frame frame(vector_along(base), vector_along(opposite(prev(base, tmesh), tmesh)));
+    const auto cost_along = [&](const Plane_vector v) {
       const Space_vector d = frame(v);
-      const double cost = m_cost(f, Vector_3(FT(d[0]), FT(d[1]), FT(d[2])));
-      if(!(cost >= 0))
-        refuse(h, d, cost);
-      return cost + 0.0; // normalizes negative zero
-    });
-    result.add(halfedges, sides, samples);
+      const double c = cost(face(base, tmesh), Vector_3(FT(d[0]), FT(d[1]), FT(d[2])));
+      if(!(c >= 0))
+        reject(triangulation.name_of_face(first) + " has cost " + text_of(c) +
+               " in the direction " + text_of(d[0]) + ", " + text_of(d[1]) + ", " + text_of(d[2]) +
+               "; it must be a number that is not negative, or infinity");
+      return c + 0.0; // normalizes negative zero
+    };
+    const auto sides = directions_of_sides(Face_layout(triangulation, first));
+    samples.sample(sides, tolerance, cost_along);
+    result.add(triangulation.halfedges_of_face(first), sides, samples);
   }
-
-  Space_vector vector_along(const Index h) const
-  {
-    const auto way = get(m_point_map, target(m_halfedges[h], m_mesh)) -
-                     get(m_point_map, source(m_halfedges[h], m_mesh));
-    return {CGAL::to_double(way.x()), CGAL::to_double(way.y()), CGAL::to_double(way.z())};
-  }
-
-  static Space_vector backward(const Space_vector& v) { return {-v[0], -v[1], -v[2]}; }
-
-  [[noreturn]] void refuse(const Index h, const Space_vector& d, const double cost) const
-  {
-    reject(m_triangulation.name_of_face(h) + " has cost " + text_of(cost) + " in the direction " +
-           text_of(d[0]) + ", " + text_of(d[1]) + ", " + text_of(d[2]) +
-           "; it must be a number that is not negative, or infinity");
-  }
-
-  // Throws if the cost of a path could overflow.
-  void check_sum(const Face_gauges& gauges) const
-  {
-    std::vector<double> largest(gauges.number_of_faces(), 0);
-    for(Index f = 0; f < gauges.number_of_faces(); ++f)
-      for(auto s = gauges.first_sector(f); s != gauges.beyond_sector(f); ++s)
-        if(s->is_finite())
-          largest[f] = (std::max)(largest[f], length(s->functional));
-    double sum = 0;
-    for(Index h = 0; h < m_halfedges.size(); ++h)
-      if(!m_triangulation.is_border(h))
-        sum += largest[gauges.face(h)] * m_triangulation.length(h);
-    if(!(sum * (m_triangulation.unit() * gauges.unit()) < Face_gauges::infinity))
-      reject(
-          "the costs and the lengths of the mesh are too large: the cost of a path would be more "
-          "than a double can hold. Use infinity for directions that paths must not take.");
-  }
-
-  const TriangleMesh& m_mesh;
-  const Halfedges& m_halfedges;
-  const VertexPointMap& m_point_map;
-  const Cost& m_cost;
-  const Intrinsic_triangulation& m_triangulation;
-};
+  result.normalize(triangulation.unit());
+  check_cost(result, triangulation);
+  return result;
+}
 
 // Returns the relative sampling error allowed for gauges of convex functions.
 template <typename NamedParameters>
@@ -331,8 +258,11 @@ Face_weights read_face_weights(const TriangleMesh& tmesh,
                                const FaceWeightMap& face_weight_map,
                                const NamedParameters& np = parameters::default_values())
 {
+  Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np), triangulation);
+  translation.check_size();
+  translation.list_vertices();
   const auto halfedges =
-      internal::halfedges_in_groups(tmesh, internal::vertex_index_map(tmesh, np), triangulation);
+      internal::halfedges_in_groups(translation.vertex_list(), triangulation, tmesh);
   return internal::weights_of_faces(tmesh, halfedges, face_weight_map, triangulation);
 }
 

@@ -28,7 +28,7 @@ namespace CGAL::Approximate_geodesics::internal {
 /*
  * Reads and validates the connectivity of a mesh, in the order of the mesh's own indices. This is
  * the only reader; it serves whole meshes and parts, with any index maps. It reports success or
- * failure; `Mesh_check` diagnoses failures.
+ * failure, and diagnoses failures on request.
  *
  * Links are copied to a compact array. Rotating around vertices on the mesh itself would cause a
  * cache miss per step; sequential copying is prefetched by the hardware. Faces are checked in
@@ -100,6 +100,26 @@ public:
     return true;
   }
 
+  // Diagnoses a mesh that was refused: throws an exception that names the first invalid element.
+  // Reads the mesh step by step, and follows no link before it is checked.
+  [[noreturn]] void reject_mesh()
+  {
+    check_triangles(m_mesh, [this](const vertex_descriptor v) { return ", at " + name(v) + ','; });
+    m_vertices.assign(m_number_of_vertices, Graph_traits::null_vertex());
+    m_halfedges.assign(m_number_of_halfedges, Graph_traits::null_halfedge());
+    for(const vertex_descriptor v : vertices(m_mesh))
+      list(v);
+    for(const vertex_descriptor v : vertices(m_mesh))
+      check_cycle(v);
+    for(const halfedge_descriptor h : m_halfedges)
+      if(h != Graph_traits::null_halfedge())
+        check_opposite(h);
+    check_that_vertices_know_faces();
+    for(const halfedge_descriptor h : halfedges(m_mesh))
+      check_side(h);
+    reject("there are halfedges with a face that is not in faces()");
+  }
+
 private:
   // The target of a halfedge, and the next halfedge counterclockwise around its source.
   struct Link
@@ -127,10 +147,9 @@ private:
   {
     for(const face_descriptor f : faces(m_mesh))
     {
-      const halfedge_descriptor h = halfedge(f, m_mesh);
-      if(h == Graph_traits::null_halfedge() || !is_linked_triangle(f, m_mesh))
+      if(!is_linked_triangle(f, m_mesh))
         return false;
-      const halfedge_descriptor g = next(h, m_mesh), k = next(g, m_mesh);
+      const halfedge_descriptor h = halfedge(f, m_mesh), g = next(h, m_mesh), k = next(g, m_mesh);
       if(target(h, m_mesh) != source(g, m_mesh) || target(g, m_mesh) != source(k, m_mesh) ||
          target(k, m_mesh) != source(h, m_mesh))
         return false;
@@ -273,84 +292,33 @@ private:
     }
   }
 
-  const TriangleMesh& m_mesh;
-  const std::size_t m_number_of_vertices; // cached: num_vertices() may be linear
-  const std::size_t m_number_of_halfedges;
-  const VertexIndexMap m_vertex_index_map;
-  const HalfedgeIndexMap m_halfedge_index_map;
-  std::vector<vertex_descriptor> m_vertices;
-  std::vector<Link> m_links;            // by index; without a target if the halfedge was removed
-  std::vector<Index> m_first_of_vertex; // prefix sums of degrees
-  std::size_t m_number_of_faces = 0;
-  std::size_t m_number_of_sides = 0; // halfedges that refer to a face
-  bool m_has_removed_vertices = false;
-  bool m_has_removed_halfedges = false;
-};
+  // ----- diagnosis
 
-/*
- * Diagnoses a mesh that `Mesh_links` has refused: throws an exception that names the first invalid
- * element. It reads the mesh step by step, and follows no link before it is checked.
- */
-template <typename TriangleMesh, typename VertexIndexMap, typename HalfedgeIndexMap>
-class Mesh_check
-{
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-  using face_descriptor = typename Graph_traits::face_descriptor;
-
-public:
-  Mesh_check(const TriangleMesh& tmesh,
-             VertexIndexMap vertex_index_map,
-             HalfedgeIndexMap halfedge_index_map)
-    : m_mesh(tmesh),
-      m_vertex_index_map(std::move(vertex_index_map)),
-      m_halfedge_index_map(std::move(halfedge_index_map)),
-      m_vertex(num_vertices(tmesh), Graph_traits::null_vertex()),
-      m_halfedge(num_halfedges(tmesh), Graph_traits::null_halfedge())
-  {
-  }
-
-  [[noreturn]] void reject_mesh()
-  {
-    number_of_triangles(m_mesh,
-                        [this](const vertex_descriptor v) { return ", at " + name(v) + ','; });
-    for(const vertex_descriptor v : vertices(m_mesh))
-      list(v);
-    for(const vertex_descriptor v : vertices(m_mesh))
-      check_cycle(v);
-    for(const halfedge_descriptor h : m_halfedge)
-      if(h != Graph_traits::null_halfedge())
-        check_opposite(h);
-    check_that_vertices_know_faces();
-    for(const halfedge_descriptor h : halfedges(m_mesh))
-      check_side(h);
-    reject("there are halfedges with a face that is not in faces()");
-  }
-
-private:
-  std::size_t index(const vertex_descriptor v) const
+  std::size_t number(const vertex_descriptor v) const
   {
     if(v == Graph_traits::null_vertex())
       reject("a halfedge of the mesh has no vertex");
-    return checked_index(get(m_vertex_index_map, v), m_vertex.size(), "vertex");
+    return number_below(m_number_of_vertices, get(m_vertex_index_map, v), "vertex");
   }
 
-  std::size_t index(const halfedge_descriptor h) const
+  std::size_t number(const halfedge_descriptor h) const
   {
-    return checked_index(get(m_halfedge_index_map, h), m_halfedge.size(), "halfedge");
+    return number_below(m_number_of_halfedges, get(m_halfedge_index_map, h), "halfedge");
   }
 
   template <typename I>
-  static std::size_t checked_index(const I i, const std::size_t size, const char* kind)
+  static std::size_t number_below(const std::size_t size, const I i, const std::string& kind)
   {
     if(static_cast<std::size_t>(i) >= size) // also negative ones
-      reject(std::string(kind) + " index " + std::to_string(i) +
-             " is out of range: it must be less than " + std::to_string(size));
+      reject(kind + " index " + std::to_string(i) + " is out of range: it must be less than " +
+             std::to_string(size));
     return static_cast<std::size_t>(i);
   }
 
-  std::string name(const vertex_descriptor v) const { return "vertex " + std::to_string(index(v)); }
+  std::string name(const vertex_descriptor v) const
+  {
+    return "vertex " + std::to_string(number(v));
+  }
 
   std::string name(const halfedge_descriptor h) const
   {
@@ -359,9 +327,9 @@ private:
 
   void list(const vertex_descriptor v)
   {
-    vertex_descriptor& listed = m_vertex[index(v)];
+    vertex_descriptor& listed = m_vertices[number(v)];
     if(listed != Graph_traits::null_vertex())
-      reject("vertex index " + std::to_string(index(v)) + " is assigned to more than one vertex");
+      reject("vertex index " + std::to_string(number(v)) + " is assigned to more than one vertex");
     listed = v;
   }
 
@@ -375,11 +343,11 @@ private:
       {
         if(h == Graph_traits::null_halfedge() || source(h, m_mesh) != v)
           reject_halfedges_around(v);
-        halfedge_descriptor& listed = m_halfedge[index(h)];
+        halfedge_descriptor& listed = m_halfedges[number(h)];
         if(listed != Graph_traits::null_halfedge())
           reject_halfedges_around(v);
         listed = h;
-        if(m_vertex[index(target(h, m_mesh))] != target(h, m_mesh))
+        if(m_vertices[number(target(h, m_mesh))] != target(h, m_mesh))
           reject(name(h) + " leads to a vertex that is not in vertices()");
         h = counterclockwise(h, m_mesh);
       } while(h != first);
@@ -389,7 +357,7 @@ private:
   void check_opposite(const halfedge_descriptor h) const
   {
     const halfedge_descriptor across = opposite(h, m_mesh);
-    if(m_halfedge[index(across)] != across || opposite(across, m_mesh) != h)
+    if(m_halfedges[number(across)] != across || opposite(across, m_mesh) != h)
       reject_halfedges_around(target(h, m_mesh));
   }
 
@@ -405,7 +373,7 @@ private:
     for(const face_descriptor f : faces(m_mesh))
     {
       for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
-        if(m_halfedge[index(h)] == Graph_traits::null_halfedge())
+        if(m_halfedges[number(h)] == Graph_traits::null_halfedge())
           reject(name_of_face(number_of_face) + " is not found around " + name(source(h, m_mesh)));
       ++number_of_face;
     }
@@ -414,7 +382,7 @@ private:
   // Checks that halfedges with a face are on the cycle of that face, and the others on a border.
   void check_side(const halfedge_descriptor h) const
   {
-    if(m_halfedge[index(h)] != h)
+    if(m_halfedges[number(h)] != h)
       reject(name(h) + " is not found around the former, or its index is not unique");
     if(is_border(h, m_mesh) && !follows_its_predecessor(h, m_mesh))
       reject(name(h) + " is on the border, but does not follow the halfedge before it");
@@ -423,10 +391,18 @@ private:
   }
 
   const TriangleMesh& m_mesh;
+  const std::size_t m_number_of_vertices; // cached: num_vertices() may be linear
+  const std::size_t m_number_of_halfedges;
   const VertexIndexMap m_vertex_index_map;
   const HalfedgeIndexMap m_halfedge_index_map;
-  std::vector<vertex_descriptor> m_vertex;     // by index
-  std::vector<halfedge_descriptor> m_halfedge; // by index, once found around a vertex
+  std::vector<vertex_descriptor> m_vertices;
+  std::vector<halfedge_descriptor> m_halfedges; // found around vertices, for reject_mesh() only
+  std::vector<Link> m_links;            // by index; without a target if the halfedge was removed
+  std::vector<Index> m_first_of_vertex; // prefix sums of degrees
+  std::size_t m_number_of_faces = 0;
+  std::size_t m_number_of_sides = 0; // halfedges that refer to a face
+  bool m_has_removed_vertices = false;
+  bool m_has_removed_halfedges = false;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

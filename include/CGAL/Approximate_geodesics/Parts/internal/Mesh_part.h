@@ -141,8 +141,7 @@ public:
   bool add_face(const halfedge_descriptor h)
   {
     const face_descriptor f = face(h, *m_mesh);
-    if(halfedge(f, *m_mesh) == Graph_traits::null_halfedge() || !is_linked_triangle(f, *m_mesh) ||
-       !is_on_cycle_of_face(h, *m_mesh))
+    if(!is_linked_triangle(f, *m_mesh) || !is_on_cycle_of_face(h, *m_mesh))
       return false;
     m_faces.push_back(f);
     halfedge_descriptor side = h;

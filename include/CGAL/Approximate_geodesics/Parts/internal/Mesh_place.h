@@ -63,7 +63,7 @@ mesh_place(const TriangleMesh& tmesh,
            const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
-  if(v == Graph_traits::null_vertex() || !may_be_element(v, num_vertices(tmesh), tmesh))
+  if(!may_be_element(v, Graph_traits::null_vertex(), num_vertices(tmesh), tmesh))
     return std::nullopt;
   Mesh_place<TriangleMesh> result;
   result.corner[0] = v;
@@ -86,8 +86,7 @@ std::optional<Mesh_place<TriangleMesh>> mesh_place(
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   const auto [h, t] = point;
-  if(h == Graph_traits::null_halfedge() || !may_be_element(h, num_halfedges(tmesh), tmesh) ||
-     !is_parameter(t))
+  if(!error_in_point(h, t, tmesh).empty())
     return std::nullopt;
   Mesh_place<TriangleMesh> result;
   result.halfedge = side_of_edge(h, tmesh);
@@ -105,17 +104,15 @@ mesh_place(const TriangleMesh& tmesh,
            const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
                            std::array<FT, 3>>& location)
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  const auto f = location.first;
-  if(f == Graph_traits::null_face() || !may_be_element(f, num_faces(tmesh), tmesh))
+  const auto& [f, coordinates] = location;
+  if(!error_in_point(f, coordinates, tmesh).empty() || !is_linked_triangle(f, tmesh))
     return std::nullopt;
-  const auto weights = barycentric_weights(location.second);
-  const auto h = halfedge(f, tmesh);
-  if(!weights || h == Graph_traits::null_halfedge() || !is_linked_triangle(f, tmesh))
-    return std::nullopt;
-  const auto g = next(h, tmesh);
+  const auto h = halfedge(f, tmesh), g = next(h, tmesh);
   return Mesh_place<TriangleMesh>{
-      {source(h, tmesh), source(g, tmesh), source(next(g, tmesh), tmesh)}, *weights, 3, h};
+      {source(h, tmesh), source(g, tmesh), source(next(g, tmesh), tmesh)},
+      *barycentric_weights(coordinates),
+      3,
+      h};
 }
 
 template <typename TriangleMesh>
