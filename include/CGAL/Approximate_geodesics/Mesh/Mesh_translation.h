@@ -250,20 +250,6 @@ public:
     return result;
   }
 
-  /// returns the location of a point in the face to the left of its halfedge. \pre `!p.is_vertex()`
-  Face_location<TriangleMesh> face_location(const Intrinsic_point& p) const
-  {
-    const halfedge_descriptor h = mesh_halfedge(p.halfedge);
-    const face_descriptor f = face(h, *m_mesh);
-    const halfedge_descriptor first = halfedge(f, *m_mesh);
-    const double rest = 1 - p.t - p.s;
-    if(h == first)
-      return {f, {rest, p.t, p.s}};
-    if(h == next(first, *m_mesh))
-      return {f, {p.s, rest, p.t}};
-    return {f, {p.t, p.s, rest}};
-  }
-
   /// returns the point of the surface at `p`.
   Surface_point<TriangleMesh> surface_point(const Intrinsic_point& p) const
   {
@@ -271,39 +257,30 @@ public:
       return vertex(p.vertex);
     if(p.is_on_edge())
       return std::make_pair(mesh_halfedge(p.halfedge), p.t);
-    return face_location(p);
+    return internal::location_in_face(mesh_halfedge(p.halfedge), p.t, p.s, *m_mesh);
   }
 
   /// reports the location of a point to `visitor`, a model of `SurfaceMeshShortestPathVisitor`.
   template <typename Visitor>
   void visit(const Intrinsic_point& p, Visitor& visitor) const
   {
-    if(p.is_vertex())
-      visitor(vertex(p.vertex));
-    else if(p.is_on_edge())
-      visitor(mesh_halfedge(p.halfedge), p.t);
-    else
-    {
-      const Face_location<TriangleMesh> location = face_location(p);
-      visitor(location.first, location.second);
-    }
-  }
-
-  /// returns the position of a vertex in space. \pre `p.is_vertex()`
-  template <typename VertexPointMap>
-  auto point_of_vertex(const Intrinsic_point& p, const VertexPointMap& point_map) const
-  {
-    return get(point_map, vertex(p.vertex));
+    const auto report = [&](const auto& point) {
+      if constexpr(internal::is_pair<std::decay_t<decltype(point)>>)
+        visitor(point.first, point.second);
+      else
+        visitor(point);
+    };
+    std::visit(report, surface_point(p));
   }
 
   /// returns the position of a point in space, computed with `traits`, a model of `Kernel`.
   template <typename VertexPointMap, typename Traits>
   auto point(const Intrinsic_point& p, const VertexPointMap& point_map, const Traits& traits) const
   {
-    using Result = std::decay_t<decltype(point_of_vertex(p, point_map))>;
+    using Result = typename boost::property_traits<VertexPointMap>::value_type;
     using FT = typename Traits::FT;
     if(p.is_vertex())
-      return Result(point_of_vertex(p, point_map));
+      return Result(get(point_map, vertex(p.vertex)));
     const auto barycenter = traits.construct_barycenter_3_object();
     const Intrinsic_triangulation& t = *m_triangulation;
     const auto& source = get(point_map, vertex(t.source(p.halfedge)));
@@ -418,7 +395,7 @@ auto point(const Translation& translation,
   else if constexpr(is_point_of_kernel<Point>)
     return Point(translation.point(p, point_map, typename Kernel_traits<Point>::Kernel()));
   else if(p.is_vertex())
-    return Point(translation.point_of_vertex(p, point_map));
+    return Point(get(point_map, translation.vertex(p.vertex)));
   else
     reject("points on edges and faces cannot be computed: the point type of the mesh belongs to no "
            "kernel");

@@ -20,6 +20,7 @@
 #include <CGAL/version.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,6 @@
 #include <cstddef>
 #include <limits>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -197,15 +197,8 @@ Face_location<TriangleMesh> locate(const Ray_3<Kernel>& ray,
 }
 
 // Detects the traits of CGAL's exact class, passed by mistake in place of the mesh.
-template <typename T, typename = void>
-constexpr bool is_traits_of_exact_class = false;
-
 template <typename T>
-constexpr bool
-    is_traits_of_exact_class<T,
-                             std::void_t<typename T::Triangle_mesh,
-                                         typename T::Compute_parametric_distance_along_segment_2>> =
-        true;
+using Member_of_exact_traits = typename T::Compute_parametric_distance_along_segment_2;
 
 } // namespace internal
 
@@ -221,7 +214,7 @@ constexpr bool
 template <typename TriangleMesh>
 class Surface_locations
 {
-  static_assert(!internal::is_traits_of_exact_class<TriangleMesh>,
+  static_assert(!boost::is_detected_v<internal::Member_of_exact_traits, TriangleMesh>,
                 "the first template argument is the mesh, not the traits of the exact class");
 
   using Graph_traits = boost::graph_traits<TriangleMesh>;
@@ -436,13 +429,7 @@ public:
   {
     if(is_border(h, tmesh))
       return face_location(opposite(h, tmesh), 1 - t, tmesh);
-    Face_location result(face(h, tmesh), {0, 0, 0});
-    std::size_t i = 0;
-    for(halfedge_descriptor g = halfedge(result.first, tmesh); g != h; g = next(g, tmesh))
-      ++i;
-    result.second[i] = 1 - t;
-    result.second[(i + 1) % 3] = t;
-    return result;
+    return internal::location_in_face(h, t, 0, tmesh);
   }
 
   template <typename AABBTraits, typename Query = Point_3, typename VertexPointMap>

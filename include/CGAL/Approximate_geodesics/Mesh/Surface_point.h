@@ -104,6 +104,13 @@ bool may_be_element(const Descriptor d,
   return result;
 }
 
+template <typename FT>
+std::string text_of(const std::array<FT, 3>& numbers)
+{
+  const auto text = [&](const std::size_t i) { return text_of(CGAL::to_double(numbers[i])); };
+  return text(0) + ", " + text(1) + ", " + text(2);
+}
+
 constexpr double rounding_of_weights = 1e-15; // of barycentric coordinates
 
 // Returns barycentric coordinates whose sum is 1, with values within rounding errors snapped to
@@ -129,6 +136,25 @@ std::optional<std::array<double, 3>> barycentric_weights(const std::array<FT, 3>
   for(double& weight : result)
     weight /= sum;
   return result;
+}
+
+// Returns the location of `(1 - t - s) a + t b + s c`, where `a` and `b` are the source and the
+// target of `h`, and `c` is the third vertex of its face.
+template <typename TriangleMesh>
+Face_location<TriangleMesh>
+location_in_face(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                 const double t,
+                 const double s,
+                 const TriangleMesh& tmesh)
+{
+  const auto f = face(h, tmesh);
+  const auto first = halfedge(f, tmesh);
+  const double rest = 1 - t - s;
+  if(h == first)
+    return {f, {rest, t, s}};
+  if(h == next(first, tmesh))
+    return {f, {s, rest, t}};
+  return {f, {t, s, rest}};
 }
 
 // Names the element by its index, if descriptors are integers.
@@ -169,8 +195,7 @@ std::string error_in_point(const typename boost::graph_traits<TriangleMesh>::fac
     return text_of_missing("face", f, Graph_traits::null_face());
   if(barycentric_weights(coordinates))
     return "";
-  const auto text = [&](const std::size_t i) { return text_of(CGAL::to_double(coordinates[i])); };
-  return "barycentric coordinates are " + text(0) + ", " + text(1) + ", " + text(2) +
+  return "barycentric coordinates are " + text_of(coordinates) +
          "; they must not be negative, and their sum must be 1";
 }
 

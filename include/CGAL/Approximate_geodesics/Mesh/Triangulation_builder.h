@@ -130,20 +130,16 @@ private:
     order.finish();
     m_result.m_vertex_of_index = std::move(order.vertex_of_index());
     m_result.m_index_of_vertex = std::move(order.index_of_vertex());
-    take(order.result());
+    Connectivity& ordered = order.result();
+    m_result.m_first_halfedge = std::move(ordered.first_of_vertex);
+    m_result.m_target = std::move(ordered.target_of_halfedge);
+    m_result.m_is_border = std::move(ordered.is_border);
+    m_result.m_opposite_rank = std::move(ordered.opposite_rank);
+    m_result.m_number_of_faces = static_cast<Index>(ordered.number_of_faces);
     m_vertices.reserve(m_result.m_index_of_vertex.size());
     for(const Index i : m_result.m_index_of_vertex)
       m_vertices.push_back(links.vertex_list()[i]);
     return true;
-  }
-
-  void take(Connectivity& connectivity)
-  {
-    m_result.m_first_halfedge = std::move(connectivity.first_of_vertex);
-    m_result.m_target = std::move(connectivity.target_of_halfedge);
-    m_result.m_is_border = std::move(connectivity.is_border);
-    m_result.m_opposite_rank = std::move(connectivity.opposite_rank);
-    m_result.m_number_of_faces = static_cast<Index>(connectivity.number_of_faces);
   }
 
   void copy_lengths()
@@ -202,7 +198,6 @@ private:
 };
 
 } // namespace internal
-
 } // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_TRIANGULATION_BUILDER_H

@@ -104,18 +104,16 @@ struct Face_frame
     constexpr double no_area = 1e-14;
     x = normalized(side, {1, 0, 0});
     const Space_vector third = normalized(to_third, x);
-    const Space_vector across = linear_combination(third, -dot(third, x), x);
-    if(dot(across, across) > no_area * no_area)
-      y = normalized(linear_combination(across, -dot(across, x), x), x);
-    else
+    Space_vector across = linear_combination(third, -dot(third, x), x);
+    if(!(dot(across, across) > no_area * no_area))
     {
       std::size_t smallest = 0;
       for(const std::size_t i : {std::size_t(1), std::size_t(2)})
         smallest = std::abs(x[i]) < std::abs(x[smallest]) ? i : smallest;
-      Space_vector axis{0, 0, 0};
-      axis[smallest] = 1;
-      y = normalized(linear_combination(axis, -dot(axis, x), x), x);
+      across = {0, 0, 0};
+      across[smallest] = 1;
     }
+    y = normalized(linear_combination(across, -dot(across, x), x), x);
   }
 
   Space_vector operator()(const Plane_vector v) const
@@ -167,6 +165,24 @@ inline std::array<Plane_vector, 3> directions_of_sides(const Face_layout& layout
   return result;
 }
 
+inline bool is_first_of_face(const Intrinsic_triangulation::Index h,
+                             const Intrinsic_triangulation& triangulation)
+{
+  if(triangulation.is_border(h))
+    return false;
+  const auto sides = triangulation.halfedges_of_face(h);
+  return h == *std::min_element(sides.begin(), sides.end());
+}
+
+inline Intrinsic_triangulation::Index longest_side(Intrinsic_triangulation::Index h,
+                                                   const Intrinsic_triangulation& triangulation)
+{
+  for(const auto side : triangulation.halfedges_of_face(h))
+    if(triangulation.length(side) > triangulation.length(h))
+      h = side;
+  return h;
+}
+
 // Reads the gauges of the faces of a mesh from a function of faces and directions. `halfedges` has
 // the order of the triangulation. The x axis of the plane of a face is along its longest side.
 template <typename TriangleMesh, typename Halfedges, typename VertexPointMap, typename Cost>
@@ -178,42 +194,33 @@ Face_gauges gauges_of_faces(const TriangleMesh& tmesh,
                             const double tolerance)
 {
   using Index = Intrinsic_triangulation::Index;
-  using Point = typename boost::property_traits<VertexPointMap>::value_type;
-  using Vector_3 = typename Kernel_traits<Point>::Kernel::Vector_3;
-  using FT = typename Kernel_traits<Point>::Kernel::FT;
+  using Kernel =
+      typename Kernel_traits<typename boost::property_traits<VertexPointMap>::value_type>::Kernel;
 
   const auto vector_along = [&](const auto h) {
     return space_vector(get(point_map, target(h, tmesh)) - get(point_map, source(h, tmesh)));
   };
-  const auto is_shorter = [&](const Index h, const Index g) {
-    return triangulation.length(h) < triangulation.length(g);
-  };
   Face_gauges result;
   Gauge_samples samples; // its memory is reused
   result.reserve(halfedges.size(), triangulation.number_of_faces());
-  for(Index h = 0; h < halfedges.size(); ++h)
-  {
-    if(triangulation.is_border(h))
-      continue;
-    const auto of_face = triangulation.halfedges_of_face(h);
-    if(h != *std::min_element(of_face.begin(), of_face.end()))
-      continue;
-    const Index first = *std::max_element(of_face.begin(), of_face.end(), is_shorter);
+  const auto add_face = [&](const Index first) {
     const auto base = halfedges[first];
     const Face_frame frame(vector_along(base), vector_along(opposite(prev(base, tmesh), tmesh)));
-    const auto cost_along = [&](const Plane_vector v) {
+    const auto directions = directions_of_sides(Face_layout(triangulation, first));
+    samples.sample(directions, tolerance, [&](const Plane_vector v) {
       const Space_vector d = frame(v);
-      const double c = cost(face(base, tmesh), Vector_3(FT(d[0]), FT(d[1]), FT(d[2])));
+      const double c = cost(face(base, tmesh), vector_3<Kernel>(d));
       if(!(c >= 0))
         reject(triangulation.name_of_face(first) + " has cost " + text_of(c) +
-               " in the direction " + text_of(d[0]) + ", " + text_of(d[1]) + ", " + text_of(d[2]) +
+               " in the direction " + text_of(d) +
                "; it must be a number that is not negative, or infinity");
       return c + 0.0; // normalizes negative zero
-    };
-    const auto sides = directions_of_sides(Face_layout(triangulation, first));
-    samples.sample(sides, tolerance, cost_along);
-    result.add(triangulation.halfedges_of_face(first), sides, samples);
-  }
+    });
+    result.add(triangulation.halfedges_of_face(first), directions, samples);
+  };
+  for(Index h = 0; h < halfedges.size(); ++h)
+    if(is_first_of_face(h, triangulation))
+      add_face(longest_side(h, triangulation));
   result.normalize(triangulation.unit());
   check_cost(result, triangulation);
   return result;

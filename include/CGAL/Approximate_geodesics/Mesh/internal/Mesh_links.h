@@ -383,7 +383,7 @@ private:
   void check_side(const halfedge_descriptor h) const
   {
     if(m_halfedges[number(h)] != h)
-      reject(name(h) + " is not found around the former, or its index is not unique");
+      reject(name(h) + " is not found around its source, or its index is not unique");
     if(is_border(h, m_mesh) && !follows_its_predecessor(h, m_mesh))
       reject(name(h) + " is on the border, but does not follow the halfedge before it");
     if(!is_border(h, m_mesh) && !is_on_cycle_of_face(h, m_mesh))

@@ -25,7 +25,7 @@
 #include <vector>
 
 // Reads and checks edge lengths without overflow or underflow: see the remark on units at
-// `Intrinsic_triangulation`. Include the header of that class instead of this one.
+// `Intrinsic_triangulation`.
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -144,16 +144,23 @@ std::vector<Space_vector> double_points(const Vertices& vertices,
   return result;
 }
 
-// Ignores isolated vertices: they do not affect lengths.
+// Scales points, and returns their new unit.
 template <typename Connectivity>
-Scale scale_of(const std::vector<Space_vector>& points, const Connectivity& connectivity)
+double
+scale_points(std::vector<Space_vector>& points, const Connectivity& connectivity, const Loop& loop)
 {
   double extent = 0;
   for(typename Connectivity::Index v = 0; v < points.size(); ++v)
-    if(connectivity.degree(v) > 0)
+    if(connectivity.degree(v) > 0) // isolated vertices do not affect lengths
       for(const double coordinate : points[v])
         extent = (std::max)(extent, std::abs(coordinate));
-  return Scale(extent);
+  const Scale scale(extent);
+  loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
+    for(std::size_t v = first; v < beyond; ++v)
+      for(double& coordinate : points[v])
+        coordinate = scale.reduce(coordinate);
+  });
+  return scale.unit();
 }
 
 // Does nothing, in place of `Sharp_corners`, if only lengths are required.
@@ -176,15 +183,8 @@ Edge_lengths straight_lengths(std::vector<Space_vector> points,
 {
   using Index = typename Connectivity::Index;
 
-  const Scale scale = scale_of(points, connectivity);
-  loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
-    for(std::size_t v = first; v < beyond; ++v)
-      for(double& coordinate : points[v])
-        coordinate = scale.reduce(coordinate);
-  });
-
   Edge_lengths result;
-  result.unit = scale.unit();
+  result.unit = scale_points(points, connectivity, loop);
   result.of_halfedge.resize(connectivity.number_of_halfedges());
   std::vector<Corners> shares(points.size() / Loop::SIZE_OF_BLOCK + 1, corners); // one per block
   loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {

@@ -15,9 +15,9 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/function_property_map.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <functional>
-#include <type_traits>
 #include <utility>
 
 // The property maps of a mesh: the given map, or else the internal one. CGAL's functions assert
@@ -53,15 +53,12 @@ auto vertex_point_map(const TriangleMesh& tmesh, const NamedParameters& np)
     return get_const_property_map(CGAL::vertex_point, tmesh);
 }
 
-// Whether the point type belongs to a kernel.
-template <typename Point, typename = void>
-constexpr bool is_point_of_kernel = false;
-
 template <typename Point>
-constexpr bool
-    is_point_of_kernel<Point,
-                       std::void_t<typename Kernel_traits<Point>::Kernel::Construct_barycenter_3>> =
-        true;
+using Barycenter_of_kernel = typename Kernel_traits<Point>::Kernel::Construct_barycenter_3;
+
+// Whether the point type belongs to a kernel.
+template <typename Point>
+constexpr bool is_point_of_kernel = boost::is_detected_v<Barycenter_of_kernel, Point>;
 
 template <typename Vector_3>
 Space_vector space_vector(const Vector_3& v)
@@ -69,15 +66,19 @@ Space_vector space_vector(const Vector_3& v)
   return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
 }
 
-// Whether `Map` is a writable property map for distances.
-template <typename Map, typename Key, typename = void>
-constexpr bool takes_distances = false;
+template <typename Kernel>
+typename Kernel::Vector_3 vector_3(const Space_vector& v)
+{
+  using FT = typename Kernel::FT;
+  return typename Kernel::Vector_3(FT(v[0]), FT(v[1]), FT(v[2]));
+}
 
 template <typename Map, typename Key>
-constexpr bool takes_distances<
-    Map,
-    Key,
-    std::void_t<decltype(put(std::declval<Map&>(), std::declval<const Key&>(), double()))>> = true;
+using Result_of_put = decltype(put(std::declval<Map&>(), std::declval<const Key&>(), double()));
+
+// Whether `Map` is a writable property map for distances.
+template <typename Map, typename Key>
+constexpr bool takes_distances = boost::is_detected_v<Result_of_put, Map, Key>;
 
 // A type-erased readable property map, so that the map type is not a template argument of classes
 // that store it.
