@@ -156,7 +156,8 @@ public:
   /// returns the point at the parameter `t` along `h`: `0` is its source, `1` is its target.
   Intrinsic_point intrinsic_point(const halfedge_descriptor h, const double t) const
   {
-    check(h, t);
+    using internal::whole;
+    internal::check_point(h, t, whole(*m_mesh));
     if(t < internal::rounding_of_weights || 1 - t < internal::rounding_of_weights)
       return intrinsic_point(t < internal::rounding_of_weights ? source(h, *m_mesh)
                                                                : target(h, *m_mesh));
@@ -169,8 +170,8 @@ public:
   Intrinsic_point intrinsic_point(const face_descriptor f,
                                   const std::array<FT, 3>& coordinates) const
   {
-    check(f, coordinates);
-    const std::array<double, 3> weights = *internal::barycentric_weights(coordinates);
+    using internal::whole;
+    const std::array<double, 3> weights = internal::checked_weights(f, coordinates, whole(*m_mesh));
     const halfedge_descriptor h = halfedge(f, *m_mesh);
     const std::array<halfedge_descriptor, 3> sides{h, next(h, *m_mesh), prev(h, *m_mesh)};
     for(std::size_t i = 0; i < 3; ++i)
@@ -304,15 +305,6 @@ public:
   /// @}
 
 private:
-  template <typename Element, typename Coordinates>
-  void check(const Element element, const Coordinates& coordinates) const
-  {
-    using internal::whole;
-    const std::string error = internal::error_in_point(element, coordinates, whole(*m_mesh));
-    if(!error.empty())
-      internal::reject(error);
-  }
-
   // Returns the index of a halfedge in the triangulation, by rotating around the vertex of its face
   // with the smallest degree.
   Index number(const halfedge_descriptor h) const

@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -104,40 +103,6 @@ bool may_be_element(const Descriptor d,
   return result;
 }
 
-template <typename FT>
-std::string text_of(const std::array<FT, 3>& numbers)
-{
-  const auto text = [&](const std::size_t i) { return text_of(CGAL::to_double(numbers[i])); };
-  return text(0) + ", " + text(1) + ", " + text(2);
-}
-
-constexpr double rounding_of_weights = 1e-15; // of barycentric coordinates
-
-// Returns barycentric coordinates whose sum is 1, with values within rounding errors snapped to
-// zero, or nothing if they are negative, not finite, or have another sum.
-template <typename FT>
-std::optional<std::array<double, 3>> barycentric_weights(const std::array<FT, 3>& coordinates)
-{
-  constexpr double tolerance = 1e-9;
-  std::array<double, 3> result{};
-  double sum = 0;
-  for(std::size_t i = 0; i < 3; ++i)
-  {
-    result[i] = CGAL::to_double(coordinates[i]);
-    sum += result[i];
-    if(!(result[i] >= -tolerance))
-      return std::nullopt;
-  }
-  if(!(std::abs(sum - 1) <= tolerance))
-    return std::nullopt;
-  for(double& weight : result)
-    weight = weight < rounding_of_weights ? 0 : weight;
-  sum = result[0] + result[1] + result[2];
-  for(double& weight : result)
-    weight /= sum;
-  return result;
-}
-
 // Returns the location of `(1 - t - s) a + t b + s c`, where `a` and `b` are the source and the
 // target of `h`, and `c` is the third vertex of its face.
 template <typename TriangleMesh>
@@ -157,46 +122,74 @@ location_in_face(const typename boost::graph_traits<TriangleMesh>::halfedge_desc
   return {f, {t, s, rest}};
 }
 
-// Names the element by its index, if descriptors are integers.
+// Names an element that is not in the mesh by its index, if descriptors are integers.
 template <typename Descriptor>
-std::string text_of_missing(const std::string& kind, const Descriptor d, const Descriptor null)
+[[noreturn]] void reject_element(const std::string& kind, const Descriptor d, const Descriptor null)
 {
   std::string name = (d == null ? "the null " : "the ") + kind;
   if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
     if(d != null)
       name = kind + ' ' + std::to_string(static_cast<std::size_t>(d));
-  return name + " is not in the mesh";
+  reject(name + " is not in the mesh");
 }
 
-// Returns the error in a point along a halfedge, or an empty string.
+// The following functions check points that users pass.
+
 template <typename TriangleMesh>
-std::string error_in_point(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
-                           const double t,
-                           const TriangleMesh& tmesh)
+void check_point(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                 const double t,
+                 const TriangleMesh& tmesh)
 {
   const auto null = boost::graph_traits<TriangleMesh>::null_halfedge();
   if(!may_be_element(h, null, num_halfedges(tmesh), tmesh))
-    return text_of_missing("halfedge", h, null);
+    reject_element("halfedge", h, null);
   if(!(t >= 0 && t <= 1)) // or NaN
-    return "the parameter along a halfedge is " + text_of(t) + "; it must be a number from 0 to 1";
-  return "";
+    reject("the parameter along a halfedge is " + text_of(t) + "; it must be a number from 0 to 1");
 }
 
-// Returns the error in a point of a face, or an empty string.
+constexpr double rounding_of_weights = 1e-15; // of barycentric coordinates
+
+template <typename FT>
+std::string text_of(const std::array<FT, 3>& numbers)
+{
+  const auto text = [&](const std::size_t i) { return text_of(CGAL::to_double(numbers[i])); };
+  return text(0) + ", " + text(1) + ", " + text(2);
+}
+
+// Returns barycentric coordinates whose sum is 1, with values within rounding errors snapped to
+// zero. Throws if they are negative, not finite, or have another sum, or if the face is not in the
+// mesh.
 template <typename TriangleMesh, typename FT>
-std::string error_in_point(const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
-                           const std::array<FT, 3>& coordinates,
-                           const TriangleMesh& tmesh)
+std::array<double, 3>
+checked_weights(const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+                const std::array<FT, 3>& coordinates,
+                const TriangleMesh& tmesh)
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   const bool may_be_face = may_be_element(f, Graph_traits::null_face(), num_faces(tmesh), tmesh);
   const auto h = may_be_face ? halfedge(f, tmesh) : Graph_traits::null_halfedge();
   if(h == Graph_traits::null_halfedge() || face(h, tmesh) != f) // or `f` was removed
-    return text_of_missing("face", f, Graph_traits::null_face());
-  if(barycentric_weights(coordinates))
-    return "";
-  return "barycentric coordinates are " + text_of(coordinates) +
-         "; they must not be negative, and their sum must be 1";
+    reject_element("face", f, Graph_traits::null_face());
+
+  constexpr double tolerance = 1e-9;
+  std::array<double, 3> result{};
+  double sum = 0;
+  bool are_valid = true;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    result[i] = CGAL::to_double(coordinates[i]);
+    sum += result[i];
+    are_valid = are_valid && result[i] >= -tolerance; // false for NaN
+  }
+  if(!are_valid || !(std::abs(sum - 1) <= tolerance))
+    reject("barycentric coordinates are " + text_of(coordinates) +
+           "; they must not be negative, and their sum must be 1");
+  for(double& weight : result)
+    weight = weight < rounding_of_weights ? 0 : weight;
+  sum = result[0] + result[1] + result[2];
+  for(double& weight : result)
+    weight /= sum;
+  return result;
 }
 
 } // namespace internal

@@ -23,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -59,8 +60,8 @@ auto side_of_edge(const typename boost::graph_traits<TriangleMesh>::halfedge_des
 
 template <typename TriangleMesh>
 std::optional<Mesh_place<TriangleMesh>>
-mesh_place(const TriangleMesh& tmesh,
-           const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
+checked_place(const TriangleMesh& tmesh,
+              const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   if(!may_be_element(v, Graph_traits::null_vertex(), num_vertices(tmesh), tmesh))
@@ -80,14 +81,13 @@ mesh_place(const TriangleMesh& tmesh,
 }
 
 template <typename TriangleMesh>
-std::optional<Mesh_place<TriangleMesh>> mesh_place(
+std::optional<Mesh_place<TriangleMesh>> checked_place(
     const TriangleMesh& tmesh,
     const std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>& point)
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   const auto [h, t] = point;
-  if(!error_in_point(h, t, tmesh).empty())
-    return std::nullopt;
+  check_point(h, t, tmesh);
   Mesh_place<TriangleMesh> result;
   result.halfedge = side_of_edge(h, tmesh);
   if(result.halfedge == Graph_traits::null_halfedge())
@@ -100,26 +100,37 @@ std::optional<Mesh_place<TriangleMesh>> mesh_place(
 
 template <typename TriangleMesh, typename FT>
 std::optional<Mesh_place<TriangleMesh>>
-mesh_place(const TriangleMesh& tmesh,
-           const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
-                           std::array<FT, 3>>& location)
+checked_place(const TriangleMesh& tmesh,
+              const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
+                              std::array<FT, 3>>& location)
 {
   const auto& [f, coordinates] = location;
-  if(!error_in_point(f, coordinates, tmesh).empty() || !is_linked_triangle(f, tmesh))
+  const std::array<double, 3> weights = checked_weights(f, coordinates, tmesh);
+  if(!is_linked_triangle(f, tmesh))
     return std::nullopt;
   const auto h = halfedge(f, tmesh), g = next(h, tmesh);
   return Mesh_place<TriangleMesh>{
-      {source(h, tmesh), source(g, tmesh), source(next(g, tmesh), tmesh)},
-      *barycentric_weights(coordinates),
-      3,
-      h};
+      {source(h, tmesh), source(g, tmesh), source(next(g, tmesh), tmesh)}, weights, 3, h};
 }
 
 template <typename TriangleMesh>
-std::optional<Mesh_place<TriangleMesh>> mesh_place(const TriangleMesh& tmesh,
-                                                   const Surface_point<TriangleMesh>& point)
+std::optional<Mesh_place<TriangleMesh>> checked_place(const TriangleMesh& tmesh,
+                                                      const Surface_point<TriangleMesh>& point)
 {
-  return std::visit([&](const auto& p) { return mesh_place(tmesh, p); }, point);
+  return std::visit([&](const auto& p) { return checked_place(tmesh, p); }, point);
+}
+
+template <typename TriangleMesh, typename Point>
+std::optional<Mesh_place<TriangleMesh>> mesh_place(const TriangleMesh& tmesh, const Point& point)
+{
+  try
+  {
+    return checked_place(tmesh, point);
+  }
+  catch(const std::invalid_argument&)
+  {
+    return std::nullopt;
+  }
 }
 
 /*
