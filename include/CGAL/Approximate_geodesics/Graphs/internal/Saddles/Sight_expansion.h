@@ -128,8 +128,9 @@ private:
     return split(sight, step, apex, left_edge, distance, bound, side);
   }
 
-  // Not inline, as few vertices are reached on a line that is not longer than their bounds.
-  BOOST_NOINLINE void report(const Sight& sight,
+  // Not inline, as few vertices are reached on a line that is not longer than their bounds. It takes
+  // a copy of the sight, so that the inner loop may keep all of it in registers.
+  BOOST_NOINLINE void report(const Sight sight,
                              const Face_step& step,
                              const Plane_vector apex,
                              const Plane_vector left_edge,
@@ -176,7 +177,7 @@ private:
    * number for the right side, a negative one for the left side, and 0 if the sight is to be
    * divided.
    */
-  BOOST_NOINLINE int side_at_ray(const Sight& sight,
+  BOOST_NOINLINE int side_at_ray(const Sight sight,
                                  const Face_step& step,
                                  const Plane_vector apex,
                                  const Plane_vector left_edge,
@@ -310,11 +311,10 @@ private:
     }
     if(useful_side == 0)
     {
-      m_stack.push_back(sight);
-      Sight& right = m_stack.back();
+      Sight right = sight;
       right.left_ray = between;
-      if(!go_right(right, step, apex, distance, bound))
-        m_stack.pop_back();
+      if(go_right(right, step, apex, distance, bound))
+        m_stack.push_back(right);
     }
     sight.right_ray = between;
     return go_left(sight, step, apex, left_edge, distance, bound);
