@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/search_once.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <limits>
 
@@ -30,16 +31,23 @@ double write_path(const TriangleMesh& tmesh,
                   const Target& target,
                   const NamedParameters& np)
 {
-  double length = std::numeric_limits<double>::infinity();
-  const auto write = [&](auto& search) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double length = infinity;
+  const auto write = [&](auto& search, const double limit) {
     search.run_to(source, target, positions_for_one_run(search, np), np);
-    const Path path = search.find_path(search.translation().intrinsic_point(target), np);
-    for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
-      *points++ = search.point(*p, np);
-    length = path.points.empty() ? length : path.length;
+    const Intrinsic_point end = search.translation().intrinsic_point(target);
+    const double distance = search.search().distance(end);
+    if(distance <= limit)
+    {
+      const Path path = search.find_path(end, np);
+      for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
+        *points++ = search.point(*p, np);
+      length = path.points.empty() ? infinity : path.length;
+    }
+    return distance;
   };
   if(!search_part_between(tmesh, source, target, np, write))
-    search_once<Source, Target>(tmesh, np, true, write);
+    search_once<Source, Target>(tmesh, np, true, [&](auto& search) { write(search, infinity); });
   return length;
 }
 

@@ -123,7 +123,7 @@ AG::Intrinsic_triangulation edges_of(const Mesh& mesh)
   const auto np = CGAL::parameters::default_values();
   AG::Intrinsic_triangulation result;
   AG::internal::Triangulation_builder<Mesh, std::decay_t<decltype(np)>>(result, mesh, np)
-      .build_edges();
+      .try_to_build_edges();
   return result;
 }
 

@@ -42,7 +42,7 @@ template <typename NamedParameters>
 Triangulation edges_of(const Mesh& mesh, const NamedParameters& np)
 {
   Triangulation result;
-  AG::internal::Triangulation_builder<Mesh, NamedParameters>(result, mesh, np).build_edges();
+  AG::internal::Triangulation_builder<Mesh, NamedParameters>(result, mesh, np).try_to_build_edges();
   return result;
 }
 

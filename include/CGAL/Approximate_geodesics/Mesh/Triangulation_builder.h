@@ -79,14 +79,14 @@ public:
 
   // Builds what a single search along edges between vertices requires. Such a search is not worth
   // the time to number the vertices and to link opposite halfedges. Vertices keep the order of the
-  // mesh.
-  void build_edges()
+  // mesh. Returns false if the connectivity is invalid.
+  bool try_to_build_edges()
   {
     static_assert(!is_any_given<NamedParameters, internal_np::face_weight_t,
                                 internal_np::edge_is_constrained_t>);
     Vertex_adjacency adjacency;
     if(!read_adjacency(adjacency))
-      return build();
+      return false;
     if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
       m_halfedges = halfedges_in_groups(m_vertices, adjacency, m_mesh);
     No_corners corners;
@@ -99,6 +99,7 @@ public:
     m_result.m_vertex_of_index.resize(m_vertices.size());
     std::iota(m_result.m_vertex_of_index.begin(), m_result.m_vertex_of_index.end(), Index(0));
     m_result.m_index_of_vertex = m_result.m_vertex_of_index;
+    return true;
   }
 
 private:

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace geodesics_test {
@@ -109,13 +110,20 @@ double length_of_path(const Mesh& mesh,
   return result;
 }
 
-template <typename Source, typename Target, typename NamedParameters>
-auto part_between(const Mesh& mesh,
+// The first part that is searched, if any.
+template <typename TriangleMesh, typename Source, typename Target, typename NamedParameters>
+auto part_between(const TriangleMesh& mesh,
                   const Source& source,
                   const Target& target,
                   const NamedParameters& np)
 {
-  return CGAL::Approximate_geodesics::internal::Part_to_read(mesh, np).between(source, target);
+  namespace internal = CGAL::Approximate_geodesics::internal;
+  std::optional<internal::Mesh_part<TriangleMesh>> result;
+  internal::Part_to_read(mesh, np).between(source, target, [&](const auto& part, double) {
+    result = part;
+    return std::optional<double>(0);
+  });
+  return result;
 }
 
 inline void expect_same_length(const double a, const double b, const Mesh& mesh)

@@ -321,6 +321,12 @@ private:
   std::vector<halfedge_descriptor> m_after, m_before; // by border halfedge
 };
 
+template <typename TriangleMesh>
+constexpr bool is_part = false;
+
+template <typename TriangleMesh>
+constexpr bool is_part<Mesh_part<TriangleMesh>> = true;
+
 } // namespace Approximate_geodesics::internal
 
 template <typename TriangleMesh, typename Tag>

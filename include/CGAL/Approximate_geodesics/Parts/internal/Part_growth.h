@@ -45,16 +45,14 @@ struct Detour
     return target ? result + accurate_length(difference(p, *target)) : result;
   }
 
-  // Whether a path across an edge may be within the limit, given the detours `value_1` and
-  // `value_2` of the ends of the edge, and its length. Along the edge, the detour is Lipschitz
-  // continuous with constant 1, or 2 if there is a target. Returns true if values are not finite.
-  bool may_cross(const double value_1, const double value_2, const double length) const
+  // Returns a lower bound on the detours of the points of an edge, given those of its ends and its
+  // length. Along the edge, the detour is Lipschitz continuous with constant 1, or 2 if there is a
+  // target. NaN if values are not finite.
+  double on_edge(const double value_1, const double value_2, const double length) const
   {
     const double sum = value_1 + value_2, change = target ? 2 * length : length;
-    return !((sum - change) / 2 > limit + rounding * (sum + change));
+    return (sum - change) / 2 - rounding * (sum + change);
   }
-
-  bool may_meet(const double value) const { return !(value > limit + rounding * value); }
 
   static constexpr double rounding = 1e-12; // relative, of values and lengths
 
@@ -64,7 +62,7 @@ struct Detour
 };
 
 /*
- * Adds all faces to a part that a path from the sources within the limit may meet.
+ * Finds the part of a mesh with all faces that a path from the sources within the limit may meet.
  *
  * Such a path leaves a face in one of three ways: it crosses an edge at a point whose detour is
  * within the limit; it passes through a vertex, and then all edges around it contain such a point;
@@ -81,12 +79,12 @@ class Part_growth
 
 public:
   // All arguments are referred to, not copied. Growth fails beyond `largest_number_of_faces`.
-  Part_growth(Mesh_part<TriangleMesh>& part,
+  Part_growth(const TriangleMesh& tmesh,
               const Positions& positions,
               const Detour& detour,
               const std::size_t largest_number_of_faces)
-    : m_part(part),
-      m_mesh(whole(part)),
+    : m_part(tmesh),
+      m_mesh(tmesh),
       m_positions(positions),
       m_detour(detour),
       m_largest_number_of_faces(largest_number_of_faces)
@@ -114,6 +112,11 @@ public:
     return measure_new_vertices() && m_part.close() && do_lengths_fit();
   }
 
+  Mesh_part<TriangleMesh>& part() { return m_part; }
+
+  // Returns the smallest limit that adds faces to the part; infinity if none does.
+  double next_limit() const { return m_next_limit; }
+
 private:
   struct Vertex
   {
@@ -138,8 +141,8 @@ private:
         if(!follow_border(across, from))
           return false;
       }
-      else if(may_cross(from, to) && !m_part.contains(across))
-        m_entries.push_back(across);
+      else
+        enter_later(across, m_detour.on_edge(from.detour, to.detour, distance(from, to)));
       from = to;
     }
     return true;
@@ -154,15 +157,24 @@ private:
     const halfedge_descriptor across = opposite(following, m_mesh);
     if(is_border(across, m_mesh))
       return false; // an edge without faces
-    if(m_detour.may_meet(end.detour))
-      m_entries.push_back(across);
+    enter_later(across, end.detour * (1 - Detour::rounding));
     return true;
   }
 
-  bool may_cross(const Vertex& a, const Vertex& b) const
+  // Enters the face of `h` if `detour`, a lower bound, is within the limit.
+  void enter_later(const halfedge_descriptor h, const double detour)
   {
-    return m_detour.may_cross(a.detour, b.detour,
-                              accurate_length(difference(a.position, b.position)));
+    if(m_part.contains(h))
+      return;
+    if(detour > m_detour.limit)
+      m_next_limit = (std::min)(m_next_limit, detour);
+    else
+      m_entries.push_back(h);
+  }
+
+  static double distance(const Vertex& a, const Vertex& b)
+  {
+    return accurate_length(difference(a.position, b.position));
   }
 
   const Vertex& vertex(const vertex_descriptor v) const { return m_vertices[m_part.number(v)]; }
@@ -188,7 +200,7 @@ private:
     return std::isfinite(2 * m_largest_detour * static_cast<double>(num_halfedges(m_part)));
   }
 
-  Mesh_part<TriangleMesh>& m_part;
+  Mesh_part<TriangleMesh> m_part;
   const TriangleMesh& m_mesh;
   const Positions& m_positions;
   const Detour& m_detour;
@@ -196,6 +208,7 @@ private:
   std::vector<halfedge_descriptor> m_entries; // whose faces will be added
   std::vector<Vertex> m_vertices;             // by number in the part
   double m_largest_detour = 0;
+  double m_next_limit = std::numeric_limits<double>::infinity();
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -36,6 +36,18 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 template <typename NamedParameters>
+constexpr bool has_weights =
+    is_any_given<NamedParameters, internal_np::face_weight_t, internal_np::edge_is_constrained_t>;
+
+// Whether paths run across faces.
+template <typename NamedParameters>
+constexpr bool needs_faces =
+    has_weights<NamedParameters> || is_any_given<NamedParameters,
+                                                 internal_np::epsilon_t,
+                                                 internal_np::number_of_points_per_edge_t,
+                                                 internal_np::straighten_t>;
+
+template <typename NamedParameters>
 double maximum_distance(const NamedParameters& np)
 {
   return CGAL::to_double(
@@ -133,8 +145,7 @@ auto with_graph_on(Intrinsic_triangulation triangulation, const NamedParameters&
 {
   constexpr bool has_epsilon = is_given<NamedParameters, internal_np::epsilon_t>;
   constexpr bool has_number = is_given<NamedParameters, internal_np::number_of_points_per_edge_t>;
-  constexpr bool has_weights = is_given<NamedParameters, internal_np::face_weight_t> ||
-                               is_given<NamedParameters, internal_np::edge_is_constrained_t>;
+  constexpr bool has_weights = internal::has_weights<NamedParameters>;
   static_assert(!has_epsilon || !has_number,
                 "epsilon and number_of_points_per_edge: only one of them can be given");
   static_assert((has_weights && has_epsilon) || !limits_points<NamedParameters>,

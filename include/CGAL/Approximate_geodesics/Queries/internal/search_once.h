@@ -22,7 +22,6 @@
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_place.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Part_growth.h>
-#include <CGAL/Approximate_geodesics/Parts/internal/Way_along_edges.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
@@ -34,6 +33,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -73,15 +73,11 @@ auto search_graph(const Graph& graph,
   return f(search);
 }
 
-// Whether a search runs along edges, and all `Points` and targets are given as vertices.
+// Whether a query reads only edges: it runs along edges, and all `Points` and targets are vertices.
 template <typename TriangleMesh, typename NamedParameters, typename... Points>
-constexpr bool concerns_vertices_only()
+constexpr bool needs_edges_only()
 {
-  constexpr bool needs_faces =
-      is_any_given<NamedParameters, internal_np::epsilon_t,
-                   internal_np::number_of_points_per_edge_t, internal_np::face_weight_t,
-                   internal_np::edge_is_constrained_t, internal_np::straighten_t>;
-  if constexpr(needs_faces || !(are_vertices<TriangleMesh, Points> && ...))
+  if constexpr(needs_faces<NamedParameters> || !(are_vertices<TriangleMesh, Points> && ...))
     return false;
   else if constexpr(is_given<NamedParameters, internal_np::targets_t>)
   {
@@ -92,202 +88,6 @@ constexpr bool concerns_vertices_only()
   else
     return true;
 }
-
-// Reads a mesh, builds the graph that the named parameters select, and calls `f` with a search of
-// it, for a single run. Only edges are read if all `Points`, the types of sources and targets, are
-// vertices.
-template <typename... Points, typename TriangleMesh, typename NamedParameters, typename F>
-auto search_once(const TriangleMesh& tmesh, const NamedParameters& np, const bool finds_path, F f)
-{
-  const auto search = [&](const auto& graph) {
-    return search_graph(graph, tmesh, np, finds_path, f);
-  };
-  if constexpr(concerns_vertices_only<TriangleMesh, NamedParameters, Points...>())
-  {
-    Intrinsic_triangulation edges;
-    Triangulation_builder<TriangleMesh, NamedParameters>(edges, tmesh, np).build_edges();
-    return search(Edge_graph(std::move(edges), np));
-  }
-  else
-    return with_graph<Lazy_discrete_geodesic_graph>(tmesh, np, search);
-}
-
-// Whether a part of a mesh can be bounded by positions in space: this requires paths that are at
-// least as long as straight lines and not restricted by barriers. A visitor would observe the size
-// of the part.
-template <typename TriangleMesh, typename NamedParameters>
-constexpr bool may_read_part()
-{
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  return is_hashable<typename Graph_traits::vertex_descriptor> &&
-         is_hashable<typename Graph_traits::halfedge_descriptor> &&
-         !is_any_given<NamedParameters, internal_np::edge_length_t, internal_np::face_weight_t,
-                       internal_np::direction_to_source_t, internal_np::edge_is_constrained_t,
-                       internal_np::visitor_t>;
-}
-
-/*
- * Finds the part of a mesh that a run can reach, without reading the rest. It fails if the part is
- * not much smaller than the mesh, or if the mesh is unusual.
- */
-template <typename TriangleMesh, typename NamedParameters>
-class Part_to_read
-{
-  using Place = Mesh_place<TriangleMesh>;
-  using Part = Mesh_part<TriangleMesh>;
-  using Positions = Mesh_positions<TriangleMesh, NamedParameters>;
-
-  static constexpr std::size_t SMALLEST_MESH = 1000; // vertices; smaller meshes are read completely
-
-  // Budgets, as inverse fractions of the number of vertices of the mesh: of vertices reached by the
-  // search along edges, and of faces read. A failed attempt costs a few percent of the call. After
-  // an upper bound is known, attempts rarely fail, so the budget is larger.
-  static constexpr std::size_t REACHED_BY_WAY = 32, BETWEEN_POINTS = 8, AROUND_SOURCES = 32;
-
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-public:
-  Part_to_read(const TriangleMesh& tmesh, const NamedParameters& np)
-    : m_mesh(tmesh),
-      m_np(np),
-      m_number_of_vertices(num_vertices(tmesh)),
-      m_maximum_distance(maximum_distance(np))
-  {
-  }
-
-  // Finds the part for a path from the nearest source to `target`.
-  template <typename Sources, typename Target>
-  std::optional<Part> between(const Sources& sources, const Target& target)
-  {
-    if(!is_worth_trying() || !add_sources(sources))
-      return std::nullopt;
-    const auto end = mesh_place(m_mesh, target);
-    if(!end)
-      return std::nullopt;
-    const auto distance = distance_along_edges(*end);
-    if(!distance)
-      return std::nullopt;
-    const double limit = *distance < infinity ? *distance : 0; // no path: only the ends
-    return part(limit, &*end);
-  }
-
-  // Finds the part for distances up to the maximum distance.
-  template <typename Sources>
-  std::optional<Part> around(const Sources& sources)
-  {
-    if(!is_worth_trying() || m_maximum_distance == infinity || !add_sources(sources) ||
-       !set_initial_distances())
-      return std::nullopt;
-    return part(m_maximum_distance, nullptr);
-  }
-
-private:
-  bool is_worth_trying() const
-  {
-    return m_number_of_vertices >= SMALLEST_MESH && m_maximum_distance >= 0;
-  }
-
-  template <typename Sources>
-  bool add_sources(const Sources& sources)
-  {
-    if constexpr(is_surface_point<TriangleMesh, Sources>)
-      return add_source(sources);
-    else
-    {
-      for(const auto& source : sources)
-        if(!add_source(source))
-          return false;
-      return !m_sources.empty();
-    }
-  }
-
-  template <typename Source>
-  bool add_source(const Source& source)
-  {
-    const auto place = mesh_place(m_mesh, source);
-    if(place)
-      m_sources.push_back({*place, 0});
-    return place.has_value();
-  }
-
-  bool set_initial_distances()
-  {
-    if constexpr(is_given<NamedParameters, internal_np::initial_distances_t>)
-    {
-      std::size_t number = 0;
-      for(const auto& distance : parameters::get_parameter(m_np, internal_np::initial_distances))
-      {
-        if(number == m_sources.size())
-          return false;
-        m_sources[number].distance = CGAL::to_double(distance);
-        if(!(m_sources[number].distance >= 0 && std::isfinite(m_sources[number].distance)))
-          return false;
-        ++number;
-      }
-      return number == m_sources.size();
-    }
-    else
-      return true;
-  }
-
-  // Returns an upper bound on the distance, but at most the maximum distance; infinity if there is
-  // no path; nothing if the search fails.
-  std::optional<double> distance_along_edges(const Place& target) const
-  {
-    const Positions positions = this->positions();
-    Way_along_edges way(m_mesh, positions, target, share(REACHED_BY_WAY));
-    for(const Source& source : m_sources)
-      way.start_at(source.place);
-    return way.run(m_maximum_distance);
-  }
-
-  std::optional<Part> part(const double limit, const Place* const target) const
-  {
-    const Positions positions = this->positions();
-    Detour detour;
-    constexpr double rounding = 1e-9; // relative, of path lengths
-    detour.limit = limit * (1 + rounding);
-    for(const Source& source : m_sources)
-      detour.starts.push_back({positions(source.place), source.distance});
-    if(target != nullptr)
-      detour.target = positions(*target);
-
-    Part result(m_mesh);
-    Part_growth growth(result, positions, detour,
-                       share(target == nullptr ? AROUND_SOURCES : BETWEEN_POINTS));
-    for(const Source& source : m_sources)
-      growth.start_at(source.place);
-    if(target != nullptr)
-      growth.start_at(*target);
-    return growth.run() ? std::make_optional(std::move(result)) : std::nullopt;
-  }
-
-  // Returns a budget. Work on a part is lost if the part becomes too large, so the budget is
-  // smaller for searches along edges, which are faster, and for many sources, which take longer.
-  std::size_t share(const std::size_t number_of_parts) const
-  {
-    constexpr bool is_along_edges =
-        !is_any_given<NamedParameters, internal_np::epsilon_t,
-                      internal_np::number_of_points_per_edge_t, internal_np::straighten_t>;
-    const std::size_t number_for_edges = is_along_edges ? 3 : 1;
-    return m_number_of_vertices /
-           (number_of_parts * number_for_edges * (1 + m_sources.size() / 16));
-  }
-
-  Positions positions() const { return {m_mesh, m_np, m_sources.front().place.corner[0]}; }
-
-  struct Source
-  {
-    Place place;
-    double distance;
-  };
-
-  const TriangleMesh& m_mesh;
-  const NamedParameters& m_np;
-  const std::size_t m_number_of_vertices;
-  const double m_maximum_distance;
-  std::vector<Source> m_sources;
-};
 
 // Returns whether graphs accept the triangulation of a part. Their messages would give vertices the
 // numbers of the part.
@@ -302,23 +102,184 @@ bool is_accepted_by_graphs(const Intrinsic_triangulation& triangulation,
   return triangulation.face_without_shape() == Intrinsic_triangulation::null_index;
 }
 
-// Calls `f` with a search of a part, as `search_once()` does. Returns false if the part is refused;
-// reading the whole mesh then diagnoses the error.
-template <typename TriangleMesh, typename NamedParameters, typename F>
-bool search_part_once(const Mesh_part<TriangleMesh>& part,
-                      const NamedParameters& np,
-                      const bool finds_path,
-                      F f)
+// Reads a mesh, builds the graph that the named parameters select, and calls `f` with a search of
+// it, for a single run between `Points`, the types of sources and targets. Returns false if a part
+// of a mesh is refused; reading the whole mesh then diagnoses the error.
+template <typename... Points, typename TriangleMesh, typename NamedParameters, typename F>
+bool search_once(const TriangleMesh& tmesh, const NamedParameters& np, const bool finds_path, F f)
 {
+  const auto search = [&](const auto& graph) { search_graph(graph, tmesh, np, finds_path, f); };
   Intrinsic_triangulation triangulation;
-  Triangulation_builder<Mesh_part<TriangleMesh>, NamedParameters> builder(triangulation, part, np);
-  if(!builder.try_to_build() || !is_accepted_by_graphs(triangulation, np))
+  Triangulation_builder<TriangleMesh, NamedParameters> builder(triangulation, tmesh, np);
+  if constexpr(needs_edges_only<TriangleMesh, NamedParameters, Points...>())
+    if(builder.try_to_build_edges())
+    {
+      search(Edge_graph(std::move(triangulation), np));
+      return true;
+    }
+  if constexpr(!is_part<TriangleMesh>)
+    builder.build();
+  else if(!builder.try_to_build() || !is_accepted_by_graphs(triangulation, np))
     return false;
-  with_graph_on<Lazy_discrete_geodesic_graph, Saddle_vertex_graph>(
-      std::move(triangulation), np,
-      [&](const auto& graph) { search_graph(graph, part, np, finds_path, f); });
+  with_graph_on<Lazy_discrete_geodesic_graph, Saddle_vertex_graph>(std::move(triangulation), np,
+                                                                   search);
   return true;
 }
+
+// Whether a part of a mesh can be bounded by positions in space: this requires paths that are at
+// least as long as straight lines and not restricted by barriers. A visitor would observe the size
+// of the part.
+template <typename TriangleMesh, typename NamedParameters>
+constexpr bool may_read_part()
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  return is_hashable<typename Graph_traits::vertex_descriptor> &&
+         is_hashable<typename Graph_traits::halfedge_descriptor> && !has_weights<NamedParameters> &&
+         !is_any_given<NamedParameters, internal_np::edge_length_t, internal_np::visitor_t>;
+}
+
+/*
+ * Finds the part of a mesh that a run can reach, without reading the rest. It fails if the part is
+ * not much smaller than the mesh, or if the mesh is unusual.
+ */
+template <typename TriangleMesh, typename NamedParameters>
+class Part_to_read
+{
+  using Positions = Mesh_positions<TriangleMesh, NamedParameters>;
+  using Growth = Part_growth<TriangleMesh, Positions>;
+
+  static constexpr std::size_t SMALLEST_MESH = 1000; // vertices; smaller meshes are read completely
+
+  // Budgets of faces, as inverse fractions of the number of vertices of the mesh. A failed attempt
+  // costs a few percent of the call.
+  static constexpr std::size_t BETWEEN_POINTS = 8, AROUND_SOURCES = 32;
+
+  // The first limit on the length of a path, relative to the straight line, and the factor by which
+  // it increases until a path is found. Paths along edges are longer.
+  static constexpr double FIRST_LIMIT = needs_faces<NamedParameters> ? 1.1 : 1.2, INCREASE = 1.25;
+
+  static constexpr double margin = 1 + 1e-9; // for rounding, of path lengths
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+public:
+  Part_to_read(const TriangleMesh& tmesh, const NamedParameters& np)
+    : m_mesh(tmesh),
+      m_np(np),
+      m_number_of_vertices(num_vertices(tmesh)),
+      m_maximum_distance(maximum_distance(np))
+  {
+  }
+
+  // Calls `search(part, limit)` with a part that contains all paths from the nearest source to
+  // `target` up to the limit, and again with a larger limit if it returns a distance beyond it.
+  // Returns whether the last distance is that on the mesh.
+  template <typename Sources, typename Target, typename Search>
+  bool between(const Sources& sources, const Target& target, Search search)
+  {
+    if(!is_worth_trying() || !add_sources(sources) || !add_place(target))
+      return false;
+    m_detour.target = (*m_positions)(m_places.back());
+    for(double limit = FIRST_LIMIT * m_detour.over(*m_detour.target);;)
+    {
+      limit = (std::min)(limit, m_maximum_distance);
+      Growth growth = growth_up_to(limit, BETWEEN_POINTS);
+      if(!growth.run())
+        return false;
+      const std::optional<double> distance = search(growth.part(), m_detour.limit);
+      if(!distance)
+        return false;
+      if(*distance <= m_detour.limit || limit == m_maximum_distance ||
+         growth.next_limit() == infinity)
+        return true;
+      limit = *distance < infinity ? *distance : (std::max)(INCREASE * limit, growth.next_limit());
+    }
+  }
+
+  // Finds the part for distances up to the maximum distance.
+  template <typename Sources>
+  std::optional<Mesh_part<TriangleMesh>> around(const Sources& sources)
+  {
+    if(!is_worth_trying() || m_maximum_distance == infinity || !add_sources(sources) ||
+       !set_initial_distances())
+      return std::nullopt;
+    Growth growth = growth_up_to(m_maximum_distance, AROUND_SOURCES);
+    return growth.run() ? std::make_optional(std::move(growth.part())) : std::nullopt;
+  }
+
+private:
+  bool is_worth_trying() const
+  {
+    return m_number_of_vertices >= SMALLEST_MESH && m_maximum_distance >= 0;
+  }
+
+  template <typename Sources>
+  bool add_sources(const Sources& sources)
+  {
+    if constexpr(is_surface_point<TriangleMesh, Sources>)
+    {
+      if(!add_place(sources))
+        return false;
+    }
+    else
+      for(const auto& source : sources)
+        if(!add_place(source))
+          return false;
+    for(const auto& place : m_places)
+      m_detour.starts.push_back({(*m_positions)(place), 0});
+    return !m_places.empty();
+  }
+
+  template <typename Point>
+  bool add_place(const Point& point)
+  {
+    const auto place = mesh_place(m_mesh, point);
+    if(!place)
+      return false;
+    m_places.push_back(*place);
+    if(!m_positions)
+      m_positions.emplace(m_mesh, m_np, place->corner[0]);
+    return true;
+  }
+
+  bool set_initial_distances()
+  {
+    if constexpr(is_given<NamedParameters, internal_np::initial_distances_t>)
+    {
+      std::size_t number = 0;
+      for(const auto& initial : parameters::get_parameter(m_np, internal_np::initial_distances))
+      {
+        const double distance = CGAL::to_double(initial);
+        if(number == m_detour.starts.size() || !(distance >= 0 && std::isfinite(distance)))
+          return false;
+        m_detour.starts[number++].distance = distance;
+      }
+      return number == m_detour.starts.size();
+    }
+    else
+      return true;
+  }
+
+  // The budget is smaller for searches along edges, which are faster, and for many sources, which
+  // take longer: work on a part is lost if the part becomes too large.
+  Growth growth_up_to(const double limit, const std::size_t number_of_parts)
+  {
+    m_detour.limit = margin * limit;
+    const std::size_t divisor = number_of_parts * (needs_faces<NamedParameters> ? 1 : 3);
+    Growth result(m_mesh, *m_positions, m_detour,
+                  m_number_of_vertices / (divisor * (1 + m_detour.starts.size() / 16)));
+    for(const auto& place : m_places)
+      result.start_at(place);
+    return result;
+  }
+
+  const TriangleMesh& m_mesh;
+  const NamedParameters& m_np;
+  const std::size_t m_number_of_vertices;
+  const double m_maximum_distance;
+  std::vector<Mesh_place<TriangleMesh>> m_places; // the sources, and the target
+  std::optional<Positions> m_positions;
+  Detour m_detour;
+};
 
 /*
  * Maps the vertices of the whole mesh to nodes of a part. Vertices outside the part have no node.
@@ -349,9 +310,9 @@ private:
   const Translation& m_translation;
 };
 
-// Finds the part of the mesh that contains a path from the nearest source to `target`, and calls
-// `f` with a search of it. Returns false if the part cannot be determined without reading the whole
-// mesh.
+// Calls `f(search, limit)` with searches of growing parts of the mesh, until it returns a distance
+// from the nearest source to `target` within the limit. Returns false if the mesh must be read
+// completely.
 template <typename TriangleMesh,
           typename Sources,
           typename Target,
@@ -364,8 +325,13 @@ bool search_part_between([[maybe_unused]] const TriangleMesh& tmesh,
                          [[maybe_unused]] F f)
 {
   if constexpr(may_read_part<TriangleMesh, NamedParameters>())
-    if(const auto part = Part_to_read(tmesh, np).between(sources, target))
-      return search_part_once(*part, np, true, f);
+    return Part_to_read(tmesh, np).between(
+        sources, target, [&](const auto& part, const double limit) {
+          std::optional<double> distance;
+          search_once<Sources, Target>(part, np, true,
+                                       [&](auto& search) { distance = f(search, limit); });
+          return distance;
+        });
   return false;
 }
 
@@ -384,7 +350,7 @@ bool write_distances_of_part([[maybe_unused]] const TriangleMesh& tmesh,
                is_given<NamedParameters, internal_np::maximum_distance_t> &&
                !is_given<NamedParameters, internal_np::targets_t>)
     if(const auto part = Part_to_read(tmesh, np).around(sources))
-      return search_part_once(*part, np, false, [&](auto& search) {
+      return search_once<Sources>(*part, np, false, [&](auto& search) {
         search.run_from(sources, np);
         Vertex_results(search.search().search(), Whole_translation(search.translation()))
             .write(distances, np);
