@@ -128,8 +128,8 @@ private:
     return split(sight, step, apex, left_edge, distance, bound, side);
   }
 
-  // Not inline, as few vertices are reached on a line that is not longer than their bounds. It takes
-  // a copy of the sight, so that the inner loop may keep all of it in registers.
+  // Not inline, as few vertices are reached on a line that is not longer than their bounds. It
+  // takes a copy of the sight, so that the inner loop may keep all of it in registers.
   BOOST_NOINLINE void report(const Sight sight,
                              const Face_step& step,
                              const Plane_vector apex,
