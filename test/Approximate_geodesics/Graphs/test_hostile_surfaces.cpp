@@ -238,7 +238,7 @@ const std::vector<Hard_surfaces> hard_surfaces{
     {"a face is folded back on a ray, and its apex is nearer than the edge, but for rounding",
      {20042116, 20042827}},
     {"a face is folded back on a ray, and its apex, behind the vertex there, is seen again",
-     {60164051}},
+     {60164051, 80405824}},
     {"a vertex in a needle is between two edges along a ray, and each side leaves it to the other",
      {60116675}},
     {"some of these, not told apart",

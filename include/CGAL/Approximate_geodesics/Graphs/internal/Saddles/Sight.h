@@ -110,6 +110,29 @@ struct Sight_ray
   {
   }
 
+  // Whether an end of an edge is on it, and nearer than the vertex: a face is folded back there,
+  // and all that is seen next to that end is behind the vertex.
+  bool hides(const Plane_vector end, const double distance_of_end) const
+  {
+    return is_on(end, distance_of_end) && TOLERANCE * distance_of_end < margin;
+  }
+
+  // The ray of a sight whose edge gets a nearer apex in place of an end: over the end if this is on
+  // the ray, and farther than the vertex.
+  Sight_ray before_fold(const Plane_vector end,
+                        const double distance_of_end,
+                        const double distance_of_apex) const
+  {
+    const bool is_farther = distance_of_end > distance_of_apex && is_on(end, distance_of_end) &&
+                            TOLERANCE * distance_of_end > margin;
+    return is_farther ? Sight_ray(end, distance_of_end) : *this;
+  }
+
+  bool is_on(const Plane_vector p, const double distance) const
+  {
+    return dot(direction, p) > 0 && std::abs(cross(direction, p)) <= margin * distance;
+  }
+
   // The boundary of a sector hides nothing: it is as good as a vertex at the tip.
   static Sight_ray boundary(const Plane_vector unit_vector, const double size)
   {
@@ -216,10 +239,10 @@ struct Sight
       if(!is_tip_on_edge || !(dot(vertex, point) < 0))
         result.lead_over(vertex, beyond, factor, line);
     };
-    lead_over(left_ray.direction, beyond_left, hides(left_ray, left, left_distance) ? 0 : least);
+    lead_over(left_ray.direction, beyond_left, left_ray.hides(left, left_distance) ? 0 : least);
     lead_over(left, cross(left, point), is_left_nearer ? least_of_nearer : least);
     lead_over(right_ray.direction, beyond_right,
-              hides(right_ray, right, right_distance) ? 0 : least);
+              right_ray.hides(right, right_distance) ? 0 : least);
     lead_over(right, cross(point, right), is_left_nearer ? least : least_of_nearer);
     return result;
   }
@@ -255,14 +278,6 @@ struct Sight
     if(!(height_by_edge > shortest * length(edge) && length(path.last_line) > shortest))
       return Arrival::in_unknown_direction(halfedge);
     return Arrival::across(halfedge, path.last_line, left_edge);
-  }
-
-  // Whether the vertex on a ray is farther than an end of the edge on this ray: a face is folded
-  // back there, and all that is seen on this ray is behind the vertex.
-  static bool hides(const Sight_ray& ray, const Plane_vector end, const double distance_of_end)
-  {
-    return Sight_ray::TOLERANCE * distance_of_end < ray.margin && dot(ray.direction, end) > 0 &&
-           std::abs(cross(ray.direction, end)) <= ray.margin * distance_of_end;
   }
 
   // Whether a point on the line of both rays is on the other side of the tip: the corner of a face

@@ -116,7 +116,14 @@ private:
       if(m_label_of_tip + distance <= bound)
         report(sight, step, apex, left_edge, distance, bound);
       if(BOOST_UNLIKELY(!(beyond_left < -left_margin && beyond_right < -right_margin)))
+      {
         side = side_at_ray(sight, step, apex, left_edge, distance, beyond_left, beyond_right);
+        if(side > 0)
+          sight.left_ray = sight.left_ray.before_fold(sight.left, sight.left_distance, distance);
+        if(side < 0)
+          sight.right_ray =
+              sight.right_ray.before_fold(sight.right, sight.right_distance, distance);
+      }
     }
     if(side > 0)
       return go_right(sight, step, apex, distance, bound);
