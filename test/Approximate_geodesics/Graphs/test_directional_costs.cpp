@@ -369,6 +369,20 @@ TEST(Directional_costs, are_sampled_with_the_error_that_is_wanted)
   }
 }
 
+// ... unless they differ so much that more directions cannot be told apart.
+TEST(Directional_costs, tell_the_error_of_narrow_gauges)
+{
+  const double epsilon = 0.1;
+  const auto narrow = [](const Face, const Vector& d) { return std::hypot(d.x(), 1e-6 * d.y()); };
+  const auto np = with_cost(narrow).epsilon(epsilon);
+  const Triangulation triangulation(to_mesh(flat_grid(3, 3)), np);
+  expect_message<std::invalid_argument>([&] { Directional_graph<>(triangulation, np); },
+                                        "sampled in too few directions");
+  const Directional_graph<> graph(triangulation, np.accept_weaker_bound(true));
+  EXPECT_GT(graph.sampling_error(), 0.1 * epsilon);
+  EXPECT_EQ(infinity, graph.epsilon());
+}
+
 // ----- arcs
 
 TEST(Directional_costs, do_not_need_the_arcs_that_are_left_out)

@@ -126,7 +126,7 @@ public:
       give_up(
           "the cost function was sampled in too few directions, so that costs may be too high by " +
           internal::text_of(sampling_error) +
-          ": give epsilon to the triangulation, too, or a larger one");
+          "; use a larger epsilon, or give it to the triangulation, too");
     m_largest_number = m_limit.number;
     while(m_limit.is_soft && m_largest_number > 1 &&
           internal::has_more_points(triangulation, *this, maximum_number_of_points))

@@ -78,10 +78,11 @@ private:
  *
  * Gauges of convex functions are exact in the directions of the edges. Elsewhere they are too high
  * by at most a tenth of `epsilon`, if that is given, and else by at most 1 %. The exception are
- * narrow gauges, whose costs change by large factors within small angles: no more directions are
- * added to 2048 in a face, nor between directions that are \f$10^{-5}\f$ apart.
- * `Directional_graph::sampling_error()` returns the bound that is left, which the bound of
- * `Directional_points` includes. Each direction takes 32 bytes, unless zigzags make it redundant.
+ * functions whose values differ by a factor of about \f$10^5\f$ or more in a face, as no more
+ * directions are added to 2048, nor between directions that are \f$10^{-5}\f$ apart.
+ * `Directional_graph::sampling_error()` returns the error bound in any case, and the bound of
+ * `Directional_points` includes it. Each direction takes 32 bytes, unless zigzags make it
+ * redundant.
  *
  * \param f a model of `DirectionalCostFunction`
  */
