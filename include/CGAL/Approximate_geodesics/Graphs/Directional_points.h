@@ -89,8 +89,9 @@ public:
    *     \cgalParamDefault{`20000`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{accept_weaker_bound}
-   *     \cgalParamDescription{whether faces are accepted in which the bound does not hold. The
-   * member function `epsilon()` returns infinity if there are any} \cgalParamType{`bool`}
+   *     \cgalParamDescription{whether faces are accepted where the bound does not hold;
+   *                           `epsilon()` returns infinity then}
+   *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd

@@ -97,8 +97,8 @@ public:
    *     \cgalParamDefault{`1000000`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{accept_weaker_bound}
-   *     \cgalParamDescription{whether faces that need more points are accepted with few, at the
-   * cost of a weaker bound, which `epsilon()` returns; else they are rejected}
+   *     \cgalParamDescription{whether faces that need more points are accepted with few, and with
+   *                           a weaker bound, which `epsilon()` returns; else they are rejected}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`false`}
    *   \cgalParamNEnd
@@ -118,9 +118,8 @@ public:
   /// points. If a weaker bound is accepted, the faces that need most points get few, until there
   /// are no more than `maximum_number_of_points` on all edges together.
   ///
-  /// \throws std::length_error if a face needs too many points, and no weaker bound is accepted:
-  /// the
-  ///         message names the face and the number.
+  /// \throws std::length_error naming the face and the number if a face needs too many points,
+  ///         and no weaker bound is accepted.
   ///
   /// Run time is \cgalBigO{n}.
   void
