@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics {
 
@@ -61,13 +62,16 @@ public:
   /// reaches.
   double cost_to_corner(const Intrinsic_point& point) const
   {
+    std::vector<std::pair<Node, double>> corners;
+    attach(point).for_each_node([&](const Node node, const double cost) {
+      if(!m_nodes.is_point(node))
+        corners.emplace_back(node, cost);
+    });
     double result = std::numeric_limits<double>::infinity();
-    attach(point).for_each_node([&](const Node corner, const double cost) {
-      if(!m_nodes.is_point(corner))
-        attach_target(point).for_each_node([&](const Node node, const double cost_back) {
-          if(node == corner)
-            result = (std::min)(result, (std::max)(cost, cost_back));
-        });
+    attach_target(point).for_each_node([&](const Node node, const double cost_back) {
+      for(const auto& corner : corners)
+        if(corner.first == node)
+          result = (std::min)(result, (std::max)(corner.second, cost_back));
     });
     return result;
   }
