@@ -36,6 +36,15 @@ const std::string header_of_ply =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
     "property double z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
 const std::string vertices_of_ply = header_of_ply + "0 0 0\n1 0 0\n0 1 0\n";
+// whose sizes of lists have 32 bits
+const std::string header_of_long_lists =
+    "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+    "element face 2\nproperty uchar red\nproperty list uint int vertex_indices\nend_header\n";
+const std::string header_of_ascii_lists = "ply\nformat ascii 1.0\n" + header_of_long_lists;
+const std::string header_of_little_endian_lists =
+    "ply\nformat binary_little_endian 1.0\n" + header_of_long_lists + std::string(72, '\1');
+const std::string header_of_big_endian_lists =
+    "ply\nformat binary_big_endian 1.0\n" + header_of_long_lists + std::string(72, '\1');
 const std::string face_of_stl = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                                 "vertex 0 1 0\nendloop\nendfacet\n";
 
@@ -88,6 +97,14 @@ const std::vector<Wrong_file>& wrong_files()
       {".ply", vertices_of_ply + "3 0 1 2\n3 0 1", "it ends in face 1 of 2"},
       {".ply", vertices_of_ply + "3 0 1 2\n3 0 1 3\n", "face 1 has vertex 3; the vertices are"},
       {".ply", vertices_of_ply + "3 0 1 2\n3 0 1 -1\n", "face 1 has vertex -1; the vertices are"},
+      {".ply", header_of_ascii_lists + "0 0 0\n1 0 0\n0 1 0\n7 3 0 1 2\n7 700000000 0 1 2\n",
+       "face 1 has a list of 700000000 numbers, more than the file has bytes"},
+      {".ply", header_of_ascii_lists + "0 0 0\n1 0 0\n0 1 0\n7 3 0 1 2\n7 -1 0 1 2\n",
+       "face 1 has"},
+      {".ply", header_of_little_endian_lists + std::string("\7\0\1\0\50", 5),
+       "face 0 has a list of 671088896 numbers, more than the file has bytes"},
+      {".ply", header_of_big_endian_lists + std::string("\7\50\0\1\0", 5),
+       "face 0 has a list of 671088896 numbers, more than the file has bytes"},
       {".stl", "solid x\n" + face_of_stl + face_of_stl.substr(0, 70), "face 1 or its end is mis"},
       {".stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(60, '\1'),
        "it ends after 1 of 2 faces"},
@@ -114,6 +131,33 @@ TEST(Mesh_file, that_is_none_is_refused_with_the_reason)
     SCOPED_TRACE(wrong.contents);
     expect_texts<std::invalid_argument>([&] { read_mesh_file(folder.file(name)); },
                                         {folder.file(name) + ": ", wrong.reason});
+  }
+}
+
+TEST(Mesh_file, with_sizes_of_32_bits_is_read)
+{
+  const Temporary_folder folder;
+  const std::string file = folder.file("mesh.ply");
+  const std::string zeros(3, '\0');
+  const auto number = [&](const char c, const bool is_big) {
+    return is_big ? zeros + c : c + zeros;
+  };
+  const auto face = [&](const bool is_big) {
+    std::string result = "\7";
+    for(const char c : {'\3', '\0', '\1', '\2'})
+      result += number(c, is_big);
+    return result;
+  };
+  for(const std::string& contents :
+      {header_of_ascii_lists + "0 0 0\n1 0 0\n0 1 0\n7 3 0 1 2\n7 3 0 1 2\n",
+       header_of_little_endian_lists + face(false) + face(false),
+       header_of_big_endian_lists + face(true) + face(true)})
+  {
+    folder.fill({{"mesh.ply", contents}});
+    std::vector<Soup_point> points;
+    Soup_faces faces;
+    AG::read_soup(file, points, faces);
+    EXPECT_EQ(faces, Soup_faces({{0, 1, 2}, {0, 1, 2}}));
   }
 }
 

@@ -48,7 +48,8 @@ void read_soup(const std::string& file,
   if(is_at_end)
     fail("it is empty");
   bool is_read = false;
-  if(internal::ending_of(file) != "off" || internal::is_long_enough_for_off(in))
+  const std::string ending = internal::ending_of(file);
+  if(internal::is_long_enough(in, ending))
     internal::fits_memory(
         [&] { is_read = IO::read_polygon_soup(file, points, faces, parameters::verbose(false)); });
   if(!is_read)
@@ -56,8 +57,7 @@ void read_soup(const std::string& file,
     std::string reason = "a number in it exceeds the memory";
     in.clear();
     in.seekg(0);
-    internal::fits_memory(
-        [&] { reason = internal::error_in_mesh_file(in, internal::ending_of(file)); });
+    internal::fits_memory([&] { reason = internal::error_in_mesh_file(in, ending); });
     fail(reason);
   }
   for(std::size_t f = 0; f < faces.size(); ++f)

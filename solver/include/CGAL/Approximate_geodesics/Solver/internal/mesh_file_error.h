@@ -251,16 +251,35 @@ inline std::string error_in_obj(std::istream& in)
  */
 struct Ply_header
 {
+  struct Property
+  {
+    std::size_t bytes;         // of a number
+    std::size_t bytes_of_size; // of the size of a list, or 0 for a single number
+  };
+
+  struct Element
+  {
+    std::string name;
+    std::size_t number;
+    std::vector<Property> properties;
+  };
+
   explicit Ply_header(std::istream& in)
   {
     std::string text;
-    for(std::string first; std::getline(in, text) && first != "end_header";)
+    for(std::string first; first != "end_header" && std::getline(in, text);)
     {
       std::istringstream words(text);
-      std::string element, type;
-      words >> first >> element;
-      if(first == "element")
-        words >> number_of[element];
+      std::string second, type;
+      words >> first >> second;
+      if(first == "format")
+        format = second;
+      if(first == "element" && words >> number_of[second])
+        elements.push_back({second, number_of[second], {}});
+      if(first == "property" && second == "list" && words >> second >> type)
+        add_property({bytes_of(type), bytes_of(second)});
+      else if(first == "property")
+        add_property({bytes_of(second), 0});
       while(words >> type)
         lists_corners = lists_corners || type == "vertex_indices" || type == "vertex_index";
       begins = begins || first == "ply";
@@ -268,11 +287,92 @@ struct Ply_header
     }
   }
 
+  // Lists whose sizes have fewer bytes are short.
+  bool may_have_long_lists() const
+  {
+    for(const Element& element : elements)
+      for(const Property& property : element.properties)
+        if(property.bytes_of_size > 2)
+          return true;
+    return false;
+  }
+
+  // Reads the size of a list. The stream fails if there is none.
+  std::size_t read_size(std::istream& in, const std::size_t bytes) const
+  {
+    std::size_t result = 0;
+    if(format == "ascii")
+      in >> result;
+    else
+      for(std::size_t i = 0; i < bytes; ++i)
+      {
+        const std::size_t byte = static_cast<unsigned char>(in.get());
+        result = format == "binary_big_endian" ? result << 8 | byte : result | byte << 8 * i;
+      }
+    return result;
+  }
+
+  void skip(std::istream& in, const std::size_t size, const std::size_t bytes) const
+  {
+    std::string word;
+    if(format == "ascii")
+      for(std::size_t i = 0; i < size && in; ++i)
+        in >> word;
+    else
+      in.ignore(static_cast<std::streamsize>(size * bytes));
+  }
+
   bool begins = false;
   bool ends = false;
   bool lists_corners = false;
+  std::string format;
+  std::vector<Element> elements;
   std::map<std::string, std::size_t> number_of; // by element
+
+private:
+  static std::size_t bytes_of(const std::string& type)
+  {
+    for(const char* const name : {"char", "uchar", "int8", "uint8"})
+      if(type == name)
+        return 1;
+    for(const char* const name : {"short", "ushort", "int16", "uint16"})
+      if(type == name)
+        return 2;
+    return type == "double" || type == "float64" ? 8 : 4;
+  }
+
+  void add_property(const Property& property)
+  {
+    if(!elements.empty())
+      elements.back().properties.push_back(property);
+  }
 };
+
+// Returns the error in a list that is longer than the file, or an empty string. CGAL's reader
+// allocates lists before it reads them.
+inline std::string error_in_ply_lists(std::istream& in)
+{
+  const Ply_header header(in);
+  if(!header.may_have_long_lists())
+    return "";
+  const auto start = in.tellg();
+  in.seekg(0, std::ios::end);
+  const std::size_t bytes_of_file = static_cast<std::size_t>(in.tellg());
+  in.seekg(start);
+  for(const Ply_header::Element& element : header.elements)
+    for(std::size_t i = 0; i < element.number && in && !element.properties.empty(); ++i)
+      for(const Ply_header::Property& property : element.properties)
+      {
+        std::size_t size = 1;
+        if(property.bytes_of_size > 0)
+          size = header.read_size(in, property.bytes_of_size);
+        if(in && size > bytes_of_file)
+          return element.name + ' ' + std::to_string(i) + " has a list of " + std::to_string(size) +
+                 " numbers, more than the file has bytes";
+        header.skip(in, size, property.bytes);
+      }
+  return "";
+}
 
 // Returns why a PLY file cannot be read, or an empty string if the reason is unknown. After a
 // failure, CGAL's reader keeps the elements before the error, which locates it.
@@ -285,6 +385,11 @@ inline std::string error_in_ply(std::istream& in)
     return "its header does not end";
   if(!header.lists_corners)
     return "its faces have no list vertex_indices";
+  in.clear();
+  in.seekg(0);
+  const std::string error = error_in_ply_lists(in);
+  if(!error.empty())
+    return error;
   in.clear();
   in.seekg(0);
   std::vector<Simple_cartesian<double>::Point_3> points;
@@ -349,6 +454,15 @@ inline std::string ending_of(const std::string& file)
   for(char& c : result)
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
+}
+
+// Whether a file announces no more elements than it has bytes, where CGAL's reader would allocate
+// all of them before it reads the first one.
+inline bool is_long_enough(std::istream& in, const std::string& ending)
+{
+  if(ending == "off")
+    return is_long_enough_for_off(in);
+  return ending != "ply" || error_in_ply_lists(in).empty();
 }
 
 // Returns why CGAL could not read a file. CGAL itself reports no reason.
