@@ -15,6 +15,7 @@
 #include <boost/type_traits/detected_or.hpp>
 #include <boost/type_traits/is_detected.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -172,16 +173,11 @@ checked_weights(const typename boost::graph_traits<TriangleMesh>::face_descripto
     reject_element("face", f, Graph_traits::null_face());
 
   constexpr double tolerance = 1e-9;
-  std::array<double, 3> result{};
-  double sum = 0;
-  bool are_valid = true;
-  for(std::size_t i = 0; i < 3; ++i)
-  {
-    result[i] = CGAL::to_double(coordinates[i]);
-    sum += result[i];
-    are_valid = are_valid && result[i] >= -tolerance; // false for NaN
-  }
-  if(!are_valid || !(std::abs(sum - 1) <= tolerance))
+  std::array<double, 3> result{CGAL::to_double(coordinates[0]), CGAL::to_double(coordinates[1]),
+                               CGAL::to_double(coordinates[2])};
+  double sum = result[0] + result[1] + result[2];
+  const double smallest = *std::min_element(result.begin(), result.end());
+  if(!(smallest >= -tolerance && std::abs(sum - 1) <= tolerance)) // or NaN
     reject("barycentric coordinates are " + text_of(coordinates) +
            "; they must not be negative, and their sum must be 1");
   for(double& weight : result)
