@@ -288,12 +288,8 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
       "vertex descriptor, a Face_location or a Surface_point, and sources are one of them "
       "or a range");
   static_assert(
-      !AG::internal::ignores_any<
-          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_t,
-          internal_np::maximum_number_of_points_per_edge_t, internal_np::accept_weaker_bound_t,
-          internal_np::number_of_points_per_edge_t, internal_np::edge_length_t,
-          internal_np::face_weight_t, internal_np::direction_to_source_t,
-          internal_np::edge_is_constrained_t, internal_np::initial_distances_t,
+      !AG::internal::query_ignores_any<
+          NamedParameters, internal_np::direction_to_source_t, internal_np::initial_distances_t,
           internal_np::maximum_distance_t, internal_np::targets_t, internal_np::nearest_source_t,
           internal_np::geodesic_predecessor_t, internal_np::visitor_t>,
       "approximate_geodesic_distances() does not read one of these named parameters: its "

@@ -86,74 +86,15 @@ double write_path(const TriangleMesh& tmesh,
  *               `Approximate_geodesics::Surface_point`; or a range of these, in which case the path
  *               starts at the source nearest to `target`
  * \param target the end of the path, a single point of these types
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
- *           listed below
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `straighten`
+ *           and, as for `approximate_geodesic_distances()`, `vertex_point_map`, which the points of
+ *           the path are taken from, `edge_length_map`, `epsilon`, `concurrency_tag`,
+ *           `number_of_points_per_edge`, `face_weight_map`, `edge_is_constrained_map`,
+ *           `maximum_number_of_points`, `maximum_number_of_points_per_edge`, `accept_weaker_bound`,
+ *           `maximum_distance`, `visitor`, `vertex_index_map`, `halfedge_index_map` and
+ *           `geom_traits`
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
- *                    `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
- *     \cgalParamExtra{The points of the path are taken from it.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{edge_length_map}
- *     \cgalParamDescription{a property map associating lengths to the edges of `tmesh`, used
- *                           instead of the distances of their end points}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a
- *                    number type convertible by `CGAL::to_double()` as value type}
- *     \cgalParamDefault{unused}
- *     \cgalParamExtra{The lengths need not fulfill the triangle inequality, unless paths run
- *                     across faces.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{epsilon}
- *     \cgalParamDescription{an error bound: paths run across faces, and are at most
- *                           `1 + epsilon` times as long as the shortest ones on the surface}
- *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
- *     \cgalParamDefault{none: paths run along edges}
- *     \cgalParamExtra{`0` means exact, up to rounding; it does not support weights and barriers.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{concurrency_tag}
- *     \cgalParamDescription{enables parallel computation of lengths, and a parallel search if
- *                           `epsilon` is given without weights and barriers. The result does not
- *                           depend on the number of threads, but sequential and parallel results
- *                           may differ within the bound.}
- *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
- *                    `CGAL::Parallel_if_available_tag`}
- *     \cgalParamDefault{`CGAL::Sequential_tag`}
- *     \cgalParamExtra{`CGAL::Parallel_tag` requires TBB.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{number_of_points_per_edge}
- *     \cgalParamDescription{the number of equally spaced points per edge: paths run across faces,
- *                           and cross edges at these points. There is no error bound.}
- *     \cgalParamType{an integer type}
- *     \cgalParamDefault{none: paths run along edges}
- *     \cgalParamExtra{It excludes `epsilon`. As this is a parameter of \cgal, a chain with
- *                     parameters of this package must start with one of these, as in
- *                     `face_weight_map(weights).number_of_points_per_edge(1)`; see \ref AG_chains.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{face_weight_map}
- *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: the cost of
- *                           a path in the face per unit of length. `0` is free, and infinity is
- *                           impassable. The weight of an edge is the smaller weight of its two
- *                           faces.}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a number
- *                    type convertible by `CGAL::to_double()` as value type; or the result of
- *                    `Approximate_geodesics::directional_cost()`}
- *     \cgalParamDefault{unused: all faces have weight `1`}
- *     \cgalParamExtra{Lengths and distances are then costs.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{a property map that marks edges of `tmesh` as barriers: paths may
- *                           follow them, but not cross them}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
- *                    `bool` as value type}
- *     \cgalParamDefault{unused: no edge is a barrier}
- *   \cgalParamNEnd
  *   \cgalParamNBegin{straighten}
  *     \cgalParamDescription{whether to shorten the path to a locally shortest path on the surface.
  *                           It never gets longer, except for rounding on caps (see page \ref
@@ -161,60 +102,6 @@ double write_path(const TriangleMesh& tmesh,
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`}
  *     \cgalParamExtra{It does not support face weights.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{maximum_number_of_points}
- *     \cgalParamDescription{the maximum number of points on all edges together, for the bound
- *                           `epsilon` with weights or barriers, or for `number_of_points_per_edge`}
- *     \cgalParamType{an integer type}
- *     \cgalParamDefault{1000 per edge on average, but at least \f$10^6\f$ and at most
- *                       \f$10^8\f$}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{maximum_number_of_points_per_edge}
- *     \cgalParamDescription{the maximum number of points that a thin face may require on an edge,
- *                           for the bound `epsilon` with weights or barriers}
- *     \cgalParamType{an integer type}
- *     \cgalParamDefault{`1000000`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{accept_weaker_bound}
- *     \cgalParamDescription{whether to use fewer points on faces that exceed
- *                           `maximum_number_of_points_per_edge`, which weakens the bound to
- *                           `CGAL::Approximate_geodesics::Steiner_graph::epsilon()`; otherwise the
- *                           mesh is rejected}
- *     \cgalParamType{`bool`}
- *     \cgalParamDefault{`false`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{maximum_distance}
- *     \cgalParamDescription{the distance beyond which vertices are not reached}
- *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{infinity}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{an object that is notified of settled vertices and of progress, and
- *                           that may stop the run}
- *     \cgalParamType{a class model of `GeodesicVisitor`, or a `std::reference_wrapper` of one}
- *     \cgalParamDefault{`CGAL::Approximate_geodesics::Geodesic_visitor_base`}
- *     \cgalParamExtra{The visitor is copied unless it is given as `std::ref(visitor)`.}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{vertex_index_map}
- *     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
- *                           between `0` and `num_vertices(tmesh) - 1`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and an
- *                    integer type as value type}
- *     \cgalParamDefault{an automatically indexed internal map}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{halfedge_index_map}
- *     \cgalParamDescription{a property map associating to each halfedge of `tmesh` a unique index
- *                           between `0` and `num_halfedges(tmesh) - 1`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
- *                    integer type as value type}
- *     \cgalParamDefault{an automatically indexed internal map}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -250,12 +137,8 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
                 "source, target: a vertex descriptor, Face_location, or Surface_point; or a range "
                 "of sources");
   static_assert(
-      !AG::internal::ignores_any<
-          NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_t,
-          internal_np::maximum_number_of_points_per_edge_t, internal_np::accept_weaker_bound_t,
-          internal_np::number_of_points_per_edge_t, internal_np::edge_length_t,
-          internal_np::face_weight_t, internal_np::edge_is_constrained_t,
-          internal_np::maximum_distance_t, internal_np::straighten_t, internal_np::visitor_t>,
+      !AG::internal::query_ignores_any<NamedParameters, internal_np::maximum_distance_t,
+                                       internal_np::straighten_t, internal_np::visitor_t>,
       "approximate_geodesic_path() does not read one of these named parameters: see its manual");
 
   if constexpr(are_ends) // avoids consecutive errors

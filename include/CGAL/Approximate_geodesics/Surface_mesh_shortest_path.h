@@ -25,8 +25,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for users of the class
 
-#include <boost/iterator/iterator_adaptor.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <list>
@@ -35,77 +33,6 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
-namespace internal {
-
-/*
- * The sources of a search, in the order in which they were added. Iterators stay valid until their
- * source is removed; like those of the exact class, they refer to face locations.
- */
-template <typename TriangleMesh>
-class Source_list
-{
-  using Face_location = Approximate_geodesics::Face_location<TriangleMesh>;
-
-  struct Listed_source
-  {
-    Source_point source;
-    Face_location location;
-  };
-  using List = std::list<Listed_source>;
-  using List_iterator = typename List::const_iterator;
-
-public:
-  class Iterator : public boost::iterator_adaptor<Iterator,
-                                                  List_iterator,
-                                                  Face_location,
-                                                  std::bidirectional_iterator_tag,
-                                                  const Face_location&>
-  {
-  public:
-    Iterator() = default;
-
-  private:
-    friend class Source_list;
-    friend class boost::iterator_core_access;
-
-    explicit Iterator(const List_iterator it) : Iterator::iterator_adaptor_(it) {}
-    const Face_location& dereference() const { return this->base()->location; }
-  };
-
-  static const Source_point& source(const Iterator it) { return it.base()->source; }
-
-  Iterator begin() const { return Iterator(m_sources.begin()); }
-  Iterator end() const { return Iterator(m_sources.end()); }
-  std::size_t size() const { return m_sources.size(); }
-
-  Iterator add(const Source_point& source, const Face_location& location)
-  {
-    return Iterator(m_sources.insert(m_sources.end(), Listed_source{source, location}));
-  }
-
-  void remove(const Iterator it) { m_sources.erase(it.base()); }
-  void clear() { m_sources.clear(); }
-
-private:
-  List m_sources;
-};
-
-// For constructors, which do not run a search.
-template <typename NamedParameters>
-constexpr void refuse_run_parameters()
-{
-  static_assert(
-      !ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::maximum_number_of_points_t,
-                   internal_np::maximum_number_of_points_per_edge_t,
-                   internal_np::accept_weaker_bound_t, internal_np::number_of_points_per_edge_t,
-                   internal_np::nb_points_per_distance_unit_t, internal_np::edge_length_t,
-                   internal_np::face_weight_t, internal_np::direction_to_source_t,
-                   internal_np::edge_is_constrained_t>,
-      "the constructor does not run: maximum_distance, targets and visitor are for "
-      "build_sequence_tree(), straighten is for a path, initial distances go with sources");
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
@@ -144,7 +71,7 @@ template <typename TriangleMesh,
 class Surface_mesh_shortest_path : public Surface_locations<TriangleMesh>
 {
   using Locations = Surface_locations<TriangleMesh>;
-  using Sources = internal::Source_list<TriangleMesh>;
+  struct Listed_source; // a face location, as in the exact class, and what the search starts from
 
 public:
   /// \name Types
@@ -168,11 +95,11 @@ public:
 #endif
 
 #ifdef DOXYGEN_RUNNING
-  /// a model of `BidirectionalIterator` with value type `Face_location`. It stays valid until its
-  /// source is removed.
+  /// a model of `BidirectionalIterator` whose value type derives from `Face_location`. It stays
+  /// valid until its source is removed.
   using Source_point_iterator = unspecified_type;
 #else
-  using Source_point_iterator = typename Sources::Iterator;
+  using Source_point_iterator = typename std::list<Listed_source>::const_iterator;
 #endif
 
   /// a distance, and the corresponding source.
@@ -205,7 +132,11 @@ public:
     : Surface_mesh_shortest_path(
           tmesh, Graph_holder{Graph(Intrinsic_triangulation(tmesh, np), np)}, np)
   {
-    internal::refuse_run_parameters<NamedParameters>();
+    static_assert(
+        !internal::query_ignores_any<NamedParameters, internal_np::nb_points_per_distance_unit_t,
+                                     internal_np::direction_to_source_t>,
+        "the constructor does not run: maximum_distance, targets and visitor are for "
+        "build_sequence_tree(), straighten is for a path, initial distances go with sources");
   }
 
   /*!
@@ -297,7 +228,7 @@ public:
   void remove_source_point(const Source_point_iterator it)
   {
     m_has_changed = true;
-    m_sources.remove(it);
+    m_sources.erase(it);
   }
 
   /// removes all sources.
@@ -346,7 +277,7 @@ public:
     std::vector<Source_point> sources;
     for(auto it = source_points_begin(); it != source_points_end(); ++it)
     {
-      sources.push_back(Sources::source(it));
+      sources.push_back(it->source);
       m_source_points.push_back(it);
     }
     m_search.run(std::move(sources), np);
@@ -611,6 +542,11 @@ private:
   using Translation = Mesh_translation<Triangle_mesh, Index_function>;
   using Mesh_search = internal::Mesh_search<Graph, PriorityQueue, Translation, Point_function>;
 
+  struct Listed_source : Face_location
+  {
+    Source_point source;
+  };
+
   // Disambiguates the delegated constructor from the one that takes a graph.
   struct Graph_holder
   {
@@ -638,7 +574,7 @@ private:
   {
     internal::check_initial_distance(initial_distance, m_sources.size());
     m_has_changed = true;
-    return m_sources.add({p, initial_distance}, location);
+    return m_sources.insert(m_sources.end(), Listed_source{location, {p, initial_distance}});
   }
 
   Shortest_path_result shortest_distance(const Intrinsic_point& p)
@@ -662,7 +598,7 @@ private:
       return result;
     const Path path = m_search.find_path(p, np);
     std::for_each(path.points.begin(), path.points.end(), f);
-    result.first = path.length + Sources::source(result.second).distance;
+    result.first = path.length + result.second->source.distance;
     return result;
   }
 
@@ -675,7 +611,7 @@ private:
   Translation m_translation;
   Mesh_search m_search;
   internal::Pair_search<Mesh_search> m_pair_search;
-  Sources m_sources;
+  std::list<Listed_source> m_sources;
   std::vector<Source_point_iterator> m_source_points; // of the last search
   bool m_has_changed = true;
 };

@@ -126,13 +126,9 @@ void distance_intervals(const TriangleMesh& tmesh,
   static_assert(internal::is_given<NamedParameters, internal_np::epsilon_t>,
                 "distance_intervals() needs epsilon, the error bound: 0 for exact distances");
   static_assert(
-      !internal::ignores_any<NamedParameters, internal_np::epsilon_t,
-                             internal_np::maximum_number_of_points_t,
-                             internal_np::maximum_number_of_points_per_edge_t,
-                             internal_np::accept_weaker_bound_t, internal_np::edge_length_t,
-                             internal_np::face_weight_t, internal_np::direction_to_source_t,
-                             internal_np::edge_is_constrained_t, internal_np::initial_distances_t,
-                             internal_np::maximum_distance_t, internal_np::visitor_t>,
+      !internal::query_ignores_any<NamedParameters, internal_np::direction_to_source_t,
+                                   internal_np::initial_distances_t,
+                                   internal_np::maximum_distance_t, internal_np::visitor_t>,
       "distance_intervals() does not support one of these named parameters: its documentation "
       "lists the supported ones");
   using Interval = typename boost::property_traits<VertexIntervalMap>::value_type;

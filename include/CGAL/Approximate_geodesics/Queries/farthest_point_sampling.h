@@ -95,25 +95,9 @@ template <typename Search, typename Sources, typename MeshTranslation>
 std::vector<typename Search::Seed> seeds(const Sources& sources, const MeshTranslation& translation)
 {
   std::vector<typename Search::Seed> result;
-  if constexpr(std::is_convertible_v<Sources, typename MeshTranslation::vertex_descriptor>)
-    result.push_back({intrinsic_point(translation, sources, "source").vertex});
-  else
-    for(const Intrinsic_point& point : intrinsic_points(translation, sources, "source"))
-      result.push_back({point.vertex});
+  for(const Intrinsic_point& point : intrinsic_points(translation, sources, "source"))
+    result.push_back({point.vertex});
   return result;
-}
-
-template <typename NamedParameters>
-constexpr void refuse_other_parameters_than_of_sampling()
-{
-  static_assert(
-      !ignores_any<NamedParameters, internal_np::edge_length_t, internal_np::epsilon_t,
-                   internal_np::maximum_number_of_points_t,
-                   internal_np::maximum_number_of_points_per_edge_t,
-                   internal_np::accept_weaker_bound_t, internal_np::face_weight_t,
-                   internal_np::number_of_points_per_edge_t, internal_np::edge_is_constrained_t>,
-      "farthest_point_sampling() reads epsilon, number_of_points_per_edge, and parameters that "
-      "describe the mesh only; it always searches the whole mesh");
 }
 
 } // namespace internal
@@ -184,7 +168,10 @@ farthest_point_sampling(const TriangleMesh& tmesh,
                         const Sources& sources,
                         const NamedParameters& np = parameters::default_values())
 {
-  internal::refuse_other_parameters_than_of_sampling<NamedParameters>();
+  static_assert(
+      !internal::query_ignores_any<NamedParameters>,
+      "farthest_point_sampling() reads epsilon, number_of_points_per_edge, and parameters that "
+      "describe the mesh only; it always searches the whole mesh");
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   internal::check_number_of_points(number_of_points);

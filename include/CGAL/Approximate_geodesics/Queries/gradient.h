@@ -94,23 +94,8 @@ typename Traits::Vector_3 gradient_of_face(const std::array<typename Traits::Poi
  * \param face_vector_map receives one vector per face: the zero vector if a value at one of its
  *        corners is infinite (for example, not reached) or NaN, if the face is degenerate, or if
  *        the gradient overflows a `double`
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
- *           listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
- *                    `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among
+ *           `vertex_point_map` and `geom_traits`, as for `approximate_geodesic_distances()`
  *
  * \throws std::invalid_argument if a face is not a triangle. The message names the face. In this
  *         case, nothing is written.

@@ -22,7 +22,6 @@
 #include <boost/property_map/property_map.hpp>
 #include <boost/type_traits/is_detected.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -169,26 +168,20 @@ private:
   std::set<halfedge_descriptor> m_not_passed; // ascending halfedges not yet visited
 };
 
-// Converts a single value to a range.
+// Converts and checks a single value or a range of values.
 template <typename Isovalues>
-decltype(auto) isovalue_range(const Isovalues& isovalues)
+std::vector<double> numbers(const Isovalues& isovalues)
 {
+  std::vector<double> result;
   if constexpr(boost::is_detected_v<Begin_of_range, Isovalues>)
-    return (isovalues);
+    for(const auto& isovalue : isovalues)
+      result.push_back(CGAL::to_double(isovalue));
   else
-    return std::array{CGAL::to_double(isovalues)};
-}
-
-template <typename Isovalues>
-void check_isovalues(const Isovalues& isovalues)
-{
-  std::size_t i = 0;
-  for(const auto& isovalue : isovalues)
-  {
-    if(std::isnan(CGAL::to_double(isovalue)))
+    result.push_back(CGAL::to_double(isovalues));
+  for(std::size_t i = 0; i < result.size(); ++i)
+    if(std::isnan(result[i]))
       reject("isovalue " + std::to_string(i) + ", counted from 0, is not a number");
-    ++i;
-  }
+  return result;
 }
 
 } // namespace internal
@@ -225,23 +218,8 @@ void check_isovalues(const Isovalues& isovalues)
  * \param isovalues one isovalue, or a range; infinite isovalues have no isolines
  * \param polylines receives the polylines, ordered by isovalue; the last point of a closed polyline
  *        equals its first point
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
- *           listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
- *                    `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among
+ *           `vertex_point_map` and `geom_traits`, as for `approximate_geodesic_distances()`
  *
  * \return the output iterator, after the last polyline.
  *
@@ -271,16 +249,14 @@ OutputIterator isolines(const TriangleMesh& tmesh,
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
   internal::check_triangles(tmesh);
-  decltype(auto) values = internal::isovalue_range(isovalues);
-  internal::check_isovalues(values);
+  const std::vector<double> values = internal::numbers(isovalues);
   const auto point_map = internal::vertex_point_map(tmesh, np);
   const auto traits =
       parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
 
-  for(const auto& isovalue : values)
+  for(const double isovalue : values)
     polylines =
-        internal::Isoline(tmesh, vertex_distance_map, point_map, traits, CGAL::to_double(isovalue))
-            .write(polylines);
+        internal::Isoline(tmesh, vertex_distance_map, point_map, traits, isovalue).write(polylines);
   return polylines;
 }
 

@@ -331,11 +331,8 @@ public:
       return for_each_point(other, source, target, np, [](const Intrinsic_point&) {});
     else
     {
-      run(other, source, target, np);
-      const auto& translation = other.translation();
-      const auto answer = m_parts->search.search().nearest(
-          leads_to_sources(other.search().graph()) ? translation.intrinsic_point(source)
-                                                   : translation.intrinsic_point(target));
+      const Intrinsic_point end = run(other, source, target, np);
+      const auto answer = m_parts->search.search().nearest(end);
       return answer.is_reached() ? answer.distance : -1;
     }
   }
@@ -348,10 +345,9 @@ public:
                         const NamedParameters& np,
                         F f)
   {
-    run(other, source, target, np);
-    const bool is_backward = leads_to_sources(other.search().graph());
-    const Path path = is_backward ? find_path(other, source, np) : find_path(other, target, np);
-    if(is_backward)
+    const Intrinsic_point end = run(other, source, target, np);
+    const Path path = m_parts->search.find_path(end, np);
+    if(leads_to_sources(other.search().graph()))
       std::for_each(path.points.begin(), path.points.end(), f);
     else
       std::for_each(path.points.rbegin(), path.points.rend(), f);
@@ -362,18 +358,12 @@ public:
   void reset() { m_parts.reset(); }
 
 private:
-  template <typename Point, typename NamedParameters>
-  Path find_path(const MeshSearch& other, const Point& end, const NamedParameters& np) const
-  {
-    return m_parts->search.find_path(other.translation().intrinsic_point(end), np);
-  }
-
-  // In a reversed graph, the search starts at the target.
+  // Returns where the search ends: in a reversed graph, it runs from the target to the source.
   template <typename Source, typename Target, typename NamedParameters>
-  void run(const MeshSearch& other,
-           const Source& source,
-           const Target& target,
-           const NamedParameters& np)
+  Intrinsic_point run(const MeshSearch& other,
+                      const Source& source,
+                      const Target& target,
+                      const NamedParameters& np)
   {
     static_assert(!ignores_any<NamedParameters, internal_np::straighten_t,
                                internal_np::maximum_distance_t, internal_np::visitor_t>,
@@ -382,10 +372,12 @@ private:
       m_parts = std::make_unique<Parts>(
           Parts{MeshSearch(other.search().graph(), other.translation(), other.point_map()),
                 other.positions()});
-    if(leads_to_sources(other.search().graph()))
-      m_parts->search.run_to(target, source, m_parts->positions, np);
-    else
-      m_parts->search.run_to(source, target, m_parts->positions, np);
+    const auto run_between = [&](const auto& from, const auto& to) {
+      m_parts->search.run_to(from, to, m_parts->positions, np);
+      return other.translation().intrinsic_point(to);
+    };
+    return leads_to_sources(other.search().graph()) ? run_between(target, source)
+                                                    : run_between(source, target);
   }
 
   struct Parts

@@ -35,6 +35,19 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
+// Whether a query that reads the parameters of meshes and graphs, and `Read`, ignores a parameter.
+template <typename NamedParameters, typename... Read>
+constexpr bool query_ignores_any = ignores_any<NamedParameters,
+                                               internal_np::edge_length_t,
+                                               internal_np::face_weight_t,
+                                               internal_np::edge_is_constrained_t,
+                                               internal_np::epsilon_t,
+                                               internal_np::number_of_points_per_edge_t,
+                                               internal_np::maximum_number_of_points_t,
+                                               internal_np::maximum_number_of_points_per_edge_t,
+                                               internal_np::accept_weaker_bound_t,
+                                               Read...>;
+
 template <typename NamedParameters>
 constexpr bool has_weights =
     is_any_given<NamedParameters, internal_np::face_weight_t, internal_np::edge_is_constrained_t>;
