@@ -14,12 +14,12 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <tbb/task_group.h>
 #endif
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <type_traits>
 
@@ -27,14 +27,14 @@ namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A per-thread hook that can cancel a computation by throwing. Long functions without a visitor
- * poll it, and some report progress to it. An outer caller may install it; worker threads of a
- * parallel loop have none.
+ * poll it, and some report progress to it. An outer caller may install it; a thread of a parallel
+ * loop that has none gets that of the loop.
  */
 class Interruption
 {
 public:
   virtual void check() = 0;
-  virtual void set_progress(std::size_t number_done, std::size_t number) = 0;
+  virtual void set_progress(std::size_t /* number_done */, std::size_t /* number */) {}
 
   static Interruption*& of_this_thread()
   {
@@ -46,20 +46,10 @@ protected:
   ~Interruption() = default;
 };
 
-// Thrown by the worker threads of a loop that another thread has canceled. The loop rethrows the
-// exception of that thread.
-struct Loop_canceled
-{
-};
-
 inline void check_for_interruption()
 {
   if(Interruption* const interruption = Interruption::of_this_thread())
-    return interruption->check();
-#ifdef CGAL_LINKED_WITH_TBB
-  if(tbb::is_current_task_group_canceling())
-    throw Loop_canceled();
-#endif
+    interruption->check();
 }
 
 // Reports the progress of all threads together before the check.
@@ -80,7 +70,8 @@ inline void check_for_interruption_at(const std::size_t turn)
 
 /*
  * A loop with independent iterations. A concurrency tag selects sequential or parallel execution;
- * the function that runs the loop does not depend on the tag or on TBB.
+ * functions that run the loop depend neither on the tag nor on TBB, so that they can be compiled
+ * into a library.
  */
 class Loop
 {
@@ -97,6 +88,7 @@ public:
     {
 #ifdef CGAL_LINKED_WITH_TBB
       result.m_run = run_all;
+      result.m_number_of_threads = number_of_tbb_threads;
 #else
       static_assert(!std::is_convertible_v<ConcurrencyTag, Parallel_tag>,
                     "Parallel_tag is enabled but TBB is unavailable.");
@@ -107,15 +99,8 @@ public:
 
   bool is_parallel() const { return m_run != nullptr; }
 
-  // Returns the maximum number of threads available to a loop.
-  static std::size_t number_of_threads()
-  {
-#ifdef CGAL_LINKED_WITH_TBB
-    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-#else
-    return 1;
-#endif
-  }
+  // Returns the maximum number of threads available to the loop.
+  std::size_t number_of_threads() const { return is_parallel() ? m_number_of_threads() : 1; }
 
   // Calls `turn(i, thread)` for all `i` below `size`. Concurrent calls have different values of
   // `thread`, all below `number_of_threads()`. Precondition: the loop is parallel.
@@ -137,12 +122,49 @@ public:
 
 private:
 #ifdef CGAL_LINKED_WITH_TBB
-  // Distributes iterations dynamically. Isolation prevents a waiting thread from stealing a task of
-  // an enclosing loop, which could need a resource that is in use here.
+  struct Loop_canceled
+  {
+  };
+
+  // Ends the turns of the other threads when one has thrown.
+  class Cancellation final : public Interruption
+  {
+  public:
+    explicit Cancellation(const std::atomic<bool>& is_canceled) : m_is_canceled(is_canceled)
+    {
+      if(m_outer == nullptr)
+        of_this_thread() = this;
+    }
+    ~Cancellation() { of_this_thread() = m_outer; }
+    Cancellation(const Cancellation&) = delete;
+    Cancellation& operator=(const Cancellation&) = delete;
+
+    void check() override
+    {
+      if(m_is_canceled)
+        throw Loop_canceled();
+    }
+
+  private:
+    const std::atomic<bool>& m_is_canceled;
+    Interruption* m_outer = of_this_thread();
+  };
+
+  static std::size_t number_of_tbb_threads()
+  {
+    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  }
+
+  // Distributes iterations dynamically, and rethrows the first exception. Isolation prevents a
+  // waiting thread from stealing a task of an enclosing loop, which could need a resource that is
+  // in use here.
   static void run_all(const std::size_t size, const Turn& turn)
   {
     std::atomic<std::size_t> next(0);
+    std::atomic<bool> is_canceled(false);
+    std::exception_ptr error;
     const auto take_turns = [&](const tbb::blocked_range<std::size_t>& threads) {
+      const Cancellation cancellation(is_canceled);
       try
       {
         for(std::size_t i = next++; i < size; i = next++)
@@ -151,15 +173,19 @@ private:
       catch(...)
       {
         next = size;
-        throw;
+        if(!is_canceled.exchange(true)) // not that of a thread that was canceled for this reason
+          error = std::current_exception();
       }
     };
-    const tbb::blocked_range<std::size_t> threads(0, (std::min)(number_of_threads(), size));
+    const tbb::blocked_range<std::size_t> threads(0, (std::min)(number_of_tbb_threads(), size));
     tbb::this_task_arena::isolate([&] { tbb::parallel_for(threads, take_turns); });
+    if(error)
+      std::rethrow_exception(error);
   }
 #endif
 
   void (*m_run)(std::size_t, const Turn&) = nullptr;
+  std::size_t (*m_number_of_threads)() = nullptr;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal
