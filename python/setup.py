@@ -34,7 +34,7 @@ class SdistWithLibrary(sdist):
     def make_release_tree(self, base_dir, files):
         super().make_release_tree(base_dir, files)
         base = pathlib.Path(base_dir)
-        for name in ("include", "matrix_files", "solver", "cmake"):
+        for name in ("include", "compiled", "matrix_files", "solver", "cmake"):
             shutil.copytree(LIBRARY / name, base / IN_SDIST / name)
         shutil.copy(LIBRARY / "CMakeLists.txt", base / IN_SDIST)
         (base / "LICENSE").unlink()  # it may be a link

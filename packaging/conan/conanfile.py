@@ -53,9 +53,11 @@ class ApproximateGeodesicsConan(ConanFile):
 
     def package_info(self):
         self.cpp_info.set_property("cmake_file_name", "Approximate_geodesics")
-        for name in ("Approximate_geodesics", "Matrix_files", "Solver"):
+        for name in ("Approximate_geodesics", "compiled", "Matrix_files", "Solver"):
             component = self.cpp_info.components[name.lower()]
             component.bindirs = []
             component.requires = ["cgal::cgal"]
             component.set_property("cmake_target_name", f"Approximate_geodesics::{name}")
-        self.cpp_info.components["matrix_files"].libs = ["Approximate_geodesics_matrix_files"]
+        for name in ("compiled", "matrix_files"):
+            self.cpp_info.components[name].libs = [f"Approximate_geodesics_{name}"]
+        self.cpp_info.components["compiled"].defines = ["CGAL_APPROXIMATE_GEODESICS_COMPILED"]

@@ -132,7 +132,7 @@ public:
 
   /// makes a workspace for `graph`. Run time and memory are \cgalBigO{n} for `n` nodes.
   /// \warning `graph` is referred to, not copied.
-  explicit Surface_search(const Graph& graph) : m_graph(&graph), m_search(graph) {}
+  explicit Surface_search(const Graph& graph);
 
   /// a workspace for a temporary graph would outlive it.
   explicit Surface_search(const Graph&& graph) = delete;
@@ -158,14 +158,7 @@ public:
   template <typename Visitor = Geodesic_visitor_base>
   void run(std::vector<Source_point> sources,
            const Stop_rule& stop = Stop_rule(),
-           Visitor&& visitor = Visitor())
-  {
-    Points_by_face points = sorted(sources);
-    run_and_adopt(std::move(sources), std::move(points), stop, stop.maximum_distance,
-                  [&](const auto& seeds, const auto& rule, const auto& enter_seeds) {
-                    m_search.run(seeds, rule, visitor, enter_seeds);
-                  });
-  }
+           Visitor&& visitor = Visitor());
 
   /*!
    * forgets the last run, and finds the distance from the nearest of the sources to `target`, which
@@ -179,34 +172,11 @@ public:
   void run_to(const Intrinsic_point& target,
               std::vector<Source_point> sources,
               const Vertex_positions& positions = Vertex_positions(),
-              const double maximum_distance = std::numeric_limits<double>::infinity())
-  {
-    check(target);
-    Points_by_face points = sorted(sources);
-    const double limit =
-        (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
-    const bool is_led = positions.are_known() && is_goal_for_heuristic(target);
-    run_and_adopt(std::move(sources), std::move(points), {limit, {target}}, maximum_distance,
-                  [&](const auto& seeds, const auto& rule, const auto& enter_seeds) {
-                    if(is_led)
-                      m_search.run_toward(
-                          seeds, rule,
-                          internal::Euclidean_heuristic<Graph>(*m_graph, positions, target),
-                          enter_seeds);
-                    else
-                      m_search.run_toward(seeds, rule, internal::No_heuristic(), enter_seeds);
-                  });
-  }
+              double maximum_distance = std::numeric_limits<double>::infinity());
 
   /// is to be called when the weights of the graph have changed. Nothing is reached any more. Run
   /// time is \cgalBigO{n} for `n` nodes.
-  void restart()
-  {
-    Search search(*m_graph);
-    search.collect_statistics(m_search.collects_statistics());
-    m_search = std::move(search);
-    forget();
-  }
+  void restart();
 
   /// enables or disables statistics for subsequent runs: see `search().statistics()`.
   void collect_statistics(const bool counts) { m_search.collect_statistics(counts); }
@@ -220,21 +190,7 @@ public:
   /// \throws std::invalid_argument if `point` is not one of the triangulated surface.
   /// Run time is \cgalBigO{1} for a vertex, amortized over the nodes that were reached, and else
   /// that of attaching the point to the graph.
-  Answer nearest(const Intrinsic_point& point) const
-  {
-    check(point);
-    Answer result = nearest_by_line(point, m_sources, m_points);
-    if(point.is_vertex())
-      consider(point.vertex, 0, result);
-    else
-      internal::attach_target(*m_graph, point)
-          .for_each_node(
-              [&](const Node node, const double length) { consider(node, length, result); });
-    consider_lines(point, result);
-    if(result.node != Search::null_node)
-      result.source = m_search.source(result.node);
-    return is_known(result.distance) ? result : Answer();
-  }
+  Answer nearest(const Intrinsic_point& point) const;
 
   /// returns the distance from the nearest source to `point`, in the unit of the mesh, or infinity
   /// if none reaches it.
@@ -254,28 +210,7 @@ public:
    *
    * Run time is linear in the number of arcs on the path, times the cost of tracing one.
    */
-  Path find_path(const Intrinsic_point& point) const
-  {
-    Path result;
-    const Answer answer = nearest(point);
-    if(!answer.is_reached())
-      return result;
-    result.points.push_back(point);
-    const Source_point& source = m_sources[answer.source];
-    if(answer.node == Search::null_node)
-      append_line(point, source.point, source.point, answer, result);
-    else
-    {
-      if(!point.is_vertex())
-        append_line(point, answer.node, internal::position(*m_graph, answer.node), answer, result);
-      append_line_to_source(internal::append_tree_path(m_search, answer.node, result), source,
-                            result);
-    }
-    result.length *= m_graph->unit();
-    if(!internal::has_crossing_arcs<Graph> && source.distance == 0)
-      result.length = answer.distance;
-    return result;
-  }
+  Path find_path(const Intrinsic_point& point) const;
 
   /// returns whether a point at that distance is reached, and the distance final: it does not
   /// exceed the maximum distance, and the run did not end before.
@@ -504,6 +439,102 @@ private:
   Points_by_face m_points; // of the sources
   double m_maximum_distance = std::numeric_limits<double>::infinity();
 };
+
+// Not in the class, where they would be inline: so `extern template` keeps them from being
+// compiled.
+
+template <typename SurfaceGraph, typename PriorityQueue>
+Surface_search<SurfaceGraph, PriorityQueue>::Surface_search(const Graph& graph)
+  : m_graph(&graph), m_search(graph)
+{
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+template <typename Visitor>
+void Surface_search<SurfaceGraph, PriorityQueue>::run(std::vector<Source_point> sources,
+                                                      const Stop_rule& stop,
+                                                      Visitor&& visitor)
+{
+  Points_by_face points = sorted(sources);
+  run_and_adopt(std::move(sources), std::move(points), stop, stop.maximum_distance,
+                [&](const auto& seeds, const auto& rule, const auto& enter_seeds) {
+                  m_search.run(seeds, rule, visitor, enter_seeds);
+                });
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& target,
+                                                         std::vector<Source_point> sources,
+                                                         const Vertex_positions& positions,
+                                                         const double maximum_distance)
+{
+  check(target);
+  Points_by_face points = sorted(sources);
+  const double limit =
+      (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
+  const bool is_led = positions.are_known() && is_goal_for_heuristic(target);
+  run_and_adopt(std::move(sources), std::move(points), {limit, {target}}, maximum_distance,
+                [&](const auto& seeds, const auto& rule, const auto& enter_seeds) {
+                  if(is_led)
+                    m_search.run_toward(
+                        seeds, rule,
+                        internal::Euclidean_heuristic<Graph>(*m_graph, positions, target),
+                        enter_seeds);
+                  else
+                    m_search.run_toward(seeds, rule, internal::No_heuristic(), enter_seeds);
+                });
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+void Surface_search<SurfaceGraph, PriorityQueue>::restart()
+{
+  Search search(*m_graph);
+  search.collect_statistics(m_search.collects_statistics());
+  m_search = std::move(search);
+  forget();
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point& point) const
+    -> Answer
+{
+  check(point);
+  Answer result = nearest_by_line(point, m_sources, m_points);
+  if(point.is_vertex())
+    consider(point.vertex, 0, result);
+  else
+    internal::attach_target(*m_graph, point)
+        .for_each_node(
+            [&](const Node node, const double length) { consider(node, length, result); });
+  consider_lines(point, result);
+  if(result.node != Search::null_node)
+    result.source = m_search.source(result.node);
+  return is_known(result.distance) ? result : Answer();
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+Path Surface_search<SurfaceGraph, PriorityQueue>::find_path(const Intrinsic_point& point) const
+{
+  Path result;
+  const Answer answer = nearest(point);
+  if(!answer.is_reached())
+    return result;
+  result.points.push_back(point);
+  const Source_point& source = m_sources[answer.source];
+  if(answer.node == Search::null_node)
+    append_line(point, source.point, source.point, answer, result);
+  else
+  {
+    if(!point.is_vertex())
+      append_line(point, answer.node, internal::position(*m_graph, answer.node), answer, result);
+    append_line_to_source(internal::append_tree_path(m_search, answer.node, result), source,
+                          result);
+  }
+  result.length *= m_graph->unit();
+  if(!internal::has_crossing_arcs<Graph> && source.distance == 0)
+    result.length = answer.distance;
+  return result;
+}
 
 } // namespace CGAL::Approximate_geodesics
 

@@ -21,6 +21,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Named_function_parameters.h>
@@ -137,16 +138,21 @@ auto directional_graph(Intrinsic_triangulation triangulation, const NamedParamet
 template <typename GraphWithBound, typename ExactGraph, typename NamedParameters, typename F>
 auto with_epsilon(Intrinsic_triangulation triangulation, const NamedParameters& np, const F& f)
 {
-  const auto epsilon = parameters::get_parameter(np, internal_np::epsilon);
-  using Known = Known_number<std::decay_t<decltype(epsilon)>>;
+  static_assert(!is_given<NamedParameters, internal_np::direction_to_source_t>,
+                "direction_to_source: distances there and back are the same in this graph; use "
+                "Directional_graph");
+  using Tag = Concurrency_tag<NamedParameters>;
+  const auto number = parameters::get_parameter(np, internal_np::epsilon);
+  using Known = Known_number<std::decay_t<decltype(number)>>;
   if constexpr(Known::is_zero)
-    return f(ExactGraph(std::move(triangulation), np));
+    return f(graph_with_epsilon<ExactGraph, Tag>(std::move(triangulation), 0));
   else
   {
+    const double epsilon = Known::value(number);
     if constexpr(!Known::is_not_zero)
-      if(Known::value(epsilon) == 0)
-        return f(ExactGraph(std::move(triangulation), np));
-    return f(GraphWithBound(std::move(triangulation), np));
+      if(epsilon == 0)
+        return f(graph_with_epsilon<ExactGraph, Tag>(std::move(triangulation), epsilon));
+    return f(graph_with_epsilon<GraphWithBound, Tag>(std::move(triangulation), epsilon));
   }
 }
 
