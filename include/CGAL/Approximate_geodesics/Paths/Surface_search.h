@@ -344,10 +344,9 @@ private:
   {
     std::vector<typename Search::Seed> result;
     for(std::size_t i = 0; i < sources.size(); ++i)
-      m_graph->attach(sources[i].point).for_each_node([&](const Node node, const double length) {
+      for(const auto& [node, length] : lines(m_graph->attach(sources[i].point)))
         if(length < std::numeric_limits<double>::infinity())
           result.push_back({node, sources[i].distance + length * m_graph->unit(), i});
-      });
     return result;
   }
 
@@ -363,14 +362,23 @@ private:
       else
       {
         result.points.emplace_back();
-        const double unit = m_graph->unit();
-        internal::attach_target(*m_graph, target)
-            .for_each_node([&](const Node node, const double length) {
-              result.points.back().push_back({node, length * unit});
-            });
+        for(const auto& [node, length] : lines(internal::attach_target(*m_graph, target)))
+          result.points.back().push_back({node, length * m_graph->unit()});
       }
     }
     return result;
+  }
+
+  // The lines between an attached point and nodes, in units of the graph. They are listed, so that
+  // graphs find them by one instantiation.
+  template <typename Attachment>
+  const std::vector<Last_arc>& lines(const Attachment& attachment) const
+  {
+    m_lines.clear();
+    attachment.for_each_node([this](const Node node, const double length) {
+      m_lines.push_back({node, length});
+    });
+    return m_lines;
   }
 
   Answer nearest_by_line(const Intrinsic_point& point,
@@ -413,9 +421,7 @@ private:
   {
     path.length += m_search.graph_run().for_each_crossing_to(
         from, answer.distance / m_graph->unit(), to, answer.last_length, m_search.labels(),
-        [&](const auto h, const double t) {
-          path.points.push_back(Intrinsic_point::on_edge(h, t));
-        });
+        internal::Append_crossing{path.points});
     internal::append(end, m_graph->triangulation(), path);
   }
 
@@ -438,6 +444,7 @@ private:
   std::vector<Source_point> m_sources;
   Points_by_face m_points; // of the sources
   double m_maximum_distance = std::numeric_limits<double>::infinity();
+  mutable std::vector<Last_arc> m_lines; // of the last point that was attached
 };
 
 // Not in the class, where they would be inline: so `extern template` keeps them from being
@@ -503,9 +510,8 @@ auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point&
   if(point.is_vertex())
     consider(point.vertex, 0, result);
   else
-    internal::attach_target(*m_graph, point)
-        .for_each_node(
-            [&](const Node node, const double length) { consider(node, length, result); });
+    for(const auto& [node, length] : lines(internal::attach_target(*m_graph, point)))
+      consider(node, length, result);
   consider_lines(point, result);
   if(result.node != Search::null_node)
     result.source = m_search.source(result.node);

@@ -523,8 +523,10 @@ private:
       prepare();
       Start<Heuristic> start{*this, seeds, stop, heuristic};
       m_run.start(start);
-      enter_seeds(
-          [&](const Seed& seed, const auto& payload) { enter(seed, payload, stop, heuristic); });
+      std::vector<Entry> entries; // listed, so that `enter_seeds` is instantiated once
+      enter_seeds(List_entry{entries});
+      for(const Entry& entry : entries)
+        enter(entry.seed, entry.payload, stop, heuristic);
       propagate(stop, watch(stop, visitor, heuristic), heuristic);
       count_all();
       m_sources.forget_all(); // a visitor may have asked, too early
@@ -546,6 +548,22 @@ private:
     m_ended_early = false;
     m_limit = std::numeric_limits<double>::infinity();
   }
+
+  struct Entry
+  {
+    Seed seed;
+    typename Run::Payload payload;
+  };
+
+  struct List_entry
+  {
+    void operator()(const Seed& seed, const typename Run::Payload& payload) const
+    {
+      entries.push_back({seed, payload});
+    }
+
+    std::vector<Entry>& entries;
+  };
 
   static auto all_of(const std::vector<Seed>& seeds)
   {

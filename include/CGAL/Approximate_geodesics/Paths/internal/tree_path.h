@@ -21,15 +21,25 @@ namespace CGAL::Approximate_geodesics::internal {
 
 // Paths in the shortest-path tree of a search, whose lengths are in units of the graph.
 
+// Appends the edges that a line crosses. All lines have this function object, as graphs instantiate
+// much for its type.
+struct Append_crossing
+{
+  void operator()(const Intrinsic_point::Index h, const double t) const
+  {
+    points.push_back(Intrinsic_point::on_edge(h, t));
+  }
+
+  std::vector<Intrinsic_point>& points;
+};
+
 // Appends the edges that a line crosses, which `for_each_crossing(f)` finds in the opposite order
 // and whose length it returns.
 template <typename ForEachCrossing>
 void append_backward(ForEachCrossing for_each_crossing, Path& path)
 {
   const auto beyond = static_cast<std::ptrdiff_t>(path.points.size());
-  path.length += for_each_crossing([&](const Intrinsic_point::Index h, const double t) {
-    path.points.push_back(Intrinsic_point::on_edge(h, t));
-  });
+  path.length += for_each_crossing(Append_crossing{path.points});
   std::reverse(path.points.begin() + beyond, path.points.end());
 }
 
