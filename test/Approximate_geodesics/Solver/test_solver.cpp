@@ -411,6 +411,20 @@ TEST(Solver, can_be_interrupted_amid_a_row)
                AG::Solver_interrupted);
 }
 
+TEST(Solver, can_be_interrupted_amid_a_path)
+{
+  const Soup_arrays arrays(sphere(60, 30));
+  const Values weights(arrays.number_of_faces(), 1);
+  Solver_options options = bound(0.01); // so that it takes long
+  options.face_weights = weights.data();
+  const Solver_of solver(arrays, options);
+  const auto last = static_cast<std::int64_t>(solver.number_of_vertices()) - 1;
+  Values points;
+  EXPECT_THROW(solver.find_path(Solver_point::at_vertex(0), Solver_point::at_vertex(last), false,
+                                points, impatient_watch()),
+               AG::Solver_interrupted);
+}
+
 TEST(Solver, can_be_interrupted_amid_construction)
 {
   const Soup_arrays arrays(sphere(60, 30));

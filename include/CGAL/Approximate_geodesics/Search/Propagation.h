@@ -494,7 +494,7 @@ private:
     Other_relaxation batch(graph, run, m_queue, m_labels, candidates, heuristic,
                            largest_label(stop), nullptr);
     internal::Goal_watch watch(m_labels, goal(stop, heuristic), false);
-    batch.run(watch);
+    batch.run(watch, false);
     m_labels.append_to_order(m_queue);
   }
 

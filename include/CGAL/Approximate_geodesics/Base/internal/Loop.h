@@ -26,15 +26,15 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * A per-thread hook that can cancel a computation by throwing. Long functions without a visitor
- * poll it, and some report progress to it. An outer caller may install it; a thread of a parallel
- * loop that has none gets that of the loop.
+ * A per-thread hook that can cancel a computation by throwing: the one way to cancel from outside.
+ * Searches and other long functions poll it, and report progress to it. An outer caller may install
+ * it; the threads of a parallel loop inherit it.
  */
 class Interruption
 {
 public:
   virtual void check() = 0;
-  virtual void set_progress(std::size_t /* number_done */, std::size_t /* number */) {}
+  virtual void set_progress(std::size_t number_done, std::size_t number) = 0;
 
   static Interruption*& of_this_thread()
   {
@@ -126,14 +126,14 @@ private:
   {
   };
 
-  // Ends the turns of the other threads when one has thrown.
+  // The hook of a thread of the loop: that of the caller, until another thread throws.
   class Cancellation final : public Interruption
   {
   public:
-    explicit Cancellation(const std::atomic<bool>& is_canceled) : m_is_canceled(is_canceled)
+    Cancellation(const std::atomic<bool>& is_canceled, Interruption* const caller)
+      : m_is_canceled(is_canceled), m_caller(caller)
     {
-      if(m_outer == nullptr)
-        of_this_thread() = this;
+      of_this_thread() = this;
     }
     ~Cancellation() { of_this_thread() = m_outer; }
     Cancellation(const Cancellation&) = delete;
@@ -143,10 +143,19 @@ private:
     {
       if(m_is_canceled)
         throw Loop_canceled();
+      if(m_caller != nullptr)
+        m_caller->check();
+    }
+
+    void set_progress(const std::size_t number_done, const std::size_t number) override
+    {
+      if(m_caller != nullptr)
+        m_caller->set_progress(number_done, number);
     }
 
   private:
     const std::atomic<bool>& m_is_canceled;
+    Interruption* m_caller;
     Interruption* m_outer = of_this_thread();
   };
 
@@ -163,8 +172,9 @@ private:
     std::atomic<std::size_t> next(0);
     std::atomic<bool> is_canceled(false);
     std::exception_ptr error;
+    Interruption* const caller = Interruption::of_this_thread();
     const auto take_turns = [&](const tbb::blocked_range<std::size_t>& threads) {
-      const Cancellation cancellation(is_canceled);
+      const Cancellation cancellation(is_canceled, caller);
       try
       {
         for(std::size_t i = next++; i < size; i = next++)

@@ -14,7 +14,6 @@
 #include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_columns.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Row_search.h>
-#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <boost/type_traits/detected_or.hpp>
@@ -89,17 +88,9 @@ std::size_t number_of_nearest([[maybe_unused]] const Rows& rows)
     return 0;
 }
 
-// A thread-safe visitor may also observe the searches for rows: `visitor_of_search()` returns the
-// visitor of a search, which may throw an exception to stop it.
-template <typename Visitor>
-using Visitor_of_search = decltype(std::declval<Visitor&>().visitor_of_search());
-
-template <typename Visitor>
-constexpr bool watches_searches = boost::is_detected_v<Visitor_of_search, Visitor>;
-
 /*
- * Reports the progress to a visitor, and asks it whether to continue. The class is thread-safe. It
- * serializes calls to the visitor, except for go_further() of a visitor that observes searches.
+ * Reports the progress to a visitor, and asks it whether to continue. The class is thread-safe: it
+ * serializes calls to the visitor.
  */
 template <typename Visitor>
 class Matrix_progress
@@ -116,18 +107,9 @@ public:
 
   bool go_further()
   {
-    if constexpr(watches_searches<Visitor>)
-      return m_visitor.go_further();
+    check_for_interruption();
     const std::lock_guard lock(m_mutex);
     return m_visitor.go_further();
-  }
-
-  auto visitor_of_search()
-  {
-    if constexpr(watches_searches<Visitor>)
-      return m_visitor.visitor_of_search();
-    else
-      return Geodesic_visitor_base();
   }
 
   void report(const std::size_t number_done)
@@ -243,7 +225,7 @@ private:
       {
         if(!goes_further())
           return;
-        m_rows.collect(block, row, search.find(m_sources[row], m_progress.visitor_of_search()));
+        m_rows.collect(block, row, search.find(m_sources[row]));
       }
       m_rows.add(*number, block);
       m_done += rows.size();
@@ -273,8 +255,7 @@ private:
   void compute_rows(Row_search<Graph>& search)
   {
     for(std::size_t row = m_next++; row < m_plan.number_of_rows(); row = m_next++)
-      if(!goes_further() ||
-         !hand_over(row, search.find(m_sources[row], m_progress.visitor_of_search())))
+      if(!goes_further() || !hand_over(row, search.find(m_sources[row])))
         return;
   }
 

@@ -38,14 +38,13 @@ struct Row_limits
   }
 };
 
-// Stops a search when the wanted number of columns is settled, including all ties of the last one,
-// or if another visitor stops it.
-template <typename Columns, typename Visitor>
+// Stops a search when the wanted number of columns is settled, including all ties of the last one.
+template <typename Columns>
 class Nearest_columns_visitor : public Geodesic_visitor_base
 {
 public:
-  Nearest_columns_visitor(const Columns& columns, const std::size_t wanted, Visitor& visitor)
-    : m_columns(columns), m_wanted(wanted), m_visitor(visitor)
+  Nearest_columns_visitor(const Columns& columns, const std::size_t wanted)
+    : m_columns(columns), m_wanted(wanted)
   {
   }
 
@@ -59,12 +58,7 @@ public:
     m_number += number;
   }
 
-  void on_progress(const std::size_t number_of_settled_nodes, const std::size_t number_of_nodes)
-  {
-    m_visitor.on_progress(number_of_settled_nodes, number_of_nodes);
-  }
-
-  bool go_further() { return !m_is_done && m_visitor.go_further(); }
+  bool go_further() const { return !m_is_done; }
 
   // Whether the wanted number of columns was settled.
   bool is_enough() const { return m_number >= m_wanted; }
@@ -73,7 +67,6 @@ public:
 private:
   const Columns& m_columns;
   std::size_t m_wanted;
-  Visitor& m_visitor;
   std::size_t m_number = 0;
   double m_farthest = 0;
   bool m_is_done = false;
@@ -93,14 +86,13 @@ public:
   }
 
   // Returns the distances from `source`. The reference is valid until the next call.
-  template <typename Visitor = Geodesic_visitor_base>
-  const Distance_row& find(const Intrinsic_point& source, Visitor visitor = Visitor())
+  const Distance_row& find(const Intrinsic_point& source)
   {
     m_row.clear();
     if(m_limits.number_of_nearest > 0 && m_columns.are_vertices())
-      search_nearest(source, visitor);
+      search_nearest(source);
     else
-      m_search.run({{source}}, stop_rule(m_limits.maximum_distance), visitor);
+      m_search.run({{source}}, stop_rule(m_limits.maximum_distance));
     if(m_limits.are_given())
       m_columns.write_reached(m_search, m_row);
     else
@@ -122,19 +114,17 @@ private:
 
   // A search for few columns labels many nodes beyond them. Limiting the distance avoids this; the
   // estimate is that of the previous row, whose source is near.
-  template <typename Visitor>
-  void search_nearest(const Intrinsic_point& source, Visitor& visitor)
+  void search_nearest(const Intrinsic_point& source)
   {
-    if(depends_on_limit || !search_nearest(source, m_expected_distance, visitor))
-      search_nearest(source, m_limits.maximum_distance, visitor);
+    if(depends_on_limit || !search_nearest(source, m_expected_distance))
+      search_nearest(source, m_limits.maximum_distance);
   }
 
   // Returns whether there are enough columns within `distance`.
-  template <typename Visitor>
-  bool search_nearest(const Intrinsic_point& source, const double distance, Visitor& visitor)
+  bool search_nearest(const Intrinsic_point& source, const double distance)
   {
     constexpr double margin = 1.25;
-    Nearest_columns_visitor nearest(m_columns, m_limits.number_of_nearest, visitor);
+    Nearest_columns_visitor nearest(m_columns, m_limits.number_of_nearest);
     m_search.run({{source}}, stop_rule((std::min)(distance, m_limits.maximum_distance)), nearest);
     m_expected_distance =
         nearest.is_enough() ? margin * nearest.farthest() : m_limits.maximum_distance;

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
@@ -290,8 +291,10 @@ public:
 
   // Expands nodes until the queue is empty, or too often. Returns whether the watch let it.
   template <typename Watch>
-  bool run(Watch& watch)
+  bool run(Watch& watch, const bool reports_progress = true)
   {
+    constexpr std::size_t nodes_between_looks = 1024;
+    std::size_t next_look = m_labels.order().size() + nodes_between_looks;
     while(!m_queue.is_empty())
     {
       if constexpr(is_heuristic<Heuristic>)
@@ -301,6 +304,11 @@ public:
           m_queue.clear();
           return true;
         }
+      if(m_labels.order().size() >= next_look)
+      {
+        next_look = m_labels.order().size() + nodes_between_looks;
+        look_for_interruption(reports_progress);
+      }
       extract(next_batch());
       if(!watch.go_further(m_size))
         return false;
@@ -317,6 +325,14 @@ public:
   std::size_t size() const { return m_size; }
 
 private:
+  BOOST_NOINLINE void look_for_interruption(const bool reports_progress) const
+  {
+    if(reports_progress)
+      check_for_interruption(m_labels.order().size(), m_labels.number_of_nodes());
+    else
+      check_for_interruption();
+  }
+
   decltype(auto) next_batch()
   {
     if constexpr(has_rounds<Queue>)

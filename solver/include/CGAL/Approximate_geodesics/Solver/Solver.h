@@ -265,7 +265,7 @@ public:
    * \param straighten whether to straighten the path to a locally shortest one, which does not
    *        support costs
    * \param coordinates receives the points
-   * \param watch is called during exact searches; others are fast
+   * \param watch is called during the search
    */
   double find_path(const Solver_point& source,
                    const Solver_point& target,

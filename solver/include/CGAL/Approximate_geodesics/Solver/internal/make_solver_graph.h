@@ -187,8 +187,7 @@ public:
   {
     const auto search = m_workspaces.borrow();
     visitor.set_progress(0, m_graph.number_of_nodes());
-    search->run(std::move(sources), {maximum_distance, {}},
-                Solver_visitor::Of_search(visitor, true));
+    search->run(std::move(sources), {maximum_distance, {}});
     visitor.finish();
     const auto& labels = search->search();
     for(Index i = 0; i < triangulation().number_of_vertices(); ++i)
@@ -199,19 +198,14 @@ public:
       nearest_sources[i] = static_cast<std::int64_t>(labels.source(triangulation().vertex(i)));
   }
 
-  // Uses A* search with straight-line distances. Exact searches can take long, so they call the
-  // visitor instead.
+  // Uses A* search with straight-line distances.
   Path find_path(const Intrinsic_point& source,
                  const Intrinsic_point& target,
                  const Vertex_positions& positions,
                  Solver_visitor& visitor) const override
   {
     const auto search = m_workspaces.borrow();
-    if constexpr(Run_of<Graph>::attaches_by_labels)
-      search->run({{source}}, {std::numeric_limits<double>::infinity(), {target}},
-                  Solver_visitor::Of_search(visitor, true));
-    else
-      search->run_to(target, {{source}}, positions);
+    search->run_to(target, {{source}}, positions);
     visitor.finish();
     return search->find_path(target);
   }
@@ -223,6 +217,7 @@ public:
                     const bool is_symmetric,
                     Solver_visitor& visitor) const override
   {
+    visitor.set_parts_done(0, sources.size());
     // starts with a parameter of this package: chains that start with one of CGAL 6 lack ours
     const auto np = parameters::symmetric(is_symmetric)
                         .maximum_distance(maximum_distance)
@@ -240,6 +235,8 @@ public:
                                 std::vector<std::int64_t>& vertices,
                                 Solver_visitor& visitor) const override
   {
+    const std::size_t number_of_vertices = triangulation().number_of_vertices();
+    visitor.set_parts_done(0, (std::min)(number, number_of_vertices));
     Propagation<Graph> search(m_graph);
     std::vector<Seed> seeds;
     for(const Intrinsic_point& p : sources)
@@ -248,15 +245,15 @@ public:
     const auto distance = [&](const std::size_t i) {
       return search.distance(triangulation().vertex(i));
     };
-    const std::size_t number_of_vertices = triangulation().number_of_vertices();
     Farthest_first farthest_first(number_of_vertices);
     auto farthest = farthest_first.find(distance);
-    for(std::size_t i = 0; i < number && farthest.distance > 0 && visitor.go_further(); ++i)
+    for(std::size_t i = 0; i < number && farthest.distance > 0; ++i)
     {
+      visitor.check();
       search.run_further({{triangulation().vertex(farthest.number)}});
       vertices.push_back(static_cast<std::int64_t>(farthest.number));
       farthest = farthest_first.find(distance);
-      visitor.set_progress(i + 1, (std::min)(number, number_of_vertices));
+      visitor.set_parts_done(i + 1, (std::min)(number, number_of_vertices));
     }
     visitor.finish();
     return farthest.distance;
