@@ -42,20 +42,29 @@ public:
     double corner;       // at its source, the scalar product of the two sides of the face ...
     double doubled_area; // ... to its left
     Index hub;           // the hub that a flip took it from, if any: see `Balanced_fans`
-    bool is_new;         // whether it was flipped, or starts from or ends at an added vertex
+    bool is_border;
+    bool is_new; // whether it was flipped, or starts from or ends at an added vertex
   };
 
   // A face whose height is at most this part of its longest side is nearly degenerate: rounding
   // errors of flips would change distances.
   static constexpr double SMALLEST_HEIGHT = 0x1p-14;
 
+  // Throws if a face breaks the triangle inequality.
   explicit Edge_flips(const Intrinsic_triangulation& triangulation)
-    : m_mesh(triangulation), m_number_of_vertices(triangulation.number_of_vertices())
+    : m_number_of_vertices(triangulation.number_of_vertices())
   {
     m_halfedges.reserve(triangulation.number_of_halfedges());
+    bool has_area = true;
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
       for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-        m_halfedges.push_back(copy(v, h));
+      {
+        const Halfedge copied = copy(triangulation, v, h);
+        has_area = has_area && (copied.doubled_area > 0 || copied.is_border);
+        m_halfedges.push_back(copied);
+      }
+    if(!has_area) // an impossible face has none
+      triangulation.check_triangle_inequality();
   }
 
   const Halfedge& operator[](const Index h) const { return m_halfedges[h]; }
@@ -63,10 +72,7 @@ public:
   Index number_of_vertices() const { return m_number_of_vertices; }
   Index number_of_halfedges() const { return static_cast<Index>(m_halfedges.size()); }
 
-  bool is_border(const Index h) const
-  {
-    return h < m_mesh.number_of_halfedges() && m_mesh.is_border(h);
-  }
+  bool is_border(const Index h) const { return m_halfedges[h].is_border; }
 
   // Where the third vertex of the face to the left of `h` is, if `h` is laid out.
   Plane_vector
@@ -166,6 +172,13 @@ public:
     return !is_nearly_degenerate(h) && !is_nearly_degenerate(g) && has_sound_flip(q);
   }
 
+  // How long the other diagonal is.
+  double length_if_flipped(const Index h) const
+  {
+    const Quad q = quad(h);
+    return internal::length(left_of_target(q) - right_of_target(q));
+  }
+
   // Whether the face to the left of `h` is nearly degenerate.
   bool is_nearly_degenerate(const Index h) const
   {
@@ -233,22 +246,24 @@ private:
     Index right_rim;  // to its target
   };
 
-  Halfedge copy(const Index v, const Index h) const
+  static Halfedge copy(const Intrinsic_triangulation& mesh, const Index v, const Index h)
   {
-    Halfedge result{m_mesh.target(h),
-                    m_mesh.opposite(h),
-                    m_mesh.counterclockwise(v, h),
-                    m_mesh.clockwise(v, h),
-                    m_mesh.length(h),
+    const double length = mesh.length(h);
+    Halfedge result{mesh.target(h),
+                    mesh.opposite(h),
+                    mesh.counterclockwise(v, h),
+                    mesh.clockwise(v, h),
+                    length,
                     0,
                     0,
                     null_index,
+                    mesh.is_border(h),
                     false};
-    if(!m_mesh.is_border(h))
+    if(!result.is_border)
     {
-      const Apex_position apex = apex_position(m_mesh, v, h);
-      result.corner = apex.along * result.length * result.length;
-      result.doubled_area = apex.across * result.length * result.length;
+      const Apex_position apex = apex_position(mesh, v, h);
+      result.corner = apex.along * length * length;
+      result.doubled_area = apex.across * length * length;
     }
     return result;
   }
@@ -313,8 +328,8 @@ private:
   {
     const Index corner = m_halfedges[m_halfedges[side].opposite].target;
     const Index beyond = m_halfedges[side].counterclockwise;
-    m_halfedges.push_back({corner, out + 1, out, out, length, 0, 0, null_index, true});
-    m_halfedges.push_back({v, out, beyond, side, length, 0, 0, null_index, true});
+    m_halfedges.push_back({corner, out + 1, out, out, length, 0, 0, null_index, false, true});
+    m_halfedges.push_back({v, out, beyond, side, length, 0, 0, null_index, false, true});
     m_halfedges[side].counterclockwise = out + 1;
     m_halfedges[beyond].clockwise = out + 1;
   }
@@ -330,8 +345,8 @@ private:
   void connect(const Index h, const Index clockwise, const Index target, const Index hub, double l)
   {
     const Index counterclockwise = m_halfedges[clockwise].counterclockwise;
-    m_halfedges[h] = {target, m_halfedges[h].opposite, counterclockwise, clockwise, l, 0, 0, hub,
-                      true};
+    m_halfedges[h] = {
+        target, m_halfedges[h].opposite, counterclockwise, clockwise, l, 0, 0, hub, false, true};
     m_halfedges[clockwise].counterclockwise = h;
     m_halfedges[counterclockwise].clockwise = h;
   }
@@ -347,7 +362,6 @@ private:
     }
   }
 
-  const Intrinsic_triangulation& m_mesh;
   Index m_number_of_vertices;
   std::vector<Halfedge> m_halfedges;
 };

@@ -74,7 +74,12 @@ private:
   // Vertices are added so far above a short side, in its lengths, and so many times as far ...
   static constexpr double FIRST_HEIGHT = 8, GROWTH = 4;
   // ... unless there is one that is closer than this part of it, or it is too close to the apex.
-  static constexpr double SMALLEST_GAP = 0.65, WIDTH_OF_COVER = 1.15, LARGEST_PART = 0.6;
+  static constexpr double SMALLEST_GAP = 0.65, WIDTH_OF_COVER = 1.25, LARGEST_PART = 0.6;
+
+  // Edges no farther from a new vertex than this, in its heights, are flipped at once. The others
+  // wait for the vertices that are added beside it: else, its faces would take in most of a strip,
+  // only to lose that again.
+  static constexpr double WIDTH_OF_FLIPS = 1.05, LARGEST_GAIN = 0.9;
 
   // A needle of the mesh, laid out: its short side starts from the origin and lies along x.
   struct Needle
@@ -110,11 +115,10 @@ private:
   void refine()
   {
     std::vector<Needle> needles = this->needles();
-    std::vector<Index> edges;
     for(const Needle& needle : needles)
     {
-      edges.push_back(m_flips.next(needle.short_side));
-      flip_edges(edges);
+      m_far_edges.push_back(m_flips.next(needle.short_side));
+      flip_far_edges();
     }
     // Where faces around a vertex are needles, their lines from the middle all lead there, and the
     // next vertex would lie on an edge to the last one.
@@ -140,21 +144,45 @@ private:
     return result;
   }
 
-  // Flips edges until these are locally Delaunay, and those that change on the way.
-  void flip_edges(std::vector<Index>& edges)
+  // Flips edges until these are locally Delaunay, and those that change on the way. Edges along
+  // strips stay where the other diagonal is about as long.
+  void flip_far_edges()
   {
-    while(!edges.empty())
+    while(!m_far_edges.empty())
     {
-      const Index h = edges.back();
-      edges.pop_back();
-      if(m_flips_left == 0 || !m_flips.is_worse_than_flipped(h))
+      const Index h = m_far_edges.back();
+      m_far_edges.pop_back();
+      if(m_flips_left == 0 || !(m_flips.length_if_flipped(h) < LARGEST_GAIN * m_flips[h].length) ||
+         !m_flips.is_worse_than_flipped(h))
         continue;
       const Index g = m_flips[h].opposite;
       for(const Index side : {m_flips.next(h), m_flips.next(m_flips.next(h)), m_flips.next(g),
                               m_flips.next(m_flips.next(g))})
-        edges.push_back(side);
+        m_far_edges.push_back(side);
       m_flips.flip(Edge_flips::null_index, h);
       --m_flips_left;
+    }
+  }
+
+  // Flips edges opposite to a new vertex, from the sides of the face that it is in, until those
+  // within this distance are locally Delaunay.
+  void flip_edges_around(const std::array<Index, 3>& sides, const double radius)
+  {
+    m_near_edges.assign(sides.begin(), sides.end());
+    while(!m_near_edges.empty())
+    {
+      const Index h = m_near_edges.back();
+      m_near_edges.pop_back();
+      if(m_flips[h].doubled_area > radius * m_flips[h].length)
+        m_far_edges.push_back(h);
+      else if(m_flips_left > 0 && m_flips.is_worse_than_flipped(h))
+      {
+        const Index side = m_flips.next(m_flips[h].opposite);
+        m_near_edges.push_back(side);
+        m_near_edges.push_back(m_flips.next(side));
+        m_flips.flip(Edge_flips::null_index, h);
+        --m_flips_left;
+      }
     }
   }
 
@@ -164,6 +192,7 @@ private:
   {
     const auto has_none = [&](const Needle& n) { return !add_vertex(n, height * n.length, start); };
     needles.erase(std::remove_if(needles.begin(), needles.end(), has_none), needles.end());
+    flip_far_edges();
   }
 
   // Adds a vertex at this distance from a short side, if there is room for it.
@@ -179,10 +208,9 @@ private:
     if(!place || !is_free(*place, p, SMALLEST_GAP * distance))
       return false;
     const auto sides = m_flips.halfedges_of_face(place->halfedge);
-    std::vector<Index> edges(sides.begin(), sides.end());
     const Index first = insert(*place, p);
     m_positions.push_back(Intrinsic_point::in_face(h, start * (1 - part), part));
-    flip_edges(edges);
+    flip_edges_around(sides, WIDTH_OF_FLIPS * distance);
     cover(first, distance);
     return true;
   }
@@ -250,6 +278,7 @@ private:
   std::size_t m_flips_left;
   Index m_number_of_vertices; // of the mesh
   std::vector<Intrinsic_point> m_positions;
+  std::vector<Index> m_near_edges, m_far_edges; // that may have to be flipped
   std::vector<double> m_covered; // per vertex of the mesh, how far from it there are added ones
 };
 

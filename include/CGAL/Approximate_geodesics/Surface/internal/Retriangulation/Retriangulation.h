@@ -158,7 +158,6 @@ public:
                   const std::size_t most_flips)
     : m_number_of_vertices(mesh.number_of_vertices())
   {
-    mesh.check_triangle_inequality();
     Edge_flips flips(mesh);
     if(refines_needles)
       m_positions = Refined_needles::refine(flips, most_flips);
