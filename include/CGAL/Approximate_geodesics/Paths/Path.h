@@ -20,12 +20,11 @@ namespace CGAL::Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsPaths
  *
- * A path on a triangulated surface. Between two points that follow each other, it runs straight
- * through a face, or along an edge.
+ * A path on a triangulated surface: a polyline, each segment of which lies in a face or on an edge.
  */
 struct Path
 {
-  /// the points; none if there is no path.
+  /// the points; empty if there is no path.
   std::vector<Intrinsic_point> points;
 
   /// the length, in the unit of the mesh; the cost, if faces have weights.
@@ -34,8 +33,8 @@ struct Path
 
 namespace internal {
 
-// Appends a point to a path, unless it is where the path has got to. Removes the last point if the
-// path goes straight on there, along an edge.
+// Appends a point to a path, unless it is the last point. Removes the last point if it lies between
+// two others on the same edge.
 inline void
 append(const Intrinsic_point& point, const Intrinsic_triangulation& triangulation, Path& path)
 {
@@ -50,7 +49,7 @@ append(const Intrinsic_point& point, const Intrinsic_triangulation& triangulatio
   points.push_back(point);
 }
 
-// Leaves out what a path does between two visits of a vertex, unless that is all of the path.
+// Removes loops from a vertex back to it, unless the loop is the whole path.
 inline void cut_loops(std::vector<Intrinsic_point>& points)
 {
   std::unordered_map<Intrinsic_point::Index, std::size_t> last_visit;

@@ -25,10 +25,9 @@ namespace CGAL::Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsPaths
  *
- * Makes paths locally shortest: straight in the faces that they cross, and bent only at vertices
- * and where they have to get past a border or a barrier. It lays out the faces along a path in the
- * plane, finds the shortest path there with a funnel \cgalCite{lp-espps-84}, and then tries the
- * other side of the vertices that it bends at.
+ * Makes paths locally shortest: straight across edges, with bends only at vertices. It lays out the
+ * faces along a path in the plane, finds the shortest path there by the funnel algorithm
+ * \cgalCite{lp-espps-84}, and then tries the other side of the vertices where that path bends.
  */
 class Path_straightener
 {
@@ -41,16 +40,16 @@ public:
   }
 
   /// returns a path between the same points that is not longer than `path`. It is locally shortest,
-  /// unless that takes too many rounds. It has no vertex twice, unless it ends where it starts. Its
-  /// length is the sum of its segments. Paths on weighted faces are not supported: cheapest paths
-  /// are not straight there.
+  /// unless that takes too many iterations. It visits no vertex twice, unless it is closed. Its
+  /// length is the sum of its segments. Weighted faces are not supported, as cheapest paths are not
+  /// straight there.
   ///
   /// Run time is linear in the number of faces crossed, in practice.
   Path shortened(const Path& path) const
   {
     if(path.points.size() < 2)
       return path;
-    // The result depends on the sides of vertices chosen first, so the pass is repeated.
+    // The result depends on the sides of vertices that are chosen first, so the pass is repeated.
     constexpr double rounding = 1e-12;
     constexpr int largest_number_of_runs = 10;
     Path result = tightened(path.points);
@@ -61,7 +60,7 @@ public:
         break;
       result = std::move(next);
     }
-    if(!std::isfinite(result.length)) // its points are not those of a path
+    if(!std::isfinite(result.length)) // its points do not form a path
       return path;
     result.length *= m_triangulation.unit();
     return result;

@@ -41,35 +41,34 @@ inline void check_initial_distance(const double distance, const std::size_t numb
 /*!
  * \ingroup PkgApproximateGeodesicsPaths
  *
- * Where a search on a surface starts.
+ * A point where a search on a surface starts.
  */
 struct Source_point
 {
   /// the point.
   Intrinsic_point point;
 
-  /// what is added to the distances from there, in the unit of the mesh: finite and not negative.
+  /// the initial distance, in the unit of the mesh: finite and not negative.
   double distance = 0;
 };
 
 /*!
  * \ingroup PkgApproximateGeodesicsPaths
  *
- * Distances and paths between any points of a surface: a workspace for searches from one or more
- * sources, of which those that are not nodes of the graph are attached to it by straight lines.
+ * A workspace for searches from any points of a surface to any others. Sources and targets that are
+ * not nodes of the graph are attached to it by straight lines.
  *
- * An object of this class is a workspace as `Propagation` is. It is made once and used for any
- * number of runs; their cost is proportional to what they reach. Several threads may search one
- * graph at the same time, each with an object of its own. The first question for the nearest source
- * or for a path after a run writes to a cache, so not even `const` member functions may be called
- * by several threads for the same object.
+ * As with `Propagation`, an object is made once and used for any number of runs, whose cost is
+ * proportional to what they reach. Several threads may search one graph at the same time, each with
+ * an object of its own. They must not share an object, not even for `const` member functions, as
+ * the first query of a nearest source or a path after a run fills a cache.
  *
- * Points are those of the graph's triangulation: `Intrinsic_triangulation::vertex()` and `index()`
- * translate its vertices from and to the indices of a mesh's vertices.
+ * Points are given by the numbers of the graph's triangulation: `Intrinsic_triangulation::vertex()`
+ * and `index()` translate these from and to the indices of a mesh's vertices.
  * `Surface_mesh_shortest_path` does the same in terms of a mesh, for one thread.
  *
- * Input that is refused leaves an object as it was. If another exception leaves a run, nothing is
- * reached. The object may be used again in both cases.
+ * Input that is rejected leaves the object as it was. After any other exception, nothing is
+ * reached. In both cases the object can be used again.
  *
  * \tparam SurfaceGraph a model of `SurfaceGraph`
  * \tparam PriorityQueue a model of `GeodesicPriorityQueue`
@@ -102,20 +101,19 @@ public:
     std::vector<Intrinsic_point> targets = {};
   };
 
-  /// how a point is reached: over a node, or straight from a source.
+  /// how a point is reached: along a straight line, from a node or from a source.
   struct Answer
   {
-    /// the distance from the nearest source, in the unit of the mesh; infinity if none reaches the
-    /// point.
+    /// the distance from the nearest source, in the unit of the mesh; infinity if unreachable.
     double distance = std::numeric_limits<double>::infinity();
 
-    /// the position of that source among those of the run, or `null_source`.
+    /// the index of that source, or `null_source`.
     std::size_t source = null_source;
 
-    /// the last node on the path, or `Search::null_node` if there is none.
+    /// the last node on the path, or `Search::null_node`.
     Node node = Search::null_node;
 
-    /// the length of the straight line from the node or the source, in units of the graph.
+    /// the length of the line from that node or source, in units of the graph.
     double last_length = 0;
 
     /// returns whether a source reaches the point.
@@ -124,7 +122,7 @@ public:
 
   /// @}
 
-  /// the position of no source.
+  /// the index of no source.
   static constexpr std::size_t null_source = Search::null_source;
 
   /// \name Creation
@@ -143,15 +141,15 @@ public:
   /// @{
 
   /*!
-   * forgets the last run, and finds the distances from the nearest of the sources.
+   * forgets the last run, and computes distances from the nearest of the sources.
    *
-   * \param sources where to start; duplicates are allowed. Nothing is reached from none.
+   * \param sources where to start; duplicates are allowed. Without sources, nothing is reached.
    * \param stop when the run may end early
    * \param visitor a model of `GeodesicVisitor` for vertices of type `Node`
    *
-   * \throws std::invalid_argument if a source or a target is not a point of the triangulated
-   *         surface, if the distance of a source is negative, infinite, or not a number, or if the
-   *         maximum distance is negative or not a number. The results of the last run stay.
+   * \throws std::invalid_argument if a source or a target is not a point of the surface, if the
+   *         initial distance of a source is negative, infinite, or not a number, or if the maximum
+   *         distance is negative or not a number. The results of the last run are kept.
    *
    * Run time is that of `Propagation::run()`.
    */
@@ -161,11 +159,11 @@ public:
            Visitor&& visitor = Visitor());
 
   /*!
-   * forgets the last run, and finds the distance from the nearest of the sources to `target`, which
-   * is all that may be asked for afterwards.
+   * forgets the last run, and computes the distance from the nearest of the sources to `target`
+   * only. Afterwards, only `target` may be queried.
    *
-   * The run ends when that distance is final. If positions are known, straight lines through space
-   * lead it to the target (A* algorithm \cgalCite{hnr-fbhdm-68}).
+   * The run ends when that distance is final. If positions are known, it is guided to the target by
+   * straight-line distances (A* algorithm \cgalCite{hnr-fbhdm-68}).
    *
    * \throws std::invalid_argument as `run()` does.
    */
@@ -174,8 +172,8 @@ public:
               const Vertex_positions& positions = Vertex_positions(),
               double maximum_distance = std::numeric_limits<double>::infinity());
 
-  /// is to be called when the weights of the graph have changed. Nothing is reached any more. Run
-  /// time is \cgalBigO{n} for `n` nodes.
+  /// must be called after the weights of the graph have changed. Results are forgotten. Run time is
+  /// \cgalBigO{n} for `n` nodes.
   void restart();
 
   /// enables or disables statistics for subsequent runs: see `search().statistics()`.
@@ -187,33 +185,32 @@ public:
   /// @{
 
   /// returns how `point` is reached.
-  /// \throws std::invalid_argument if `point` is not one of the triangulated surface.
-  /// Run time is \cgalBigO{1} for a vertex, amortized over the nodes that were reached, and else
-  /// that of attaching the point to the graph.
+  /// \throws std::invalid_argument if `point` is not a point of the surface.
+  /// Run time is \cgalBigO{1} for a vertex, amortized over the nodes that were reached, and that of
+  /// attaching the point to the graph otherwise.
   Answer nearest(const Intrinsic_point& point) const;
 
-  /// returns the distance from the nearest source to `point`, in the unit of the mesh, or infinity
-  /// if none reaches it.
+  /// returns the distance from the nearest source to `point`, in the unit of the mesh; infinity if
+  /// unreachable.
   double distance(const Intrinsic_point& point) const { return nearest(point).distance; }
 
   /*!
-   * returns a shortest path from `point` to the nearest source, without points if none reaches it.
+   * returns a shortest path from `point` to the nearest source; it has no points if there is none.
    *
-   * Its length is that of its points, up to rounding of the distances. It does not contain the
-   * distance that the source starts with, nor the rounding of arcs that a graph stores in single
-   * precision. Where arcs are edges, and the source starts with `0`, it is the distance, to the
-   * last bit.
+   * Its length is that of the polyline, up to rounding. It includes neither the initial distance of
+   * the source nor the rounding of arcs stored in single precision. Where arcs are edges and the
+   * initial distance is `0`, it equals the distance, to the last bit.
    *
-   * \throws std::invalid_argument if `point` is not one of the triangulated surface, or the graph
-   *         has an arc that cannot be traced, as one read from a file that was changed, or an exact
-   *         one across nearly degenerate faces, whose length rounding has spoiled.
+   * \throws std::invalid_argument if `point` is not a point of the surface, or an arc cannot be
+   *         traced: one of a graph file that was changed, or an exact one across nearly degenerate
+   *         faces, where rounding has spoiled its length.
    *
    * Run time is linear in the number of arcs on the path, times the cost of tracing one.
    */
   Path find_path(const Intrinsic_point& point) const;
 
-  /// returns whether a point at that distance is reached, and the distance final: it does not
-  /// exceed the maximum distance, and the run did not end before.
+  /// returns whether a point at this distance is reached and its distance final: it does not exceed
+  /// the maximum distance, and the run did not end before it.
   bool is_known(const double distance) const
   {
     return distance <= m_maximum_distance && m_search.is_final(distance);
@@ -230,13 +227,13 @@ public:
   /// returns the graph.
   const Graph& graph() const { return *m_graph; }
 
-  /// returns the search for distances of nodes, with its results and figures.
+  /// returns the search for distances of nodes, with its results and statistics.
   const Search& search() const { return m_search; }
 
   /// @}
 
 private:
-  // The sources by face, once they were checked.
+  // Checks the sources, and sorts them by face.
   Points_by_face sorted(const std::vector<Source_point>& sources) const
   {
     std::vector<Intrinsic_point> points;
@@ -253,15 +250,15 @@ private:
   using Run = typename Search::Run;
   using Payload = typename Run::Payload;
 
-  // Where lines from a point that is not a vertex are found with the help of labels, all of these
-  // have to be final that are smaller than its distance.
+  // Lines to a point that is not a vertex may be found from labels. All labels below its distance
+  // must be final then, which A* does not guarantee.
   static bool is_goal_for_heuristic(const Intrinsic_point& target)
   {
     return !Run::attaches_by_labels || target.is_vertex();
   }
 
-  // Enters the seeds, or, where lines are found with the help of labels, the ends of those from the
-  // sources. The result has one type, so that the search is instantiated once.
+  // Enters the seeds, or, if lines are found from labels, the ends of the lines from the sources.
+  // All runs get the same type, so that the search is instantiated once.
   auto starting_from([[maybe_unused]] const std::vector<Source_point>& sources,
                      [[maybe_unused]] const std::vector<typename Search::Seed>& seeds) const
   {
@@ -282,7 +279,7 @@ private:
     };
   }
 
-  // Considers lines that leave the faces of the point, from other nodes and from sources.
+  // Considers lines from nodes and sources in other faces.
   void consider_lines([[maybe_unused]] const Intrinsic_point& point,
                       [[maybe_unused]] Answer& best) const
   {
@@ -411,7 +408,7 @@ private:
       best = {distance, null_source, node, length};
   }
 
-  // Appends the line from where the path has got to, to a node or point `to`, which is at `end`.
+  // Appends the line from the last point of the path to a node or point `to`, located at `end`.
   template <typename End>
   void append_line(const Intrinsic_point& from,
                    const End& to,
@@ -425,7 +422,7 @@ private:
     internal::append(end, m_graph->triangulation(), path);
   }
 
-  // Appends the line from the node that the search has started with to the source.
+  // Appends the line from the node where the search has started to the source.
   void append_line_to_source(const Node first, const Source_point& source, Path& path) const
   {
     if(source.point.is_vertex())

@@ -23,8 +23,8 @@ namespace CGAL::Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsPaths
  *
- * The positions in space of the vertices of a triangulation, by which straight lines lead a search
- * to its target. They take 24 bytes per vertex.
+ * The positions in space of the vertices of a triangulation. Straight-line distances between them
+ * guide a search to its target. They take 24 bytes per vertex.
  */
 class Vertex_positions
 {
@@ -35,12 +35,12 @@ public:
   /// three coordinates.
   using Position = std::array<double, 3>;
 
-  /// no positions are known: searches are not led.
+  /// no positions: searches are not guided.
   Vertex_positions() = default;
 
-  /// asks for the position of each vertex, `position_of(v)`, in the unit of the mesh. They are kept
-  /// unless the triangulation has weights, or lengths that these positions do not explain: shortest
-  /// paths might then be shorter than straight lines.
+  /// copies the position of each vertex, `position_of(v)`, in the unit of the mesh. Positions are
+  /// dropped if the triangulation has weights, or edge lengths that are not the distances of these
+  /// positions: shortest paths might then be shorter than straight lines.
   template <typename PositionOf>
   Vertex_positions(const Intrinsic_triangulation& triangulation, const PositionOf& position_of)
   {
@@ -53,7 +53,7 @@ public:
       m_positions.push_back(
           {p[0] / triangulation.unit(), p[1] / triangulation.unit(), p[2] / triangulation.unit()});
     }
-    if(!explain_lengths(triangulation))
+    if(!are_embedding(triangulation))
       m_positions.clear();
   }
 
@@ -83,9 +83,9 @@ public:
   std::size_t memory() const { return m_positions.capacity() * sizeof(Position); }
 
 private:
-  // Whether edges are as long as the straight lines between their ends. Longer lengths do not
-  // suffice: a face with longer sides can be flatter, and ways across it shorter.
-  bool explain_lengths(const Intrinsic_triangulation& triangulation) const
+  // Whether edges are as long as the straight lines between their ends. It is not enough that they
+  // are not shorter: a face with longer sides can be flatter, and paths across it shorter.
+  bool are_embedding(const Intrinsic_triangulation& triangulation) const
   {
     constexpr double rounding = 1e-14;
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
@@ -105,10 +105,7 @@ private:
 
 namespace internal {
 
-/*
- * A consistent heuristic for A*: from a node to the goal, it is at least as far as along the
- * straight line through space.
- */
+// A consistent heuristic for A*: the straight-line distance from a node to the goal.
 template <typename SurfaceGraph>
 class Euclidean_heuristic
 {

@@ -100,7 +100,7 @@ struct Intrinsic_point
            t == 1 - p.t;
   }
 
-  /// returns the vertex that a point of an edge is at, but for rounding, and else the point.
+  /// returns the end of its edge if the point is there up to rounding, and the point otherwise.
   Intrinsic_point reduced(const Intrinsic_triangulation& triangulation) const
   {
     constexpr double rounding = 1e-14;
@@ -109,7 +109,8 @@ struct Intrinsic_point
     return at_vertex(t > 0.5 ? triangulation.target(halfedge) : triangulation.source(halfedge));
   }
 
-  /// calls `f(h)` for a halfedge of each face that the point lies in, or on the border of.
+  /// calls `f(h)` for a halfedge of each face that contains the point, in its interior or on its
+  /// boundary.
   template <typename F>
   void for_each_face(const Intrinsic_triangulation& triangulation, F f) const
   {
@@ -138,8 +139,8 @@ struct Intrinsic_point
 /*!
  * \ingroup PkgApproximateGeodesicsSurface
  *
- * Points of a triangulated surface, and which of them lie in a face. Vertices may be among the
- * points, but are not listed by face.
+ * Points of a triangulated surface, sorted by the faces that contain them. Vertices may be among
+ * the points, but are not listed by face.
  */
 class Points_by_face
 {

@@ -22,7 +22,7 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// What models of `SurfaceGraph` may leave out.
+// Optional members of models of `SurfaceGraph`.
 
 template <typename Graph>
 using Arcs_are_edges = std::bool_constant<Graph::arcs_are_edges>;
@@ -35,7 +35,7 @@ template <typename SurfaceGraph>
 constexpr bool has_crossing_arcs =
     !boost::detected_or_t<std::false_type, Arcs_are_edges, SurfaceGraph>::value;
 
-// Whether a graph has nodes that are not vertices, and tells where they are.
+// Whether a graph may have nodes that are not vertices, and gives their positions.
 template <typename SurfaceGraph>
 constexpr bool has_positions =
     boost::is_detected_convertible_v<Intrinsic_point, Position_of_node, SurfaceGraph>;
@@ -47,7 +47,7 @@ using Attachment_of_target =
 template <typename Graph>
 using Leads_to_sources = decltype(std::declval<const Graph&>().leads_to_sources());
 
-// Attaches a point that a search arrives at, which makes a difference where arcs have a direction.
+// Attaches a target, which differs from attaching a source if arcs are directed.
 template <typename SurfaceGraph>
 auto attach_target(const SurfaceGraph& graph, const Intrinsic_point& point)
 {
@@ -57,11 +57,11 @@ auto attach_target(const SurfaceGraph& graph, const Intrinsic_point& point)
     return graph.attach(point);
 }
 
-// Whether the way back is not what the way there is.
+// Whether distances are not symmetric.
 template <typename SurfaceGraph>
 constexpr bool is_directed = boost::is_detected_v<Leads_to_sources, SurfaceGraph>;
 
-// Whether travelers go to where a search starts.
+// Whether distances are those to the sources of a search.
 template <typename SurfaceGraph>
 bool leads_to_sources([[maybe_unused]] const SurfaceGraph& graph)
 {
@@ -79,7 +79,7 @@ template <typename T>
 constexpr bool is_surface_graph =
     boost::is_detected_convertible_v<const Intrinsic_triangulation&, Triangulation_of, T>;
 
-// Where a node is.
+// The position of a node.
 template <typename SurfaceGraph>
 Intrinsic_point position(const SurfaceGraph& graph, const typename SurfaceGraph::Node node)
 {
@@ -89,7 +89,7 @@ Intrinsic_point position(const SurfaceGraph& graph, const typename SurfaceGraph:
   return Intrinsic_point::at_vertex(node);
 }
 
-// A graph that lacks a member is reported in one line.
+// Reports a missing member of a graph in one line.
 template <typename Graph>
 struct Check_surface_graph
 {

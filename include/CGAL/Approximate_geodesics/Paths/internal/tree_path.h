@@ -19,7 +19,7 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// Paths in the shortest-path tree of a search, whose lengths are in units of the graph.
+// Paths in the shortest-path tree of a search. Lengths are in units of the graph, unless noted.
 
 // Appends the edges that a line crosses. All lines have this function object, as graphs instantiate
 // much for its type.
@@ -33,8 +33,8 @@ struct Append_crossing
   std::vector<Intrinsic_point>& points;
 };
 
-// Appends the edges that a line crosses, which `for_each_crossing(f)` finds in the opposite order
-// and whose length it returns.
+// Appends the crossings of a line with edges, and adds its length. `for_each_crossing(f)` reports
+// the crossings in the opposite order, and returns the length.
 template <typename ForEachCrossing>
 void append_backward(ForEachCrossing for_each_crossing, Path& path)
 {
@@ -43,7 +43,7 @@ void append_backward(ForEachCrossing for_each_crossing, Path& path)
   std::reverse(path.points.begin() + beyond, path.points.end());
 }
 
-// Appends the arc that a search has found from `previous` to `node`, in the opposite direction.
+// Appends the arc from `previous` to `node` in the opposite direction.
 template <typename Search>
 void append_arc_back(const Search& search,
                      const typename Search::Node node,
@@ -62,8 +62,7 @@ void append_arc_back(const Search& search,
   append(position(search.graph(), previous), search.graph().triangulation(), path);
 }
 
-// Appends what follows `node` on the path back to where the search has started. Returns the node
-// there.
+// Appends the rest of the path from `node` back to the start of the search. Returns the last node.
 template <typename Search>
 typename Search::Node append_tree_path(const Search& search, typename Search::Node node, Path& path)
 {
@@ -76,8 +75,8 @@ typename Search::Node append_tree_path(const Search& search, typename Search::No
   return node;
 }
 
-// The path that a search has found, from `node` back to where it starts, with its length in the
-// unit of the mesh; without points if `node` was not reached.
+// The path from `node` back to the start of the search, with its length in the unit of the mesh; it
+// has no points if `node` was not reached.
 template <typename Search>
 Path tree_path(const Search& search, const typename Search::Node node)
 {
@@ -91,9 +90,8 @@ Path tree_path(const Search& search, const typename Search::Node node)
 }
 
 /*
- * For nodes that a search has reached, the vertex before them on the path, or the search's null
- * node if there is none. What is found on the way is kept, so that asking for all nodes takes time
- * in proportion to their number.
+ * The vertex before a node on its path, or the search's null node if there is none. Results are
+ * kept along the path, so that run time for all nodes is linear.
  */
 template <typename Search>
 class Vertex_predecessors
@@ -134,7 +132,7 @@ public:
   }
 
 private:
-  // null_node if it is not a vertex, nor stands for one
+  // null_node if the node is not at a vertex
   Node vertex_of(const Node node) const { return position(m_search.graph(), node).vertex; }
 
   const Search& m_search;

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <optional>
 
-// The shape of a face: from the lengths of its sides, or from what is known better where it is
+// The shape of a face: computed from the lengths of its sides, or known more accurately if it is
 // thin.
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -34,7 +34,7 @@ inline double area_of_triangle(const double a, const double b, const double c)
 }
 
 // Looks for the face to the left of `h`, whose sides have these lengths, among the thin ones. Not
-// inline, as most meshes have none, and loops with a call are faster than with all this.
+// inlined: most meshes have no thin faces, and a call keeps loops fast.
 BOOST_NOINLINE inline std::optional<Thin_face>
 find_thin_face(const Intrinsic_triangulation& triangulation,
                const Intrinsic_triangulation::Index h,
@@ -62,22 +62,22 @@ inline std::optional<Thin_face> thin_face(const Intrinsic_triangulation& triangu
 }
 
 /*
- * Where the third vertex of the face to the left of a halfedge is, in lengths of the halfedge: so
- * far from its source along it, so far back from its target, and so far to its left. The first two
- * add up to 1; they are two numbers as the vertex can be close to one end or the other, or far
- * behind both.
+ * The position of the third vertex of the face to the left of a halfedge, in lengths of the
+ * halfedge: its distance from the source along the halfedge, its distance from the target backward,
+ * and its distance to the left. The first two add up to 1; both are kept because the vertex can be
+ * close to either end, or far behind both.
  *
- * In a thin face whose shape is known, each has a relative error below 1e-12. In other faces of
- * meshes with coordinates, that is so for `across`, and for the other two if they are compared to
- * the distance of the third vertex from the end in question.
+ * In a thin face whose shape is known, the relative error of each is below 1e-12. In other faces of
+ * meshes with coordinates, that holds for `across`, and for the others relative to the distance of
+ * the third vertex from the respective end.
  */
 struct Apex_position
 {
   double along, beyond, across;
 };
 
-// The same, if the lengths of the other two sides are known: `a` of that at the source of `h`, and
-// `b` of that at its target. All zero if the halfedge has no length, or as good as none.
+// `a` and `b` are the lengths of the sides at the source and at the target of `h`. The result is
+// zero if the halfedge is degenerate, or nearly so.
 inline Apex_position apex_position(const Intrinsic_triangulation& triangulation,
                                    const Intrinsic_triangulation::Index h,
                                    const double a,

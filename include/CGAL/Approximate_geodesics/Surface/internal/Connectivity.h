@@ -19,10 +19,10 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * For every halfedge, where its opposite stands among the halfedges that start from its target.
+ * For every halfedge, the rank of its opposite among the halfedges that start from its target.
  *
- * Almost all ranks are small, so a byte holds them: 6 bytes a vertex, where the number of the
- * opposite would take 24. The few large ones, at vertices of high degree, are looked up.
+ * Almost all ranks fit one byte: that is 6 bytes per vertex, where the numbers of opposite
+ * halfedges would take 24. Larger ranks, at vertices of high degree, are in a hash table.
  */
 class Opposite_ranks
 {
@@ -47,7 +47,8 @@ public:
     }
   }
 
-  // Copies those of `number` halfedges of `other`, from `first` on, to those from `h` on.
+  // Copies the ranks of `number` halfedges of `other`, starting at `first`, to those starting at
+  // `h`.
   void copy(const Opposite_ranks& other, const Index first, const Index number, const Index h)
   {
     if(other.m_large_rank.empty())
@@ -73,8 +74,9 @@ private:
 };
 
 /*
- * The edges of a mesh: what a search along edges requires of an `Intrinsic_triangulation`, under
- * the same names, with halfedges grouped in the same way. Vertices have their indices in the mesh.
+ * The vertex adjacency of a mesh: what a search along edges requires of an
+ * `Intrinsic_triangulation`, under the same names and with halfedges grouped in the same way.
+ * Vertices have the indices of the mesh.
  */
 struct Vertex_adjacency
 {
@@ -103,9 +105,7 @@ struct Vertex_adjacency
   std::vector<Index> target_of_halfedge;
 };
 
-/*
- * The connectivity of a mesh: the same arrays as in an `Intrinsic_triangulation`.
- */
+// The connectivity of a mesh: the same arrays as in an `Intrinsic_triangulation`.
 struct Connectivity : Vertex_adjacency
 {
   bool has_border() const { return 3 * number_of_faces < number_of_halfedges(); }

@@ -20,15 +20,15 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * A corner of a face, and what it takes to measure distances between points of its two sides. With
- * x and y the distances of two points from the corner, and the angle there,
- *   d^2 = x^2 + y^2 - 2 x y cos(angle) = (x - y)^2 + x y (2 sin(angle / 2))^2,
- * and the latter form, whose terms are not negative, is accurate for needles as well.
+ * The angle at a corner of a face, for distances between points of its two sides. If x and y are
+ * the distances of two points from the corner, the law of cosines is d^2 = x^2 + y^2 - 2 x y
+ * cos(angle) = (x - y)^2 + x y (2 sin(angle / 2))^2. The terms of the latter form are not negative,
+ * so it is accurate for needles, too.
  */
 class Corner
 {
 public:
-  // The lengths of the two sides and of the third edge.
+  // `a` and `b` are the lengths of the two sides, and `c` that of the opposite edge.
   Corner(const double a, const double b, const double c)
   {
     const double shorter = (std::min)(a, b), longer = (std::max)(a, b);
@@ -37,7 +37,7 @@ public:
       m_opening = (std::clamp)((c + difference) / longer * (c - difference) / shorter, 0., largest);
   }
 
-  // The same, if more is known.
+  // For a thin face whose shape is known.
   Corner(const Thin_face& face, const double a, const double b)
   {
     const double cosine = face.at_corner[0] / a / b, sine = face.doubled_area / a / b;
@@ -64,8 +64,8 @@ private:
   double m_opening = 0;
 };
 
-// The corner at the source of `h` in the face to its left. The lengths are those of the two sides
-// that meet there, in any order, and of the third edge.
+// The corner at the source of `h` in the face to its left. `a` and `b` are the lengths of the two
+// sides that meet there, in any order, and `c` is that of the opposite edge.
 inline Corner corner_of_face(const Intrinsic_triangulation& triangulation,
                              const Intrinsic_triangulation::Index h,
                              const double a,
@@ -77,8 +77,8 @@ inline Corner corner_of_face(const Intrinsic_triangulation& triangulation,
   return Corner(a, b, c);
 }
 
-// The unit vector at the angle between two sides of a triangle. At an edge of length zero the angle
-// is taken to be right, so that a line through the edge goes straight on.
+// The angle between two sides of a triangle, as a unit vector. At an edge of length zero it is a
+// right angle, so that a line through the edge goes straight on.
 inline Plane_vector angle_between(const double a, const double b, const double opposite)
 {
   if(!(a > 0 && b > 0))
@@ -86,8 +86,7 @@ inline Plane_vector angle_between(const double a, const double b, const double o
   return {1 - Corner(a, b, opposite).opening() / 2, 2 * (area_of_triangle(a, b, opposite) / a) / b};
 }
 
-// The angle at the source of `h` in the face to its left. The lengths are those of the sides that
-// meet there, in any order, and of the opposite one.
+// The same as `corner_of_face()`, as a unit vector.
 inline Plane_vector corner_angle(const Intrinsic_triangulation& triangulation,
                                  const Intrinsic_triangulation::Index h,
                                  const double a,
@@ -125,7 +124,7 @@ public:
     }
   }
 
-  // whether it is below pi, and not just by rounding errors
+  // whether it is below pi by more than rounding errors
   bool is_convex() const
   {
     constexpr double rounding = 1e-10;

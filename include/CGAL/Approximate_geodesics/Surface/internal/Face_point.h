@@ -25,8 +25,8 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * A point of the face to the left of a halfedge. A vertex is seen from a halfedge that starts from
- * it, and a point of an edge from that edge.
+ * A point of the face to the left of a halfedge, in barycentric coordinates. The halfedge starts
+ * from the point if it is a vertex, and contains it if it is on an edge.
  */
 struct Face_point
 {
@@ -62,13 +62,13 @@ struct Face_point
     return result;
   }
 
-  // where it is, if the corners are laid out, from the source of the halfedge on
+  // its position, given those of the corners, starting with the source of the halfedge
   Plane_vector position(const std::array<Plane_vector, 3>& corner) const
   {
     return weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2];
   }
 
-  // where it is, if the source of the halfedge is laid out, and the halfedge's direction is given
+  // its position, given that of the source of the halfedge, and the halfedge's direction
   Plane_vector position(const Intrinsic_triangulation& triangulation,
                         const Plane_vector source,
                         const Plane_vector direction) const
@@ -85,10 +85,10 @@ struct Face_point
 };
 
 /*
- * The steps of the weights from one point of a face to another. Their sum is zero, but a weight
- * that was found as 1 - t - s, or is next to 1, is rounded: between near points, that of the
- * largest weight is made of the two others, so that it is the same from either of them. Sets
- * `corner` to one at whose sides the two other steps have opposite signs.
+ * The differences of the weights of two points of a face. Their sum is zero, but a weight that was
+ * computed as 1 - t - s, or is close to 1, is rounded. Between near points, the difference of the
+ * largest weight is therefore computed from the two others. Sets `corner` to a corner such that the
+ * differences of the two other weights have opposite signs.
  */
 inline std::array<double, 3>
 steps_between(const Face_point& p, const Face_point& q, std::size_t& corner)
@@ -114,8 +114,8 @@ steps_between(const Face_point& p, const Face_point& q, std::size_t& corner)
   return step;
 }
 
-// The distance of two points of a face. That of two points of an edge is accurate, as it is for any
-// two points of a needle, and for near points.
+// The distance of two points of a face. It is accurate for points of an edge or of a needle, too,
+// and for near points.
 inline double
 distance(const Intrinsic_triangulation& triangulation, const Face_point& p, const Face_point& q)
 {
@@ -131,8 +131,8 @@ distance(const Intrinsic_triangulation& triangulation, const Face_point& p, cons
       .distance(std::abs(step[(i + 1) % 3]) * a, std::abs(step[(i + 2) % 3]) * b);
 }
 
-// Calls `f(q)` for where a point is in the face to the left of `h`. That is nowhere if the point
-// lies in other faces only, and can be twice if two sides of the face are one edge.
+// Calls `f(q)` for the point as one of the face to the left of `h`: not at all if the face does not
+// contain it, and twice if it is on two sides that are the same edge.
 template <typename F>
 void for_each_face_point(const Intrinsic_triangulation& triangulation,
                          const Intrinsic_point& p,
@@ -265,7 +265,7 @@ public:
     return i == j ? Plane_vector{0, 0} : j == (i + 1) % 3 ? m_edges[i] : -1. * m_edges[j];
   }
 
-  // Calls `f(position)` for where a point is in the face.
+  // Calls `f(position)` for the positions of a point in the face.
   template <typename F>
   void for_each_position(const Intrinsic_point& p, F f) const
   {

@@ -17,9 +17,7 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-/*
- * Where straight lines from the origin meet a halfedge, which is laid out between these two points.
- */
+// A halfedge that straight lines from the origin meet, laid out between two points.
 struct Crossing
 {
   using Index = Intrinsic_triangulation::Index;
@@ -29,8 +27,8 @@ struct Crossing
 
   Plane_vector point(const double t) const { return source + t * (target - source); }
 
-  // The part of the way from the source, which is to the left of the ray, to the target that the
-  // ray is at; `otherwise` if it goes along the edge.
+  // Where a ray crosses the edge: 0 at the source, which is to its left, and 1 at the target;
+  // `otherwise` if they are parallel.
   double part(const Plane_vector ray, const double otherwise) const
   {
     const double left = cross(ray, source), right = cross(ray, target);
@@ -41,16 +39,16 @@ struct Crossing
 /*
  * Decides when to give up straight lines that come back to a halfedge.
  *
- * In space, a segment in a face is a shortest path. So a shortest path meets a face only once,
- * while straight lines may wind round a spike for long. To notice that they have come round again,
- * they remember where they met one halfedge, a later one each time that the way is twice as long,
- * as Brent does to find a cycle (R. P. Brent, An improved Monte Carlo factorization algorithm,
+ * On a mesh in space, a segment in a face is a shortest path. So a shortest path meets a face only
+ * once, while straight lines may wind around a spike many times. To detect that, lines remember
+ * where they met one halfedge, and replace it by a later one each time the number of faces doubles,
+ * as in Brent's cycle detection (R. P. Brent, An improved Monte Carlo factorization algorithm,
  * 1980).
  *
- * If only lengths are given, the edges themselves can wind round the surface, as on a spring, and a
- * shortest path crosses them again and again. Then lines are given up if it is no longer to go
- * straight to the edge, as when they first met it, and then along the edge. Faces that are thinner
- * than their lengths can tell are met once in any case.
+ * If only lengths are given, edges may wind around the surface like a spring, so that a shortest
+ * path crosses them repeatedly. Then lines are given up if the path straight to the edge, where
+ * they first met it, and then along the edge, is not longer. Faces that are thinner than rounding
+ * errors are met only once in any case.
  */
 class Winding
 {
@@ -63,8 +61,8 @@ public:
   // Whether a shortest path may come back to a face.
   bool may_return() const { return m_may_return; }
 
-  // Whether the lines between two rays are given up at a halfedge, given an earlier one. The face
-  // ahead is `height` times as high above it as it is long.
+  // Whether the lines between two rays are given up at a halfedge, given an earlier one. The next
+  // face has this height, in lengths of the halfedge.
   bool is_over(const Crossing& here,
                const Crossing& earlier,
                const Plane_vector left_ray,
@@ -80,11 +78,11 @@ public:
   static bool is_milestone(const std::uint32_t depth) { return (depth & (depth + 1)) == 0; }
 
 private:
-  // Whether all points of the edge that the lines meet now are reached on a way that is no longer,
-  // up to rounding. What a way saves gets less from the lines' earlier points outwards along the
-  // edge, as that of a line does not grow faster than the way along the edge. Between these points,
-  // it is a straight line, too; and which of two lines is longer changes at most once on an edge.
-  // So it is enough to look at both ends.
+  // Whether all points of the edge that the lines meet now are reached by an alternative path that
+  // is not longer, up to rounding. It is enough to check both ends: outward along the edge from the
+  // earlier points, the alternative grows by the length along the edge, and a line does not grow
+  // faster; between these points, the alternative is a line as well, and which of two lines is
+  // longer changes at most once along an edge.
   static bool is_detour(const Crossing& here,
                         const Crossing& earlier,
                         const Plane_vector left_ray,

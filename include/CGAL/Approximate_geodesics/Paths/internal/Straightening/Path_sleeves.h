@@ -22,10 +22,8 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-/*
- * A segment of a path. If it leads along an edge, it is known which: both points are seen from the
- * halfedge that the path follows.
- */
+// A segment of a path. If it runs along an edge, both points are seen from the halfedge `edge`,
+// whose direction is that of the path.
 struct Step : Segment
 {
   Index edge = Intrinsic_triangulation::null_index;
@@ -34,9 +32,9 @@ struct Step : Segment
 };
 
 /*
- * A path's vertices and points of edges, and how it gets from each to the next. Points inside faces
- * are left out, but for the first and the last one, and so are those between two steps along the
- * same edge.
+ * The vertices of a path and its points on edges, and the steps from each to the next. Points
+ * inside faces, except for the first and the last point, and points between two steps along the
+ * same edge are removed.
  */
 class Path_steps
 {
@@ -88,7 +86,7 @@ private:
            (a.edge == b.edge || a.edge == m_triangulation.opposite(b.edge));
   }
 
-  // Whether a path that turns back here may do so to get to the other side.
+  // Whether a path that turns back here may do so to get to the other side of the barrier.
   bool turns_at_barrier(const Step& next) const
   {
     return points.back().is_vertex() && m_triangulation.is_barrier(next.edge);
@@ -124,9 +122,8 @@ private:
 };
 
 /*
- * The sleeves of a path. The path is led past each of its vertices, on the side where the angle is
- * smaller. Where that is possible on neither side, because of borders and barriers, one sleeve ends
- * and another one starts.
+ * The sleeves of a path. They pass each vertex of the path on the side where the angle is smaller.
+ * Where borders and barriers make both sides impassable, one sleeve ends and another one starts.
  */
 class Path_sleeves
 {
@@ -176,12 +173,12 @@ private:
     RIGHT
   };
 
-  // What happens at a point of the path.
+  // How the sleeves pass a point of the path.
   struct Stop
   {
-    std::array<double, 2> angle{}; // if the point is passed on this side; infinity if it cannot be
-    Side side = LEFT;              // the one that is taken
-    bool is_end = false;           // of a sleeve
+    std::array<double, 2> angle{}; // by side; infinity if the side is impassable
+    Side side = LEFT;              // the one that is chosen
+    bool is_end = false;           // whether a sleeve ends here
 
     bool is_open(const Side s) const { return !std::isinf(angle[s]); }
     bool is_closed() const { return !is_open(LEFT) && !is_open(RIGHT); }
@@ -207,7 +204,7 @@ private:
       stop.angle = {angle(ahead, back), angle(back, ahead)};
       stop.is_end = stop.is_closed();
     }
-    else if(before.is_along_edge()) // on the side of the face that comes next
+    else if(before.is_along_edge()) // the side of the next face stays open
       close(stop, after.from.halfedge == before.edge ? RIGHT : LEFT);
     else if(after.is_along_edge())
       close(stop, before.to.halfedge == after.edge ? RIGHT : LEFT);
@@ -218,14 +215,14 @@ private:
     stop.angle[side] = std::numeric_limits<double>::infinity();
   }
 
-  // whether the path may be on one side of the edge at first, and on the other side at last
+  // whether the path may change to the other side of the edge on the way
   bool is_crossable(const std::size_t step) const
   {
     return !m_path.steps[step].is_along_edge() ||
            m_triangulation.is_crossable(m_path.steps[step].edge);
   }
 
-  // Between the two, the path runs along an edge that it cannot cross.
+  // Makes two stops choose the same side, as there is an uncrossable edge between them.
   static void agree(Stop& stop, Stop& next)
   {
     if(stop.is_end || next.is_end)
@@ -250,8 +247,7 @@ private:
       stop.side = previous.side;
   }
 
-  // The halfedge of the edge that the step leads along which has the face to the left that the path
-  // is in at first; if it leads through a face, any of that.
+  // A halfedge of the face that the step starts in: one of its edge if it runs along an edge.
   Index first_face(const std::size_t i) const
   {
     const Step& step = m_path.steps[i];
@@ -264,7 +260,7 @@ private:
     return face(step, m_triangulation.is_border(step.edge) ? RIGHT : LEFT);
   }
 
-  // ... at last
+  // Likewise of the face that it ends in.
   Index last_face(const std::size_t i) const
   {
     const Step& step = m_path.steps[i];
@@ -315,8 +311,8 @@ private:
     }
   }
 
-  // Whether one gets from one direction to the other, counterclockwise, without leaving a face.
-  // Back along a barrier, it is on the other side, all the way round the vertex.
+  // Whether the angle counterclockwise from one direction to the other is inside one face. If the
+  // path turns back along a barrier, it is not: the path goes around the vertex.
   static bool is_in_corner(const Direction& from, const Direction& to)
   {
     return from.halfedge == to.halfedge && to.is_inside &&

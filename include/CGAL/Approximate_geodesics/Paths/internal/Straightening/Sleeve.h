@@ -22,30 +22,30 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * An edge that is crossed. Its halfedge goes from left to right, and the face ahead is to its left.
- * Two that follow each other have one end in common, which the latter is turned about.
+ * An edge that a path crosses. Its halfedge goes from left to right, and the next face is to its
+ * left. Consecutive gates have a vertex in common.
  */
 struct Gate
 {
   using Index = Intrinsic_triangulation::Index;
 
   Index halfedge;
-  bool keeps_left; // whether the end in common with the gate before is the left one
+  bool keeps_left; // whether the vertex in common with the previous gate is the left one
   double length;
-  Plane_vector angle; // the one that it is turned by, against the gate before
+  Plane_vector angle; // at that vertex, from the previous gate
 };
 
-// A vertex on the side of a sleeve: an end of all gates in a range.
+// A vertex on the boundary of a sleeve: the left or the right end of all gates in a range.
 struct Gate_range
 {
   std::size_t first, beyond;
-  bool is_left; // whether it is the gates' left end
+  bool is_left;
 };
 
 /*
- * The faces that a path goes through, one after the other, given by the edges that it crosses. The
- * path never crosses an edge and at once again, nor does it start by going round its first point,
- * or end by going round its last one.
+ * The sequence of faces that a path passes, given by the edges between them. It is reduced: no edge
+ * is crossed twice in succession, and no edge that contains the first point is crossed first, or
+ * one that contains the last point, last.
  */
 class Sleeve
 {
@@ -60,7 +60,7 @@ public:
     m_gates.clear();
   }
 
-  // Goes on through the face to the left of `h`. \pre The edge of `h` belongs to the last face.
+  // Appends the face to the left of `h`. \pre The edge of `h` belongs to the last face.
   void cross(const Index h)
   {
     if(m_gates.empty())
@@ -74,7 +74,7 @@ public:
       m_gates.push_back(gate_after(m_gates.back(), h));
   }
 
-  // Crosses the same edges as another sleeve. \pre They followed each other there.
+  // Crosses the same edges as another sleeve. \pre They are consecutive gates there.
   void cross(const Gate* first, const Gate* const beyond)
   {
     while(first != beyond)
@@ -90,8 +90,8 @@ public:
     }
   }
 
-  // Goes around the source of two halfedges, across the edges between them, which are all others if
-  // the halfedges are the same. \pre The last face is on that side of `first`.
+  // Crosses the edges between two halfedges with the same source, and all others around it if the
+  // halfedges are the same. \pre The last face is on that side of `first`.
   void cross_counterclockwise(const Index first, const Index last)
   {
     const Index v = m_triangulation->source(first);
@@ -116,13 +116,13 @@ public:
       m_gates.pop_back();
   }
 
-  // whether an end of a gate is one of the gate before, too
+  // whether an end of a gate is also one of the previous gate
   bool is_kept(const std::size_t gate, const bool is_left) const
   {
     return gate > 0 && m_gates[gate].keeps_left == is_left;
   }
 
-  // the gates from `first` on that have an end in common
+  // the gates from `first` on that have this end in common
   Gate_range range(const std::size_t first, const bool is_left) const
   {
     std::size_t beyond = first + 1;
@@ -131,7 +131,7 @@ public:
     return {first, beyond, is_left};
   }
 
-  // The halfedge of a gate, or its opposite, that starts from an end of the gate.
+  // The halfedge of a gate that starts from this end.
   Index halfedge_from(const std::size_t gate, const bool is_left) const
   {
     const Index h = m_gates[gate].halfedge;
@@ -149,8 +149,8 @@ public:
   const std::vector<Gate>& gates() const { return m_gates; }
 
 private:
-  // Whether `p`, a point of the face to the right of `h`, is on the edge of `h`; it is then seen
-  // from the other face.
+  // Whether `p`, a point of the face to the right of `h`, lies on the edge of `h`. If so, it
+  // becomes a point of the face to the left.
   bool move_across(Face_point& p, const Index h) const
   {
     const Index opposite = m_triangulation->opposite(h);
@@ -182,9 +182,9 @@ private:
 };
 
 /*
- * The shortest path in a sleeve, which is laid out in the plane: a funnel grows with it, made of
- * the shortest paths to the two ends of the gate that it has got to (D. T. Lee and F. P. Preparata,
- * Euclidean shortest paths in the presence of rectilinear barriers).
+ * The shortest path in a sleeve that is laid out in the plane. The funnel consists of the shortest
+ * paths to both ends of the current gate, and is updated gate by gate (D. T. Lee and
+ * F. P. Preparata, Euclidean shortest paths in the presence of rectilinear barriers).
  */
 class Funnel
 {
@@ -202,12 +202,9 @@ public:
     lay_out(sleeve);
     start_funnel();
     for(std::size_t i = 0; i < m_gates.size(); ++i)
-    {
-      if(!sleeve.is_kept(i, true))
-        add_left(i);
-      if(!sleeve.is_kept(i, false))
-        add_right(i);
-    }
+      for(const bool is_left : {true, false})
+        if(!sleeve.is_kept(i, is_left))
+          add(i, position(i, is_left), is_left);
     finish_funnel();
     for(Bend& bend : m_bends)
       bend.beyond = sleeve.range(bend.first, bend.is_left).beyond;
@@ -241,8 +238,7 @@ public:
   // of a gate, from left to right
   Plane_vector direction(const std::size_t gate) const { return m_gates[gate].direction; }
 
-  // Calls `f(point)` for every vertex that the path bends at, and every point where it crosses an
-  // edge.
+  // Calls `f(point)` for every bend of the path, and every point where it crosses an edge.
   template <typename F>
   void for_each_point(const Sleeve& sleeve, F f) const
   {
@@ -259,7 +255,7 @@ public:
         here = g.left + t * (g.right - g.left);
         f(Intrinsic_point::on_edge(sleeve.gates()[gate].halfedge, t));
       }
-      if(is_bend && m_bends[i].beyond > gate) // another one at the same point can have passed it
+      if(is_bend && m_bends[i].beyond > gate) // not passed with another one at the same point
       {
         f(Intrinsic_point::at_vertex(sleeve.vertex(m_bends[i])));
         gate = m_bends[i].beyond;
@@ -314,8 +310,8 @@ private:
 
   // ----- funnel
 
-  // The shortest paths to the left end, in the order from `m_left` up to `m_tip`, and to the right
-  // end, from `m_tip` up to `m_right`, begin at the tip. The way to the tip is known.
+  // The two paths begin at the tip, to which the shortest path is known. They are stored from
+  // `m_tip` down to `m_left` and up to `m_right`.
   void start_funnel()
   {
     m_bends.clear();
@@ -324,23 +320,13 @@ private:
     at(m_tip).position = m_start;
   }
 
-  void add_left(const std::size_t gate)
+  // Appends an end of a gate to one side. `step` leads there from the tip. If the path goes
+  // straight through such an end, that is a bend too: the path past its other side may be shorter.
+  void add(const std::size_t gate, const Plane_vector position, const bool is_left)
   {
-    add({{gate, gate + 1, true}, m_gates[gate].left}, m_left, m_right, -1);
-  }
-
-  void add_right(const std::size_t gate)
-  {
-    add({{gate, gate + 1, false}, m_gates[gate].right}, m_right, m_left, 1);
-  }
-
-  // `step` leads from the tip to the side's end. Where the path goes straight on at an end of a
-  // gate, it counts as a bend: the other way round it may be shorter.
-  void add(const Bend& bend,
-           std::ptrdiff_t& end,
-           const std::ptrdiff_t other_end,
-           const std::ptrdiff_t step)
-  {
+    const Bend bend{{gate, gate + 1, is_left}, position};
+    std::ptrdiff_t& end = is_left ? m_left : m_right;
+    const std::ptrdiff_t other_end = is_left ? m_right : m_left, step = is_left ? -1 : 1;
     const auto side = static_cast<double>(step);
     while(end != m_tip && side * turn(at(end - step), at(end), bend) > 0)
       end -= step;
@@ -362,7 +348,7 @@ private:
 
   void finish_funnel()
   {
-    add({{m_gates.size(), m_gates.size(), true}, m_end}, m_left, m_right, -1);
+    add(m_gates.size(), m_end, true);
     for(std::ptrdiff_t i = m_tip - 1; i > m_left; --i)
       m_bends.push_back(at(i));
   }
@@ -371,9 +357,9 @@ private:
 
   // ----- results
 
-  // At which part of the way from left to right the path, which has got to `here`, crosses a gate
-  // on the way to `goal`. If all lie in one line, as where faces have no area, it advances as
-  // little as possible; ends within rounding errors are hit exactly.
+  // Where the line from `here` to `goal` crosses a gate: 0 at its left end, 1 at its right one,
+  // both within rounding errors. If all points are collinear, as in degenerate faces, the path
+  // advances as little as possible.
   static double crossing(const Laid_gate& gate, const Plane_vector here, const Plane_vector goal)
   {
     constexpr double smallest_angle = 1e-9, rounding = 1e-12;

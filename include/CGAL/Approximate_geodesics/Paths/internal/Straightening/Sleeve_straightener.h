@@ -20,16 +20,18 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * How a sleeve could pass a vertex on the other side: through the faces around it that it does not
- * go through.
+ * The other side of a vertex that a sleeve passes: the faces around it that the sleeve does not go
+ * through.
  */
 class Opposite_fan
 {
 public:
   using Index = Intrinsic_triangulation::Index;
 
-  Opposite_fan(const Sleeve& sleeve, const Gate_range& gates)
+  // `path` is the shortest path in `sleeve`.
+  Opposite_fan(const Sleeve& sleeve, const Funnel& path, const Gate_range& gates)
     : m_sleeve(sleeve),
+      m_path(path),
       m_triangulation(sleeve.triangulation()),
       m_gates(gates),
       m_first(sleeve.halfedge_from(gates.first, gates.is_left)),
@@ -38,19 +40,19 @@ public:
   {
   }
 
-  // Whether the path can pass there, and has an angle below pi. It comes from `back` and leads
-  // `ahead`, seen from the vertex in a plane where the first and the last gate have the given
-  // directions from left to right.
-  bool is_convex(const Plane_vector back,
-                 const Plane_vector first,
-                 const Plane_vector last,
-                 const Plane_vector ahead) const
+  // Whether the path can pass there, and has an angle below pi, between the position before its
+  // bend `i` and the one after bend `j - 1`.
+  bool is_convex(const std::size_t i, const std::size_t j) const
   {
     if(winds_around())
       return true;
+    const Plane_vector p = m_path.position(m_gates.first, m_gates.is_left);
+    const Plane_vector back = m_path.position(i) - p, ahead = m_path.position(j + 1) - p;
     const double to_back = length(back), to_ahead = length(ahead);
-    if(!(to_back > 0 && to_ahead > 0)) // at a vertex in the same place
+    if(!(to_back > 0 && to_ahead > 0)) // another vertex is at the same place
       return false;
+    const Plane_vector first = m_path.direction(m_gates.first);
+    const Plane_vector last = m_path.direction(m_gates.beyond - 1);
     const double side = m_gates.is_left ? 1 : -1;
     const Plane_vector before{side * dot(back, first) / to_back, cross(back, first) / to_back};
     const Plane_vector after{side * dot(last, ahead) / to_ahead, cross(last, ahead) / to_ahead};
@@ -58,7 +60,7 @@ public:
                            : is_fan_convex(m_first, before, m_last, after);
   }
 
-  // Leads a sleeve, which has got to the first gate, there. The last gate is behind it then.
+  // Continues a sleeve that ends before the first gate, to where it would be after the last gate.
   void pass(Sleeve& sleeve) const
   {
     if(winds_around())
@@ -74,14 +76,14 @@ public:
   }
 
 private:
-  // whether the sleeve goes all the way round, and farther
+  // whether the sleeve makes more than a full turn around the vertex
   bool winds_around() const
   {
     return m_gates.beyond - m_gates.first > m_triangulation.degree(m_vertex);
   }
 
-  // Whether the angle of the fan counterclockwise from `first` to `beyond` is below pi, where the
-  // path takes something off its first and its last corner.
+  // Whether the angle counterclockwise from `first` to `beyond` is below pi, less the angles
+  // between the path and these two halfedges.
   bool is_fan_convex(const Index first,
                      const Plane_vector off_first,
                      const Index beyond,
@@ -90,7 +92,7 @@ private:
     Angle_sum sum;
     return for_each_corner(m_triangulation, first, beyond, [&](const Index h) {
       const bool is_last = m_triangulation.counterclockwise(m_vertex, h) == beyond;
-      if(h == first && is_last) // one corner, and the path goes round all the others
+      if(h == first && is_last) // one corner: the path goes around all the others
         return true;
       Plane_vector angle = corner_angle(m_triangulation, h);
       if(h == first)
@@ -103,23 +105,24 @@ private:
   }
 
   const Sleeve& m_sleeve;
+  const Funnel& m_path;
   const Intrinsic_triangulation& m_triangulation;
   const Gate_range m_gates;
   const Index m_first, m_last, m_vertex; // the halfedges start from the vertex
 };
 
 /*
- * Makes the shortest path in a sleeve locally shortest, by leading the sleeve past vertices on
- * their other side.
+ * Makes the shortest path in a sleeve locally shortest: changes the sleeve so that it passes
+ * vertices on their other side.
  *
- * Where the path bends at a vertex, it has an angle of at least pi on the side of the sleeve. If
- * the one on the other side is below pi, it gets shorter there (S.-Q. Xin and G.-J. Wang,
- * Efficiently determining a locally exact shortest path on polyhedral surfaces; N. Sharp and
- * K. Crane, You can find geodesic paths in triangle meshes by just flipping edges).
+ * Where the path bends at a vertex, its angle on the side of the sleeve is at least pi. If the
+ * angle on the other side is below pi, the path is shorter there (S.-Q. Xin and G.-J. Wang,
+ * Efficiently determining a locally exact shortest path on polyhedral surfaces; N. Sharp and K.
+ * Crane, You can find geodesic paths in triangle meshes by just flipping edges).
  *
- * When there is no such bend left, the path is locally shortest, and often another one that passes
- * some vertex on the other side is shorter. Only vertices where both angles are below pi come into
- * question. They are few, and all are tried.
+ * Without such bends, the path is locally shortest. A path that passes some vertex on the other
+ * side is often shorter still. This is possible only where both angles are below pi; these vertices
+ * are few, and all are tried.
  */
 class Sleeve_straightener
 {
@@ -134,7 +137,7 @@ public:
     m_sleeve = sleeve;
     m_work = 0;
     m_largest_work = (sleeve.gates().size() + 100) * (sleeve.gates().size() + 1000);
-    lay_out(m_sleeve, m_string);
+    lay_out(m_sleeve, m_path);
     pass_bends();
     while(try_other_sides())
       ;
@@ -144,60 +147,52 @@ public:
   template <typename F>
   void for_each_point(F f) const
   {
-    m_string.for_each_point(m_sleeve, f);
+    m_path.for_each_point(m_sleeve, f);
   }
 
 private:
   static constexpr double ROUNDING = 1e-13; // of a length
 
-  void lay_out(const Sleeve& sleeve, Funnel& string)
+  void lay_out(const Sleeve& sleeve, Funnel& path)
   {
-    string.find(sleeve);
+    path.find(sleeve);
     m_work += sleeve.gates().size() + 1;
   }
 
   bool has_time() const { return m_work < m_largest_work; }
 
-  // Whether the path has an angle below pi on the other side of a vertex, between what is before
-  // the first and from the last of some bends on.
-  bool is_convex(const Gate_range& vertex, const std::size_t first, const std::size_t beyond) const
-  {
-    const Plane_vector p = m_string.position(vertex.first, vertex.is_left);
-    return Opposite_fan(m_sleeve, vertex)
-        .is_convex(m_string.position(first) - p, m_string.direction(vertex.first),
-                   m_string.direction(vertex.beyond - 1), m_string.position(beyond + 1) - p);
-  }
+  Opposite_fan opposite_fan(const Gate_range& vertex) const { return {m_sleeve, m_path, vertex}; }
 
   // ----- bends
 
-  // Passes bends on their other side as long as that makes the path shorter.
+  // Moves bends to their other side as long as that makes the path shorter.
   void pass_bends()
   {
     while(has_time() && find_sleeve_past_bends())
     {
-      lay_out(m_new_sleeve, m_new_string);
-      if(m_new_string.length() > m_string.length() * (1 + ROUNDING))
+      lay_out(m_new_sleeve, m_new_path);
+      if(m_new_path.length() > m_path.length() * (1 + ROUNDING))
         return;
       std::swap(m_sleeve, m_new_sleeve);
-      std::swap(m_string, m_new_string);
+      std::swap(m_path, m_new_path);
     }
   }
 
-  // Changes as many bends at the same time as do not get in the way of each other. Returns whether
+  // Makes a sleeve past the other side of as many bends as have no gate in common. Returns whether
   // there are any.
   bool find_sleeve_past_bends()
   {
-    const auto& bends = m_string.bends();
+    const auto& bends = m_path.bends();
     std::size_t gate = 0; // where the new sleeve has got to
     bool is_changed = false;
     for(std::size_t i = 0; i < bends.size(); ++i)
-      if(bends[i].first >= gate && is_convex(bends[i], i, i + 1))
+      if(bends[i].first >= gate && opposite_fan(bends[i]).is_convex(i, i + 1))
       {
         if(!is_changed)
           m_new_sleeve.start_at(m_sleeve.start());
         is_changed = true;
         copy_gates(gate, bends[i].first);
-        Opposite_fan(m_sleeve, bends[i]).pass(m_new_sleeve);
+        opposite_fan(bends[i]).pass(m_new_sleeve);
         gate = bends[i].beyond;
       }
     if(is_changed)
@@ -231,41 +226,41 @@ private:
     return is_shorter;
   }
 
-  // Whether the path does not bend at a vertex, and the angle on the other side is below pi.
+  // Whether the path does not bend at the vertex, and its angle on the other side is below pi.
   bool is_promising(const Gate_range& vertex) const
   {
-    const auto& bends = m_string.bends();
+    const auto& bends = m_path.bends();
     const auto first = std::partition_point(
         bends.begin(), bends.end(), [&](const auto& b) { return b.beyond <= vertex.first; });
     const auto beyond =
         std::find_if(first, bends.end(), [&](const auto& b) { return b.first >= vertex.beyond; });
     return std::none_of(first, beyond,
                         [&](const auto& b) { return b.is_left == vertex.is_left; }) &&
-           is_convex(vertex, static_cast<std::size_t>(first - bends.begin()),
-                     static_cast<std::size_t>(beyond - bends.begin()));
+           opposite_fan(vertex).is_convex(static_cast<std::size_t>(first - bends.begin()),
+                                          static_cast<std::size_t>(beyond - bends.begin()));
   }
 
   bool try_other_side(const Gate_range& vertex)
   {
-    const double known_length = m_string.length();
+    const double known_length = m_path.length();
     m_new_sleeve.start_at(m_sleeve.start());
     copy_gates(0, vertex.first);
-    Opposite_fan(m_sleeve, vertex).pass(m_new_sleeve);
+    opposite_fan(vertex).pass(m_new_sleeve);
     finish_new_sleeve(vertex.beyond);
 
     m_known_sleeve = m_sleeve;
     std::swap(m_sleeve, m_new_sleeve);
-    lay_out(m_sleeve, m_string);
+    lay_out(m_sleeve, m_path);
     pass_bends();
-    if(m_string.length() < known_length * (1 - 10 * ROUNDING))
+    if(m_path.length() < known_length * (1 - 10 * ROUNDING))
       return true;
     std::swap(m_sleeve, m_known_sleeve);
-    lay_out(m_sleeve, m_string);
+    lay_out(m_sleeve, m_path);
     return false;
   }
 
   Sleeve m_sleeve, m_new_sleeve, m_known_sleeve;
-  Funnel m_string, m_new_string;              // in the first two of them
+  Funnel m_path, m_new_path;                  // in the first two of them
   std::size_t m_work = 0, m_largest_work = 0; // in gates laid out
 };
 
