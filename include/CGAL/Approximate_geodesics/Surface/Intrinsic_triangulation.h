@@ -61,8 +61,8 @@ class Flipped_triangulation;
  * order that suits searches. Everything else in this package is built on it.
  *
  * <b>Vertices</b> are numbered breadth first from `0`, one connected component after the other, and
- * large ones in patches, so that neighbors are close in memory; `vertex()` and `index()` translate
- * from and to the indices that the mesh's vertex index map gives.
+ * large components in patches, so that neighbors are close in memory; `vertex()` and `index()`
+ * translate from and to the indices of the mesh's vertex index map.
  *
  * <b>Halfedges</b> are grouped by the vertex they start from, and within a group follow each other
  * counterclockwise. So the groups are the adjacency arrays of the mesh's edges, and two halfedges
@@ -72,20 +72,19 @@ class Flipped_triangulation;
  * neither overflow nor vanish when squared, whatever the unit of the coordinates, and the
  * conversion to and from that unit is exact.
  *
- * <b>Thin faces</b> have shapes that rounded lengths say too little of: caps, whose corners are
- * nearly in line, and needles, with one short edge. Where lengths are computed from coordinates,
- * the shapes of caps that are more than about 64 times as long as high are computed from these,
- * too, in twice the precision of a `double`, and kept; likewise of needles that are more than about
- * 1000 times as long as wide.
+ * <b>Thin faces</b> have shapes that rounded lengths do not determine well: caps, whose corners are
+ * nearly collinear, and needles, with one short edge. If lengths are computed from coordinates, the
+ * shapes of caps more than about 64 times as long as high, and of needles more than about 1000
+ * times as long as wide, are computed from these in twice the precision of a `double`, and stored.
  *
- * <b>Weights</b> say what a path costs per unit of length, face by face, and <b>barriers</b> are
- * edges that paths do not cross. A triangulation has them if they were given when it was made; of
- * the graphs, `Steiner_graph` supports them, and `Directional_graph` weights that are functions of
- * the direction. The others reject such a triangulation.
+ * <b>Weights</b> are the costs of a path per unit of length in each face, and <b>barriers</b> are
+ * edges that paths do not cross. Both are given at construction. Of the graphs, `Steiner_graph`
+ * supports them, and `Directional_graph` supports weights that are functions of the direction. The
+ * others reject such a triangulation.
  *
- * An object of this class never changes after its construction, but for its weights if they are
- * exchanged, and may be used by several threads. It takes about 91 bytes per vertex on a closed
- * mesh, 48 more if there are weights, and 36 per thin face.
+ * After its construction an object of this class changes only by `set_weights()`, and may be used
+ * by several threads. It takes about 91 bytes per vertex on a closed mesh, 48 more if there are
+ * weights, and 36 per thin face.
  */
 class Intrinsic_triangulation
 {
@@ -371,7 +370,8 @@ public:
   /// returns whether any edge is a barrier.
   bool has_barriers() const { return !m_is_barrier.empty(); }
 
-  /// returns whether the edge of `h` is a barrier. Edges at a border are not: they are one anyway.
+  /// returns whether the edge of `h` is a barrier. Border edges are not: nothing crosses them
+  /// anyway.
   bool is_barrier(const Index h) const { return has_barriers() && m_is_barrier[h]; }
 
   /// returns whether paths may cross the edge of `h`.
@@ -394,15 +394,15 @@ public:
 #ifndef DOXYGEN_RUNNING
   const internal::Thin_faces& thin_faces() const { return m_thin_faces; }
 
-  // Whether a shortest path may come back to a face of the mesh, as lengths do not come from points
-  // in space.
+  // Whether a shortest path may return to a face of the mesh: lengths are not those of an
+  // embedding.
   bool lines_may_return() const { return m_lines_may_return; }
 
-  // Whether the edge of `h` is none of the mesh, as in `Flipped_triangulation`. A shortest path may
-  // cross such an edge more than once, and so the faces next to it.
+  // Whether the edge of `h` is not an edge of the mesh, as in a `Flipped_triangulation`. A shortest
+  // path may cross it, and the faces next to it, more than once.
   bool is_flipped(const Index h) const { return !m_is_flipped.empty() && m_is_flipped[h]; }
 
-  // Whether the face to the left of `h` is none of the mesh. \pre There is one.
+  // Whether the face to the left of `h` is not a face of the mesh. \pre There is a face.
   bool is_in_new_face(const Index h) const
   {
     if(m_is_flipped.empty())
@@ -412,7 +412,7 @@ public:
   }
 #endif
 
-  /// asks for the arrays' entries at `h`, and the next few, which will be needed soon.
+  /// prefetches the arrays' entries at `h`, and the next few.
   void prefetch(const Index h) const
   {
     constexpr Index doubles_per_cache_line = 8;
@@ -427,27 +427,73 @@ public:
   /// @{
 
   /*!
-   * returns whether all arrays fit together: every halfedge has an opposite halfedge of the same
-   * length, the number of faces fits that of the halfedges, and every face is a triangle.
+   * returns whether the arrays are consistent: every halfedge has an opposite halfedge of the same
+   * length, every face is a triangle, and the number of faces is right.
    *
    * Run time is \cgalBigO{n}.
    */
-  bool is_valid() const;
+  bool is_valid() const
+  {
+    std::size_t number_of_corners = 0;
+    for(Index v = 0; v < number_of_vertices(); ++v)
+    {
+      if(vertex(index(v)) != v)
+        return false;
+      for(Index h = first_halfedge(v); h < beyond_halfedge(v); ++h)
+      {
+        if(!is_valid_halfedge(h) || source(h) != v)
+          return false;
+        number_of_corners += is_border(h) ? 0 : 1;
+      }
+    }
+    return number_of_corners == 3 * std::size_t(m_number_of_faces) &&
+           m_first_halfedge.back() == number_of_halfedges();
+  }
 
   /*!
-   * checks that every face could be laid out in the plane: none of its edges is longer than the
-   * other two together, up to rounding, and they are not smaller than the mesh by a factor of more
-   * than \f$10^{132}\f$, which leaves nothing of areas. Graphs whose arcs cross faces need this.
+   * checks that every face can be laid out in the plane: no edge is longer than the other two
+   * together, up to rounding, and the edges are not smaller than the mesh by a factor of more than
+   * \f$10^{132}\f$, where areas underflow. Graphs whose arcs cross faces need this.
    *
-   * \throws std::invalid_argument naming the vertices of a face that is not like that.
+   * \throws std::invalid_argument naming the vertices of a face that violates this.
    */
-  void check_triangle_inequality() const;
+  void check_triangle_inequality() const
+  {
+    const Index h = face_without_shape();
+    if(h == null_index)
+      return;
+    const Index g = next(h), k = next(g);
+    const char* const what = length(h) > length(g) + length(k)
+                                 ? "the triangle inequality does not hold"
+                                 : "the area is too small relative to the mesh, and underflows,";
+    internal::reject(what + (" in " + name_of_face(h)) + ": its edges have lengths " +
+                     internal::text_of(length(h) * unit()) + ", " +
+                     internal::text_of(length(g) * unit()) + ", " +
+                     internal::text_of(length(k) * unit()));
+  }
 
   /// @}
 
 #ifndef DOXYGEN_RUNNING
   // A halfedge of a face that breaks the triangle inequality, or whose area underflows; or null.
-  Index face_without_shape() const;
+  Index face_without_shape() const
+  {
+    // lengths have been rounded once, or are given with errors of that order
+    constexpr double tolerance = 16 * std::numeric_limits<double>::epsilon();
+    constexpr double smallest_perimeter = 0x1p-240; // its fourth power still fits a `double`
+
+    for(Index h = 0; h < number_of_halfedges(); ++h)
+    {
+      if(is_border(h))
+        continue;
+      const Index g = next(h);
+      const double rest = length(g) + length(next(g));
+      if(length(h) > rest + tolerance * (length(h) + rest) ||
+         (0 < rest && length(h) + rest < smallest_perimeter))
+        return h;
+    }
+    return null_index;
+  }
 
   // the face to the left of `h`, in words
   std::string name_of_face(const Index h) const
@@ -463,7 +509,18 @@ private:
   friend class internal::Triangulation_builder;
   friend class internal::Flipped_triangulation;
 
-  bool is_valid_halfedge(Index h) const;
+  bool is_valid_halfedge(const Index h) const
+  {
+    if(target(h) >= number_of_vertices() || opposite(h) >= number_of_halfedges())
+      return false;
+    const Index g = opposite(h);
+    if(g == h || opposite(g) != h || length(g) != length(h) || !(length(h) >= 0))
+      return false;
+    if(is_border(h))
+      return true;
+    const Index second = next(h), third = is_border(second) ? null_index : next(second);
+    return third != null_index && !is_border(third) && next(third) == h;
+  }
 
   std::vector<Index> m_first_halfedge; // per vertex, and one beyond
   std::vector<Index> m_target;         // per halfedge, as the next three
@@ -482,73 +539,6 @@ private:
   double m_weight_unit = 1;
   bool m_lines_may_return = false;
 };
-
-inline bool Intrinsic_triangulation::is_valid_halfedge(const Index h) const
-{
-  if(target(h) >= number_of_vertices() || opposite(h) >= number_of_halfedges())
-    return false;
-  const Index g = opposite(h);
-  if(g == h || opposite(g) != h || length(g) != length(h) || !(length(h) >= 0))
-    return false;
-  if(is_border(h))
-    return true;
-  const Index second = next(h), third = is_border(second) ? null_index : next(second);
-  return third != null_index && !is_border(third) && next(third) == h;
-}
-
-inline bool Intrinsic_triangulation::is_valid() const
-{
-  std::size_t number_of_corners = 0;
-  for(Index v = 0; v < number_of_vertices(); ++v)
-  {
-    if(vertex(index(v)) != v)
-      return false;
-    for(Index h = first_halfedge(v); h < beyond_halfedge(v); ++h)
-    {
-      if(!is_valid_halfedge(h) || source(h) != v)
-        return false;
-      number_of_corners += is_border(h) ? 0 : 1;
-    }
-  }
-  return number_of_corners == 3 * std::size_t(m_number_of_faces) &&
-         m_first_halfedge.back() == number_of_halfedges();
-}
-
-inline void Intrinsic_triangulation::check_triangle_inequality() const
-{
-  const Index h = face_without_shape();
-  if(h == null_index)
-    return;
-  const Index g = next(h), k = next(g);
-  const char* const what = length(h) > length(g) + length(k)
-                               ? "the triangle inequality does not hold"
-                               : "the area is too small relative to the mesh, and underflows,";
-  internal::reject(what + (" in " + name_of_face(h)) + ": its edges have lengths " +
-                   internal::text_of(length(h) * unit()) + ", " +
-                   internal::text_of(length(g) * unit()) + ", " +
-                   internal::text_of(length(k) * unit()));
-}
-
-#ifndef DOXYGEN_RUNNING
-inline Intrinsic_triangulation::Index Intrinsic_triangulation::face_without_shape() const
-{
-  // lengths are rounded once when computed from coordinates, or given with errors of that order
-  constexpr double tolerance = 16 * std::numeric_limits<double>::epsilon();
-  constexpr double smallest_perimeter = 0x1p-240; // its fourth power still fits a `double`
-
-  for(Index h = 0; h < number_of_halfedges(); ++h)
-  {
-    if(is_border(h))
-      continue;
-    const Index g = next(h);
-    const double rest = length(g) + length(next(g));
-    if(length(h) > rest + tolerance * (length(h) + rest) ||
-       (0 < rest && length(h) + rest < smallest_perimeter))
-      return h;
-  }
-  return null_index;
-}
-#endif
 
 } // namespace CGAL::Approximate_geodesics
 

@@ -21,9 +21,7 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-/*
- * What it takes to lay out the face to the left of a halfedge, if the halfedge is laid out.
- */
+// What is needed to lay out the face to the left of a halfedge next to the halfedge.
 struct Unfolded_face
 {
   using Index = Intrinsic_triangulation::Index;
@@ -31,8 +29,9 @@ struct Unfolded_face
   Index apex;  // the third vertex, or null_index if the halfedge is a border halfedge
   Index left;  // the halfedge from the source to the apex, or null_index if there is no face beyond
   Index right; // likewise, the one from the apex to the target
-  bool is_edge_new, is_face_new; // not in the mesh, so that a shortest path may come back to them
-  double along, across; // the apex is so far along the halfedge and to its left, in its lengths
+  bool is_flipped;      // whether the halfedge is not one of the mesh
+  bool may_return;      // whether a shortest path may return to the face
+  double along, across; // of the apex: along the halfedge and to its left, in its lengths
 
   Plane_vector position_of_apex(const Plane_vector source, const Plane_vector target) const
   {
@@ -80,7 +79,7 @@ inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
           triangulation.is_border(left) ? null_index : left,
           triangulation.is_border(right) ? null_index : right,
           triangulation.is_flipped(h),
-          triangulation.is_in_new_face(h),
+          triangulation.lines_may_return() || triangulation.is_in_new_face(h),
           position.along,
           position.across};
 }
@@ -93,8 +92,8 @@ inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
   return unfolded_face(triangulation, source, h, position);
 }
 
-// What `unfold(triangulation, source, h)` makes of the faces of all halfedges.
-// Throws if a face breaks the triangle inequality.
+// The results of `unfold(triangulation, source, h)` for all halfedges.
+// Throws if a face violates the triangle inequality.
 template <typename Face, typename Unfold>
 std::vector<Face>
 unfold_all(const Intrinsic_triangulation& triangulation, const Loop& loop, Unfold unfold)
@@ -116,21 +115,21 @@ unfold_all(const Intrinsic_triangulation& triangulation, const Loop& loop, Unfol
         if(is_suspicious)
           is_any_suspicious = true;
       });
-  if(is_any_suspicious) // an impossible face has got no area
+  if(is_any_suspicious) // a face that violates the triangle inequality has no area
     triangulation.check_triangle_inequality();
   return result;
 }
 
 /*
- * The faces of all halfedges, computed in advance: unfolding one then takes a few multiplications,
- * and neither a root nor a division.
+ * The faces of all halfedges, computed in advance: unfolding then takes a few multiplications, and
+ * no square root or division.
  */
 class Unfolding
 {
 public:
   using Index = Intrinsic_triangulation::Index;
 
-  // Throws if a face breaks the triangle inequality.
+  // Throws if a face violates the triangle inequality.
   explicit Unfolding(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
     : m_faces(unfold_all<Unfolded_face>(
           triangulation, loop, [](const auto& t, const Index v, const Index h) {
@@ -141,7 +140,6 @@ public:
 
   const Unfolded_face& face(const Index h) const { return m_faces[h]; }
 
-  // asks for a face, which will be needed soon
   void prefetch(const Index h) const { internal::prefetch(m_faces.data(), h); }
 
   std::size_t memory() const { return m_faces.capacity() * sizeof(Unfolded_face); }
@@ -150,9 +148,7 @@ private:
   std::vector<Unfolded_face> m_faces;
 };
 
-/*
- * The same where few of them are needed: each is computed when asked for.
- */
+// The same interface, if few faces are needed: each is computed when it is asked for.
 class Unfolding_on_demand
 {
 public:

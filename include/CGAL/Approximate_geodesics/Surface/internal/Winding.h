@@ -58,9 +58,6 @@ public:
   {
   }
 
-  // Whether a shortest path may come back to a face.
-  bool may_return() const { return m_may_return; }
-
   // Whether the lines between two rays are given up at a halfedge, given an earlier one. The next
   // face has this height, in lengths of the halfedge.
   bool is_over(const Crossing& here,

@@ -216,7 +216,7 @@ private:
     const Unfolded_face& face = m_unfolding.face(cone.window.halfedge);
     if(has_ended(cone, face))
       return false;
-    if(face.apex == source && !face.is_face_new && !m_winding.may_return())
+    if(face.apex == source && !face.may_return)
       return false; // a shortest path does not come back to a face that it has left
     const Plane_vector apex = position_of_apex(cone.window, cones, face);
     if constexpr(Visitor::wants_faces)
@@ -286,7 +286,7 @@ private:
     const double slope = cross(cone.middle, edge);
     if(!(area >= 0 && slope > 0))
       return true; // no more than rounding errors
-    return area >= cone.end_of_interest * slope || (!face.is_edge_new && has_returned(cone, face));
+    return area >= cone.end_of_interest * slope || (!face.is_flipped && has_returned(cone, face));
   }
 
   // Whether lines come back to an edge, and are given up there. If not, they go on.

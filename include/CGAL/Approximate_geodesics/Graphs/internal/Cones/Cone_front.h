@@ -214,7 +214,7 @@ private:
     const double label = m_labels.distance(cone.tip);
     const End apex{position, distance, m_labels.distance(face.apex) - label};
     const bool is_of_use = is_worth_a_look(cone, face);
-    const bool is_open = is_of_use & (may_return() | face.is_face_new | (face.apex != cone.tip));
+    const bool is_open = is_of_use & (face.may_return | (face.apex != cone.tip));
     m_arcs.append(is_open & is_seen, cone.tip, label, face.apex, distance);
 
     // An apex where the tip is sees the same.
@@ -242,8 +242,6 @@ private:
     m_unfolding.prefetch(edge);
     m_end += (is_open & (halfedge != null_index) & is_needed(left, right, edge)) ? 1 : 0;
   }
-
-  bool may_return() const { return IS_GENERAL && m_winding.may_return(); }
 
   Plane_vector position_of_apex(const Cone& cone, const Unfolded_face& face) const
   {
@@ -321,7 +319,7 @@ private:
     const bool both_serve = (gain > 0) & (area * gain >= m_part_lost * farther * slope);
 
     const bool is_plane = (area >= 0) & ((slope > 0) | (cosine < 0)); // up to rounding
-    const bool winds = !face.is_edge_new & has_returned(cone, face.across);
+    const bool winds = !face.is_flipped & has_returned(cone, face.across);
     return is_plane & !(serves_other | both_serve | winds);
   }
 
