@@ -10,7 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/assertions.h>

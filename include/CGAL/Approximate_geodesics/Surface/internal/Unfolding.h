@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <atomic>

@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Apex_position.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <algorithm>
