@@ -476,10 +476,10 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
   Points_by_face points = sorted(sources);
   const double limit =
       (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
-  const bool is_led = positions.are_known() && is_goal_for_heuristic(target);
+  const bool is_guided = positions.are_known() && is_goal_for_heuristic(target);
   run_and_adopt(std::move(sources), std::move(points), {limit, {target}}, maximum_distance,
                 [&](const auto& seeds, const auto& rule, const auto& enter_seeds) {
-                  if(is_led)
+                  if(is_guided)
                     m_search.run_toward(
                         seeds, rule,
                         internal::Euclidean_heuristic<Graph>(*m_graph, positions, target),

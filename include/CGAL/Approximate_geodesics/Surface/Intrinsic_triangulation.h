@@ -282,7 +282,7 @@ public:
     CGAL_precondition(!is_border(h));
     const Index v = m_target[h], first = first_halfedge(v);
     const Index rank = m_opposite_rank.rank_of_opposite(h);
-    const Index number_if_first = rank == 0 ? degree(v) : 0; // to go round to the last one
+    const Index number_if_first = rank == 0 ? degree(v) : 0; // around to the last one
     return first + rank + number_if_first - 1;
   }
 

@@ -144,7 +144,7 @@ public:
       choose_side(i);
   }
 
-  // Calls `f(sleeve, end)` for each sleeve, with the point that it leads to.
+  // Calls `f(sleeve, end)` for each sleeve, with its last point.
   template <typename F>
   void for_each_sleeve(F f) const
   {

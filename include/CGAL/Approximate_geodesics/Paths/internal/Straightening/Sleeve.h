@@ -82,7 +82,7 @@ public:
       const std::size_t size = m_gates.size();
       cross(first->halfedge);
       ++first;
-      if(m_gates.size() > size) // so none of those that follow turns back
+      if(m_gates.size() > size) // so none of the next ones turns back
       {
         m_gates.insert(m_gates.end(), first, beyond);
         return;

@@ -183,7 +183,7 @@ private:
   bool find_sleeve_past_bends()
   {
     const auto& bends = m_path.bends();
-    std::size_t gate = 0; // where the new sleeve has got to
+    std::size_t gate = 0; // the next one of the old sleeve
     bool is_changed = false;
     for(std::size_t i = 0; i < bends.size(); ++i)
       if(bends[i].first >= gate && opposite_fan(bends[i]).is_convex(i, i + 1))
