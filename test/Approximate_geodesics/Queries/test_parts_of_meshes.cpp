@@ -80,6 +80,19 @@ TEST(Part_of_mesh, is_a_mesh)
   }
 }
 
+// Messages name vertices by their indices in the mesh.
+TEST(Part_of_mesh, is_refused_where_a_line_cannot_be_traced)
+{
+  const Mesh mesh = to_mesh(flat_grid(3, 2));
+  Part part(mesh);
+  ASSERT_TRUE(part.add_face(mesh.halfedge(*mesh.faces().begin())));
+  ASSERT_TRUE(part.close());
+  const auto fail = [](auto&) { throw AG::internal::Untraceable_line("vertex 0"); };
+  const auto np = parameters::epsilon(0);
+  EXPECT_FALSE(AG::internal::search_once<Vertex>(part, np, true, fail));
+  EXPECT_THROW(AG::internal::search_once<Vertex>(mesh, np, true, fail), std::invalid_argument);
+}
+
 // ----- distances
 
 // `bound` is where distances may be within or not, by rounding.

@@ -121,8 +121,17 @@ bool search_once(const TriangleMesh& tmesh, const NamedParameters& np, const boo
     builder.build();
   else if(!builder.try_to_build() || !is_accepted_by_graphs(triangulation, np))
     return false;
-  with_graph_on<Lazy_discrete_geodesic_graph, Saddle_vertex_graph>(std::move(triangulation), np,
-                                                                   search);
+  try
+  {
+    with_graph_on<Lazy_discrete_geodesic_graph, Saddle_vertex_graph>(std::move(triangulation), np,
+                                                                     search);
+  }
+  catch(const Untraceable_line&)
+  {
+    if(!is_part<TriangleMesh>)
+      throw;
+    return false;
+  }
   return true;
 }
 

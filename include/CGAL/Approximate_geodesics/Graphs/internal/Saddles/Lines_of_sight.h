@@ -23,10 +23,18 @@
 
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// Names a vertex by its index in the triangulation. On a part of a mesh, this is not its index in
+// the mesh, and the search has to be repeated on the whole mesh.
+struct Untraceable_line : std::invalid_argument
+{
+  using std::invalid_argument::invalid_argument;
+};
 
 // A straight line, and the halfedges that it crosses.
 struct Sight_line
@@ -219,8 +227,9 @@ public:
       if(!is_found_roughly())
         look(slack);
     if(!is_found_roughly())
-      reject("the line from or to vertex " + std::to_string(vertex_at(end)) +
-             " cannot be traced: faces along it are nearly degenerate");
+      throw Untraceable_line(name_of_package() + "the line from or to vertex " +
+                             std::to_string(vertex_at(end)) +
+                             " cannot be traced: faces along it are nearly degenerate");
     return line.for_each_crossing(m_steps, f);
   }
 
