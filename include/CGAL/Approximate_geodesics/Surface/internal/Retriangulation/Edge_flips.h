@@ -54,7 +54,8 @@ public:
   explicit Edge_flips(const Intrinsic_triangulation& triangulation)
     : m_number_of_vertices(triangulation.number_of_vertices())
   {
-    m_halfedges.reserve(triangulation.number_of_halfedges());
+    const std::size_t size = triangulation.number_of_halfedges();
+    m_halfedges.reserve(size + size / 2); // copying them would take as long as making them
     bool has_area = true;
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
       for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)

@@ -35,7 +35,7 @@ public:
 
   Flipped_triangulation(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
   {
-    number_halfedges(flips);
+    copy_halfedges(flips);
     copy(mesh, flips);
     copy_thin_faces(mesh, flips);
   }
@@ -56,42 +56,44 @@ public:
   }
 
 private:
-  void number_halfedges(const Edge_flips& flips)
+  // Visits each halfedge once, as they are far more than fit into a cache.
+  void copy_halfedges(const Edge_flips& flips)
   {
+    Intrinsic_triangulation& t = m_triangulation;
     m_number.resize(flips.number_of_halfedges());
-    m_number_in_mesh.reserve(flips.number_of_halfedges());
+    m_number_in_mesh.reserve(m_number.size());
+    t.m_target.reserve(m_number.size());
+    t.m_length.reserve(m_number.size());
+    t.m_first_halfedge.clear();
+    t.m_first_halfedge.reserve(flips.number_of_vertices() + 1);
     for(const Index first : flips.first_halfedges())
     {
-      m_triangulation.m_first_halfedge.back() = static_cast<Index>(m_number_in_mesh.size());
-      m_triangulation.m_first_halfedge.push_back(0);
+      t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
       if(first == Intrinsic_triangulation::null_index)
         continue; // an isolated vertex
       Index h = first;
       do
       {
+        const Edge_flips::Halfedge& halfedge = flips[h];
         m_number[h] = static_cast<Index>(m_number_in_mesh.size());
         m_number_in_mesh.push_back(h);
-        h = flips[h].counterclockwise;
+        t.m_target.push_back(halfedge.target);
+        t.m_length.push_back(halfedge.length);
+        t.m_is_border.push_back(halfedge.is_border);
+        t.m_is_flipped.push_back(halfedge.is_new);
+        h = halfedge.counterclockwise;
       } while(h != first);
     }
-    m_triangulation.m_first_halfedge.back() = static_cast<Index>(m_number_in_mesh.size());
+    t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
   }
 
   void copy(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
   {
     Intrinsic_triangulation& t = m_triangulation;
     t.m_opposite_rank.resize(m_number.size());
-    t.m_target.reserve(m_number.size());
-    t.m_length.reserve(m_number.size());
-    for(Index i = 0; i < m_number_in_mesh.size(); ++i)
-    {
-      const Index h = m_number_in_mesh[i];
-      t.m_target.push_back(flips[h].target);
-      t.m_length.push_back(flips[h].length);
-      t.m_is_border.push_back(flips.is_border(h));
-      t.m_is_flipped.push_back(flips.is_flipped(h));
-      t.m_opposite_rank.set(i, m_number[flips[h].opposite] - t.first_halfedge(flips[h].target));
-    }
+    for(Index h = 0; h < m_number.size(); ++h)
+      t.m_opposite_rank.set(m_number[h],
+                            m_number[flips[h].opposite] - t.first_halfedge(flips[h].target));
     t.m_vertex_of_index = mesh.m_vertex_of_index;
     t.m_index_of_vertex = mesh.m_index_of_vertex;
     for(Index v = mesh.number_of_vertices(); v < flips.number_of_vertices(); ++v)
