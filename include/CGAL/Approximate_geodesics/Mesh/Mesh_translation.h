@@ -251,6 +251,12 @@ public:
     return result;
   }
 
+  /// returns the location of a point in the face to the left of its halfedge. \pre `!p.is_vertex()`
+  Face_location<TriangleMesh> face_location(const Intrinsic_point& p) const
+  {
+    return internal::location_in_face(mesh_halfedge(p.halfedge), p.t, p.s, *m_mesh);
+  }
+
   /// returns the point of the surface at `p`.
   Surface_point<TriangleMesh> surface_point(const Intrinsic_point& p) const
   {
@@ -258,7 +264,7 @@ public:
       return vertex(p.vertex);
     if(p.is_on_edge())
       return std::make_pair(mesh_halfedge(p.halfedge), p.t);
-    return internal::location_in_face(mesh_halfedge(p.halfedge), p.t, p.s, *m_mesh);
+    return face_location(p);
   }
 
   /// reports the location of a point to `visitor`, a model of `SurfaceMeshShortestPathVisitor`.
