@@ -42,7 +42,9 @@ template <typename NamedParameters>
 Triangulation edges_of(const Mesh& mesh, const NamedParameters& np)
 {
   Triangulation result;
-  AG::internal::Triangulation_builder<Mesh, NamedParameters>(result, mesh, np).try_to_build_edges();
+  AG::internal::Triangulation_builder<Mesh, NamedParameters> builder(result, mesh, np);
+  if(!builder.try_to_build_edges())
+    builder.build();
   return result;
 }
 
