@@ -14,6 +14,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -39,6 +40,20 @@ Matrix_identity identity_of(const std::string& text)
   return result;
 }
 
+// Follows symbolic links to a file that does not exist yet: FILE.part has to be in its folder.
+fs::path target_of(fs::path file)
+{
+  constexpr int most_links = 40;
+  std::error_code ignored;
+  for(int i = 0; fs::is_symlink(file, ignored) && !fs::exists(file, ignored); ++i)
+  {
+    if(i == most_links)
+      reject(file.string() + " is one of a cycle of symbolic links");
+    file = file.parent_path() / fs::read_symlink(file);
+  }
+  return file;
+}
+
 // The names in a folder. It is listed anew, while a network file system may remember that a file
 // did not exist.
 std::set<std::string> names_in(const fs::path& folder)
@@ -52,7 +67,7 @@ std::set<std::string> names_in(const fs::path& folder)
 } // namespace
 
 Matrix_file::Matrix_file(Path file, Process_team* const team)
-  : m_file(file.has_filename() ? std::move(file) : file.parent_path()),
+  : m_file(target_of(file.has_filename() ? std::move(file) : file.parent_path())),
     m_part(with_suffix(".part")),
     m_own_team(team == nullptr ? std::make_unique<Single_process>() : nullptr),
     m_team(team == nullptr ? m_own_team.get() : team)
@@ -209,29 +224,29 @@ bool Matrix_file::are_all_blocks_marked() const
   return block == m_plan->number_of_blocks();
 }
 
-// Returns whether there is a part folder. An empty one is left by a program that was killed when it
-// removed the folder.
+// Returns whether there is a part folder with an identity. A program that was killed when it
+// created or removed the folder leaves an empty one, or one with a new identity.
 bool Matrix_file::has_part() const
 {
-  if(fs::is_directory(m_part) && fs::is_empty(m_part))
-    fs::remove(m_part);
-  if(!fs::exists(m_part))
-    return false;
-  if(!fs::exists(in_part("identity")))
+  if(fs::exists(in_part("identity")))
+    return true;
+  const bool can_be_removed = fs::is_directory(m_part)
+                                  ? fs::is_empty(m_part) || fs::exists(in_part("identity.new"))
+                                  : !fs::exists(m_part);
+  if(!can_be_removed)
     reject(m_part.string() + " exists, but is not an unfinished distance matrix; delete it, or " +
            "choose another name");
-  return true;
+  fs::remove_all(m_part);
+  return false;
 }
 
 void Matrix_file::create_part() const
 {
-  const Path fresh = with_suffix(".part.new");
-  fs::remove_all(fresh); // left by a program that was killed
-  create_folder(fresh.string());
-  prepare_result((fresh / "result").string());
-  write_file((fresh / "identity").string(), text_of(m_identity));
-  sync_to_disk((fresh / "identity").string());
-  fs::rename(fresh, m_part);
+  create_folder(m_part.string());
+  write_file(in_part("identity.new"), text_of(m_identity));
+  prepare_result(result());
+  sync_to_disk(in_part("identity.new"));
+  fs::rename(in_part("identity.new"), in_part("identity"));
 }
 
 void Matrix_file::check_identity() const

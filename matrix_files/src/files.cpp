@@ -7,19 +7,22 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 
-#include <boost/interprocess/exceptions.hpp>
-#include <boost/interprocess/sync/file_lock.hpp>
-
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <set>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
 #if defined(__unix__) || defined(__APPLE__)
+#define APPROXIMATE_GEODESICS_POSIX
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
+#else
+#include <boost/interprocess/sync/file_lock.hpp>
 #endif
 
 namespace CGAL::Approximate_geodesics {
@@ -40,67 +43,114 @@ namespace fs = std::filesystem;
   throw std::runtime_error("Approximate_geodesics: " + file + " cannot be " + verb + reason);
 }
 
+#ifdef APPROXIMATE_GEODESICS_POSIX
+
+// An open file; negative if that failed.
+class Descriptor
+{
+public:
+  Descriptor(const std::string& name, const int flags)
+    : m_number(::open(name.c_str(), flags | O_CLOEXEC, 0666))
+  {
+  }
+
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  ~Descriptor()
+  {
+    if(m_number >= 0)
+      ::close(m_number);
+  }
+
+  operator int() const { return m_number; }
+
+private:
+  int m_number;
+};
+
+// The lock belongs to the open file, not to the process, so it excludes other threads, too.
+class Open_lock
+{
+public:
+  explicit Open_lock(const std::string& name) : m_file(name, O_RDWR | O_CREAT | O_NOFOLLOW)
+  {
+    if(m_file < 0)
+      fail_to("opened for writing", name);
+  }
+
+  // Succeeds on file systems without locks.
+  bool try_lock() { return ::flock(m_file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
+
+  bool is_named(const std::string& name) const
+  {
+    struct stat opened, named;
+    return ::fstat(m_file, &opened) == 0 && ::lstat(name.c_str(), &named) == 0 &&
+           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+  }
+
+private:
+  Descriptor m_file;
+};
+
+#else
+
+class Open_lock
+{
+public:
+  explicit Open_lock(const std::string& name)
+    : m_lock((write_file(name, ""), boost::interprocess::file_lock(name.c_str())))
+  {
+  }
+
+  bool try_lock() { return m_lock.try_lock(); }
+  bool is_named(const std::string& /* name */) const { return true; } // open files are not removed
+
+private:
+  boost::interprocess::file_lock m_lock;
+};
+
+#endif
+
 /*
- * A locked file. POSIX locks belong to a process: they do not exclude other objects of the same
- * process, and closing any descriptor of a file releases them. So the process lists its own.
+ * A locked file, which is removed before it is unlocked. A process that opened it earlier may lock
+ * it later, and has to open its successor then.
  */
 class File_lock
 {
 public:
   File_lock(const std::string& name, const std::string& subject)
-    : m_name(fs::weakly_canonical(fs::absolute(name)).string()) // the same before it exists
+    : m_name(fs::absolute(name).string())
   {
-    const std::lock_guard guard(s_mutex);
-    if(s_locked.count(m_name) > 0)
-      reject(subject + " is already being computed by another object of this program");
-    if(is_something_else(name)) // which would be emptied, and removed
-      reject(name + " exists, but is not a lock; delete it, or choose another name");
-    write_file(name, "");
-    m_lock = boost::interprocess::file_lock(name.c_str());
-    if(!try_lock() || !fs::exists(name)) // the file vanishes if the owner just ended
-      reject(subject + " is already being computed by another program");
-    s_locked.insert(m_name);
+    do
+    {
+      if(is_something_else(name)) // would be removed
+        reject(name + " exists, but is not a lock; delete it, or choose another name");
+      errno = 0;
+      m_lock.emplace(name);
+      if(!m_lock->try_lock())
+        reject(subject + " is already being computed, by this program or another one");
+    } while(!m_lock->is_named(name));
   }
 
   ~File_lock()
   {
     std::error_code ignored;
     fs::remove(m_name, ignored);
-    const std::lock_guard guard(s_mutex);
-    m_lock = boost::interprocess::file_lock(); // before another object opens the file
-    s_locked.erase(m_name);
   }
 
 private:
-  // Whether there is something by this name that no program that was killed has left.
+  // Whether there is something by this name that is not left by a killed program.
   static bool is_something_else(const std::string& name)
   {
-    std::error_code error;
+    std::error_code error; // its owner may just remove it
     const fs::file_status status = fs::symlink_status(name, error);
-    if(!fs::exists(status) || !fs::is_regular_file(status))
-      return fs::exists(status);
-    const std::uintmax_t size = fs::file_size(name, error);
-    return !error && size > 0; // its owner may just end
+    return fs::exists(status) &&
+           (!fs::is_regular_file(status) || (fs::file_size(name, error) > 0 && !error));
   }
 
-  // Succeeds on file systems without locks.
-  bool try_lock()
-  {
-    try
-    {
-      return m_lock.try_lock();
-    }
-    catch(const boost::interprocess::interprocess_exception&)
-    {
-      return true;
-    }
-  }
-
-  inline static std::mutex s_mutex;
-  inline static std::set<std::string> s_locked;
-
-  std::string m_name; // canonical
-  boost::interprocess::file_lock m_lock;
+  std::string m_name; // also if the current folder changes
+  std::optional<Open_lock> m_lock;
 };
 
 } // namespace
@@ -137,23 +187,20 @@ void create_folder(const std::string& name)
 
 void sync_to_disk([[maybe_unused]] const std::string& name)
 {
-#if defined(__unix__) || defined(__APPLE__)
+#ifdef APPROXIMATE_GEODESICS_POSIX
   errno = 0;
-  const int descriptor = ::open(name.c_str(), O_RDONLY);
-  const bool is_done = descriptor >= 0 && ::fsync(descriptor) == 0;
-  const int reason = errno;
-  if(descriptor >= 0)
-    ::close(descriptor);
+  const Descriptor file(name, O_RDONLY);
+  if(file >= 0 && ::fsync(file) == 0)
+    return;
   // Some file systems cannot sync folders. A folder that files are written to may be unreadable.
   constexpr int of_folders[] = {EACCES, EBADF, EINVAL, ENOSYS, ENOTSUP};
+  const int reason = errno;
   std::error_code ignored;
-  if(!is_done &&
-     std::find(std::begin(of_folders), std::end(of_folders), reason) != std::end(of_folders) &&
+  if(std::find(std::begin(of_folders), std::end(of_folders), reason) != std::end(of_folders) &&
      fs::is_directory(name, ignored))
     return;
   errno = reason;
-  if(!is_done)
-    fail_to("flushed to disk", name);
+  fail_to("flushed to disk", name);
 #endif
 }
 

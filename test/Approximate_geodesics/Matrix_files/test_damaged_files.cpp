@@ -274,10 +274,12 @@ TEST_P(Damaged_file, is_not_taken_for_that_of_another_job)
 // It was killed before the part folder was complete.
 TEST_P(Damaged_file, has_just_begun)
 {
-  EXPECT_EQ(expect_right_file({{"distances.part.new/", ""}}), number_of_rows);
-  EXPECT_EQ(expect_right_file({{"distances.part.new/identity", "Unf"}}), number_of_rows);
-  EXPECT_EQ(expect_right_file({{"distances.part.new/result", ""}}), number_of_rows);
-  EXPECT_EQ(expect_right_file({{"distances.part/", ""}}), number_of_rows);
+  const std::string fresh = identity + ".new", complete = contents_after(1).at(identity);
+  EXPECT_EQ(expect_right_file({{part, ""}}), number_of_rows);
+  EXPECT_EQ(expect_right_file({{fresh, "Unf"}}), number_of_rows);
+  EXPECT_EQ(expect_right_file({{fresh, complete}}), number_of_rows);
+  EXPECT_EQ(expect_right_file({{fresh, complete}, {is_dense() ? result : result + '/', ""}}),
+            number_of_rows);
 }
 
 // Somebody puts a file of that name there while the work is interrupted.

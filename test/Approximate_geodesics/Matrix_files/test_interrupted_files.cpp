@@ -124,8 +124,7 @@ TEST_P(Interrupted_file, is_computed_by_one_object_at_a_time)
   Matrix_watcher watcher([&](const std::size_t number_done) {
     if(number_done == 5)
       expect_message<std::invalid_argument>(
-          [&] { file.compute(job); },
-          " is already being computed by another object of this program");
+          [&] { file.compute(job); }, " is already being computed, by this program or another one");
     return true;
   });
   EXPECT_TRUE(file.compute(job, watcher));
@@ -182,6 +181,33 @@ TEST(Interrupted_files, go_on_by_the_same_object)
   AG::Csr_file<float> undisturbed(another.file("distances"));
   EXPECT_TRUE(job.compute(undisturbed));
   EXPECT_TRUE(folder.contents() == another.contents());
+}
+
+// The file and its part folder are where the link leads to.
+TEST_P(Interrupted_file, is_reached_by_links)
+{
+  const Matrix_job job(4);
+  const Temporary_folder links;
+  std::filesystem::create_symlink(folder.file("distances"), links.file("second"));
+  std::filesystem::create_symlink("second", links.file("first"));
+  const Matrix_file_job linked{GetParam(), links.file("first")};
+  Matrix_watcher watcher = that_stops_at(5);
+  EXPECT_FALSE(linked.compute(job, watcher));
+  expect_incomplete();
+  EXPECT_TRUE(linked.compute(job));
+  expect_complete(job);
+  EXPECT_TRUE(std::filesystem::is_symlink(links.file("first")));
+  EXPECT_TRUE(std::filesystem::is_symlink(links.file("second")));
+  expect_message<std::invalid_argument>([&] { linked.compute(job); }, links.file("first"),
+                                        " already exists");
+}
+
+TEST_P(Interrupted_file, is_not_reached_by_a_cycle_of_links)
+{
+  std::filesystem::create_symlink("distances", folder.file("distances"));
+  expect_message<std::invalid_argument>([&] { file.compute(Matrix_job(4)); },
+                                        folder.file("distances"), "a cycle of symbolic links");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("distances")));
 }
 
 } // namespace

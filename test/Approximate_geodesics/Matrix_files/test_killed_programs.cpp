@@ -14,8 +14,10 @@
 
 #ifdef APPROXIMATE_GEODESICS_TEST_MATRIX_PROGRAM
 
+#include "../../../matrix_files/src/files.h"
 #include "files/Child_process.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstddef>
@@ -26,6 +28,10 @@
 #include <system_error>
 #include <thread>
 #include <vector>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 // Programs that are killed, and two of them at the same time.
 
@@ -207,13 +213,51 @@ TEST(Two_programs, do_not_compute_a_file_at_the_same_time)
     const Temporary_folder::Contents before = folder.contents();
     const Matrix_file_job run{kind, folder.file("distances")};
     for(int i = 0; i < 2; ++i) // the first one does not open the door for the second one
-      expect_message<std::invalid_argument>([&] { run.compute(job); },
-                                            folder.file("distances") +
-                                                " is already being computed by another program");
+      expect_message<std::invalid_argument>(
+          [&] { run.compute(job); }, folder.file("distances") + " is already being computed");
     EXPECT_TRUE(folder.contents() == before);
     EXPECT_TRUE(child.kill());
     EXPECT_TRUE(run.compute(job));
     EXPECT_FALSE(folder.has("distances.part"));
+  }
+}
+
+// Returns how often another process had the lock at the same time.
+int number_of_shared_locks(const Temporary_folder& folder)
+{
+  int result = 0;
+  for(int turn = 0; turn < 1000; ++turn)
+    try
+    {
+      const auto lock = AG::internal::lock_file(folder.file("distances.lock"), "distances");
+      const int owner = ::open(folder.file("owner").c_str(), O_CREAT | O_EXCL, 0600);
+      if(owner < 0)
+        ++result;
+      else
+      {
+        ::close(owner);
+        std::filesystem::remove(folder.file("owner"));
+      }
+    }
+    catch(const std::invalid_argument&)
+    {
+    }
+  return result;
+}
+
+// One opens the lock of another, which removes it at its end, when a third makes a new one.
+TEST(Three_programs, do_not_have_a_lock_at_the_same_time)
+{
+  const Temporary_folder folder;
+  std::vector<pid_t> children(3);
+  for(pid_t& child : children)
+    if((child = ::fork()) == 0)
+      ::_exit((std::min)(number_of_shared_locks(folder), 100));
+  for(const pid_t child : children)
+  {
+    int status = -1;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
   }
 }
 

@@ -109,7 +109,7 @@ TEST(Refused_file, has_no_name)
         "the name of a matrix file is empty");
 }
 
-// Whether its name has a folder or not, and although a lock file is there by then.
+// Whether its name has a folder or not.
 TEST(Refused_file, is_computed_by_another_object)
 {
   const Matrix_job job(4);
@@ -120,8 +120,8 @@ TEST(Refused_file, is_computed_by_another_object)
     const Matrix_file_job file{"npy", name};
     Matrix_watcher watcher([&](const std::size_t number_done) {
       if(number_done == 2)
-        expect_message<std::invalid_argument>(
-            [&] { file.compute(job); }, name + " is already being computed by another object");
+        expect_message<std::invalid_argument>([&] { file.compute(job); },
+                                              name + " is already being computed");
       return true;
     });
     EXPECT_TRUE(file.compute(job, watcher));
@@ -132,8 +132,10 @@ TEST(Refused_file, has_no_part_folder_by_a_similar_name)
 {
   const Matrix_job job(4);
   const Temporary_folder folder;
-  const Temporary_folder::Contents others{
-      {"distances.part.x", "1"}, {"distances.part1/0", "2"}, {"a distances.part", "4"}};
+  const Temporary_folder::Contents others{{"distances.part.x", "1"},
+                                          {"distances.part1/0", "2"},
+                                          {"distances.part.new/result", "3"},
+                                          {"a distances.part", "4"}};
   folder.fill(others);
   EXPECT_TRUE((Matrix_file_job{"npy", folder.file("distances")}).compute(job));
   Temporary_folder::Contents contents = folder.contents();

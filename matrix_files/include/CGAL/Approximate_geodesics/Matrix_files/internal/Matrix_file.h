@@ -32,8 +32,9 @@ namespace CGAL::Approximate_geodesics::internal {
  *   FILE.lock           locked while a program computes FILE
  *
  * A marker is written after its block. The system may write both to the disk in any order: a block
- * that does not match its checksum is missing. The folder appears with the first two entries, and
- * has the identity until it is removed, so that without `result`, it shows that FILE is complete.
+ * that does not match its checksum is missing. The identity is renamed to its name after `result`
+ * is created, and is the last entry to be removed: without `result`, it shows that FILE is
+ * complete.
  */
 class Matrix_file
 {
