@@ -75,4 +75,7 @@ def _new_file(target: str) -> str:
             return place
         except FileExistsError:
             continue
+        except OSError as error:
+            reason = f"{error.strerror}; no file can be created in {os.path.dirname(target)}"
+            raise OSError(error.errno, reason) from error
     raise AssertionError("there are more files than numbers")

@@ -1,4 +1,6 @@
+import errno
 import os
+import re
 import resource
 import sys
 
@@ -179,6 +181,19 @@ def test_files_that_are_not_there(tmp_path):
         ag.read_mesh(tmp_path / "none.off")
     with pytest.raises(OSError):
         SOLVER.save(tmp_path / "none" / "solver.bin")
+
+
+def test_a_folder_may_not_be_written_to(tmp_path, monkeypatch):
+    def refuse(name, *arguments):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), name)
+
+    file = tmp_path / "solver.bin"
+    file.write_text("what was there")
+    monkeypatch.setattr(os, "open", refuse)
+    reason = re.escape(f"Permission denied; no file can be created in {tmp_path}: '{file}'")
+    with pytest.raises(PermissionError, match=reason):
+        SOLVER.save(file)
+    assert file.read_text() == "what was there"
 
 
 def test_a_file_is_replaced_when_the_new_one_is_complete(tmp_path):
