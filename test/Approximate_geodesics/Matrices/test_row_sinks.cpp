@@ -407,6 +407,21 @@ TEST_F(Row_sinks, in_memory_are_empty_if_a_visitor_ends_the_computation)
   expect_to_be_emptied(Nearest_rows<>(3), m_mesh, m_sources);
 }
 
+TEST_F(Row_sinks, of_dense_rows_may_write_to_memory_of_the_caller)
+{
+  const Matrix expected = dense_matrix(m_mesh, m_sources);
+  std::vector<double> memory(expected.size() * expected.front().size() + 1, -1);
+  Dense_rows<> rows(memory.data());
+  for(int run = 0; run < 2; ++run)
+  {
+    EXPECT_TRUE(CGAL::approximate_geodesic_distance_matrix(m_mesh, rows, m_sources));
+    EXPECT_EQ(rows.data(), memory.data());
+    for(std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_TRUE(std::equal(expected[i].begin(), expected[i].end(), rows.row(i).begin()));
+    EXPECT_EQ(memory.back(), -1);
+  }
+}
+
 // ----- function objects
 
 Matrix matrix_of_function_calls;

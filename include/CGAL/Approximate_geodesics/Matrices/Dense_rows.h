@@ -60,6 +60,12 @@ public:
   /// a row.
   using Row = Iterator_range<const T*>;
 
+  /// constructs a matrix that allocates its memory.
+  Dense_rows() = default;
+
+  /// constructs a matrix in memory of the caller, which must have room for all distances.
+  explicit Dense_rows(T* const memory) : m_distances(memory, Release{false}) {}
+
   /// returns the number of rows; `0` if the computation was not completed.
   std::size_t number_of_rows() const { return m_number_of_rows; }
 
@@ -95,20 +101,15 @@ public:
   /// symmetric matrices are supported.
   static constexpr bool can_be_symmetric = true;
 
-  /// allocates the matrix.
+  /// allocates the matrix, unless it is in memory of the caller.
   void start(const Distance_matrix_plan& plan)
   {
     m_number_of_rows = 0;
     m_number_of_columns = plan.number_of_columns();
-    m_distances.reset(); // frees the old matrix first
-    if(m_number_of_columns > 0 &&
-       plan.number_of_rows() >
-           (std::numeric_limits<std::size_t>::max)() / sizeof(T) / m_number_of_columns)
-      throw std::bad_array_new_length();
-    // not initialized: each thread touches the pages of its rows first
-    m_distances.reset(new T[plan.number_of_rows() * plan.number_of_columns()]);
     m_rows_to_come = plan.number_of_rows();
     m_is_symmetric = plan.is_symmetric();
+    if(m_distances.get_deleter().is_owner)
+      allocate();
   }
 
   /// writes a row.
@@ -135,7 +136,28 @@ public:
   /// @}
 
 private:
-  std::unique_ptr<T[]> m_distances;
+  struct Release
+  {
+    bool is_owner = true;
+
+    void operator()(T* const memory) const
+    {
+      if(is_owner)
+        delete[] memory;
+    }
+  };
+
+  void allocate()
+  {
+    m_distances.reset(); // frees the old matrix first
+    if(m_number_of_columns > 0 &&
+       m_rows_to_come > (std::numeric_limits<std::size_t>::max)() / sizeof(T) / m_number_of_columns)
+      throw std::bad_array_new_length();
+    // not initialized: each thread touches the pages of its rows first
+    m_distances.reset(new T[m_rows_to_come * m_number_of_columns]);
+  }
+
+  std::unique_ptr<T[], Release> m_distances;
   std::size_t m_number_of_rows = 0;
   std::size_t m_number_of_columns = 0;
   std::size_t m_rows_to_come = 0;

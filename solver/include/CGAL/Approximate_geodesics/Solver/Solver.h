@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
 #include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
 #include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
@@ -39,6 +40,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <ostream>
@@ -209,7 +211,7 @@ public:
 
   /// returns the size of the graph and of the unused workspaces, in bytes. The mesh takes about 100
   /// more bytes per vertex.
-  std::size_t memory() const { return m_graph.memory(); }
+  std::size_t memory() const { return m_graph->memory(); }
 
   /// writes the coordinates of the vertices, three each.
   void write_coordinates(double* coordinates) const
@@ -251,7 +253,7 @@ public:
     std::vector<Source_point> seeds;
     for(const Intrinsic_point& p : intrinsic_points(sources, "source"))
       seeds.push_back({p});
-    m_graph.in_direction(options.direction_to_source)
+    m_graph->in_direction(options.direction_to_source)
         .find_distances(std::move(seeds), options.maximum_distance, distances, nearest_sources,
                         visitor);
   }
@@ -300,7 +302,7 @@ public:
                       const Solver_row_options& options = Solver_row_options(),
                       const Solver_watch& watch = Solver_watch()) const
   {
-    internal::Rows_in_place rows(distances);
+    Dense_rows<double> rows(distances);
     compute_rows(rows, sources, options, watch);
   }
 
@@ -421,8 +423,8 @@ private:
     if(options.number_of_barriers > 0)
       m_costs.set_barriers(options.barriers, options.number_of_barriers);
     internal::with_threads(m_number_of_threads, [&] {
-      m_graph.set(internal::make_solver_graph(m_costs.triangulation(m_bound.epsilon), m_bound,
-                                              saved_graph));
+      m_graph =
+          internal::make_solver_graph(m_costs.triangulation(m_bound.epsilon), m_bound, saved_graph);
     });
     m_translation.emplace(m_mesh, get(boost::vertex_index, std::as_const(m_mesh)),
                           m_graph->triangulation());
@@ -444,7 +446,7 @@ private:
     const std::size_t threads =
         options.number_of_threads > 0 ? options.number_of_threads : m_number_of_threads;
     internal::with_threads(threads, [&] {
-      m_graph.in_direction(options.direction_to_source)
+      m_graph->in_direction(options.direction_to_source)
           .compute_rows(any_rows, rows_of, columns ? &*columns : nullptr, options.maximum_distance,
                         options.symmetric, visitor);
     });
@@ -500,7 +502,7 @@ private:
   internal::Array_costs m_costs;
   internal::Bound_of_graph m_bound;
   std::size_t m_number_of_threads = 0;
-  internal::Two_way_graph m_graph;
+  std::unique_ptr<internal::Solver_graph> m_graph;
   std::optional<Translation> m_translation;
   mutable std::once_flag m_has_positions;
   mutable Vertex_positions m_positions;

@@ -19,6 +19,8 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,33 +34,10 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
+using Face_vector = Simple_cartesian<double>::Vector_3;
+
 // A type-erased cost function of a face index and a direction.
-using Cost_function = std::function<double(std::size_t, const Simple_cartesian<double>::Vector_3&)>;
-
-// A property map of face vectors, three numbers each.
-struct Face_vectors
-{
-  const double* numbers;
-
-  friend Simple_cartesian<double>::Vector_3 get(const Face_vectors& map, const std::size_t face)
-  {
-    const double* const v = map.numbers + 3 * face;
-    return {v[0], v[1], v[2]};
-  }
-};
-
-// A property map of face tensors, six numbers each.
-struct Face_tensors
-{
-  const double* numbers;
-
-  friend std::array<double, 6> get(const Face_tensors& map, const std::size_t face)
-  {
-    std::array<double, 6> result;
-    std::copy_n(map.numbers + 6 * face, 6, result.begin());
-    return result;
-  }
-};
+using Cost_function = std::function<double(std::size_t, const Face_vector&)>;
 
 inline void check_numbers_of_faces(const Solver_cost& cost, const std::size_t number_of_faces)
 {
@@ -85,6 +64,17 @@ inline Cost_function ready_function(const Solver_cost& cost)
              " parameters, too few for their model");
     return cost.parameters[i];
   };
+  const auto vectors =
+      boost::make_function_property_map<std::size_t>([numbers](const std::size_t face) {
+        const double* const v = numbers + 3 * face;
+        return Face_vector(v[0], v[1], v[2]);
+      });
+  const auto tensors =
+      boost::make_function_property_map<std::size_t>([numbers](const std::size_t face) {
+        std::array<double, 6> result;
+        std::copy_n(numbers + 6 * face, 6, result.begin());
+        return result;
+      });
   switch(cost.model)
   {
   case Solver_cost::HIKING_TIME:
@@ -92,11 +82,11 @@ inline Cost_function ready_function(const Solver_cost& cost)
   case Solver_cost::WALKING_ENERGY:
     return Walking_energy();
   case Solver_cost::DRIFT_TIME:
-    return Drift_time<Face_vectors>({numbers}, parameter(0));
+    return Drift_time(vectors, parameter(0));
   case Solver_cost::ONE_WAY:
-    return One_way<Face_vectors>({numbers}, parameter(0), parameter(1));
+    return One_way(vectors, parameter(0), parameter(1));
   case Solver_cost::TENSOR_COST:
-    return Tensor_cost<Face_tensors>({numbers});
+    return Tensor_cost(tensors);
   }
   reject("unknown cost model " + std::to_string(int(cost.model)));
 }
@@ -125,7 +115,10 @@ class Array_costs
 
 public:
   // The mesh is referred to, not copied.
-  explicit Array_costs(Array_mesh& mesh) : m_mesh(mesh) {}
+  explicit Array_costs(Array_mesh& mesh)
+    : m_mesh(mesh), m_is_barrier(mesh.add_property_map<Edge, bool>("e:is_barrier", false).first)
+  {
+  }
 
   void set_weights(const double* const weights)
   {
@@ -143,14 +136,14 @@ public:
   // Barriers are given by their end vertices.
   void set_barriers(const std::int64_t* const ends, const std::size_t number)
   {
-    m_barriers = m_mesh.add_property_map<Edge, bool>("e:is_barrier", false).first;
+    m_has_barriers = true;
     for(std::size_t i = 0; i < number; ++i)
     {
       const auto h = m_mesh.halfedge(end(ends[2 * i], i), end(ends[2 * i + 1], i));
       if(h == Array_mesh::null_halfedge())
         reject("barrier " + std::to_string(i) + " is not an edge: no face has both vertex " +
                std::to_string(ends[2 * i]) + " and vertex " + std::to_string(ends[2 * i + 1]));
-      (*m_barriers)[m_mesh.edge(h)] = true;
+      m_is_barrier[m_mesh.edge(h)] = true;
     }
   }
 
@@ -162,43 +155,31 @@ public:
   }
 
   bool has_weights() const { return m_weights.has_value(); }
-  bool has_barriers() const { return m_barriers.has_value(); }
+  bool has_barriers() const { return m_has_barriers; }
   const std::optional<Solver_cost>& directional_cost() const { return m_cost; }
   double weight(const Face f) const { return (*m_weights)[f]; }
-  bool is_barrier(const Edge e) const { return (*m_barriers)[e]; }
+  bool is_barrier(const Edge e) const { return m_is_barrier[e]; }
 
   // The bound determines the number of directions in which directional costs are sampled.
   Intrinsic_triangulation triangulation(const std::optional<double> epsilon) const
   {
     const Array_mesh& mesh = m_mesh;
-    const Barriers barriers{this};
     const double bound = epsilon > 0. ? *epsilon : 1;
     if(m_cost)
       return Intrinsic_triangulation(
           mesh, parameters::face_weight_map(Approximate_geodesics::directional_cost(
                                                 cost_function(*m_cost, mesh.number_of_faces())))
-                    .edge_is_constrained_map(barriers)
+                    .edge_is_constrained_map(m_is_barrier)
                     .epsilon(bound));
     if(m_weights)
       return Intrinsic_triangulation(
-          mesh, parameters::face_weight_map(*m_weights).edge_is_constrained_map(barriers));
-    if(m_barriers)
-      return Intrinsic_triangulation(mesh, parameters::edge_is_constrained_map(barriers));
+          mesh, parameters::face_weight_map(*m_weights).edge_is_constrained_map(m_is_barrier));
+    if(m_has_barriers)
+      return Intrinsic_triangulation(mesh, parameters::edge_is_constrained_map(m_is_barrier));
     return Intrinsic_triangulation(mesh);
   }
 
 private:
-  // A property map that also supports meshes without barriers.
-  struct Barriers
-  {
-    const Array_costs* costs;
-
-    friend bool get(const Barriers& map, const Edge e)
-    {
-      return map.costs->has_barriers() && map.costs->is_barrier(e);
-    }
-  };
-
   Vertex end(const std::int64_t vertex, const std::size_t barrier) const
   {
     if(static_cast<std::uint64_t>(vertex) >= m_mesh.number_of_vertices())
@@ -210,7 +191,8 @@ private:
 
   Array_mesh& m_mesh;
   std::optional<Array_mesh::Property_map<Face, double>> m_weights;
-  std::optional<Array_mesh::Property_map<Edge, bool>> m_barriers;
+  Array_mesh::Property_map<Edge, bool> m_is_barrier;
+  bool m_has_barriers = false;
   std::optional<Solver_cost> m_cost;
 };
 

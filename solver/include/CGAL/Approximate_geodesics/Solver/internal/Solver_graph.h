@@ -34,40 +34,6 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// A sink that writes dense rows to memory of the caller.
-class Rows_in_place
-{
-public:
-  explicit Rows_in_place(double* const distances) : m_distances(distances) {}
-
-  void start(const Distance_matrix_plan& plan)
-  {
-    m_symmetric_size = plan.is_symmetric() ? plan.number_of_rows() : 0;
-  }
-
-  template <typename Block>
-  void collect(Block& /* block */, const std::size_t row, const Distance_row& distances) const
-  {
-    std::copy(distances.begin(), distances.end(), m_distances + row * distances.size());
-  }
-
-  template <typename Block>
-  void add(std::size_t /* number */, Block& /* block */)
-  {
-  }
-
-  bool finish(const bool is_done) const
-  {
-    if(is_done)
-      make_symmetric(m_distances, m_symmetric_size);
-    return is_done;
-  }
-
-private:
-  double* m_distances;
-  std::size_t m_symmetric_size = 0;
-};
-
 /*
  * A type-erased sink: the computation is instantiated once per graph, not once per pair of graph
  * and sink.
@@ -75,10 +41,12 @@ private:
 class Any_rows
 {
 public:
-  using Block = Sparse_block<double>;
+  struct Block : Dense_rows<double>::Block, Sparse_block<double>
+  {
+  };
 
   // The sinks are referred to, not copied.
-  explicit Any_rows(Rows_in_place& rows) : m_rows(&rows) {}
+  explicit Any_rows(Dense_rows<double>& rows) : m_rows(&rows) {}
   explicit Any_rows(Radius_rows<double>& rows) : m_rows(&rows) {}
   explicit Any_rows(Nearest_rows<double>& rows)
     : m_rows(&rows), m_number_of_nearest(rows.number_of_nearest())
@@ -114,12 +82,13 @@ public:
   }
 
 private:
-  std::variant<Rows_in_place*, Radius_rows<double>*, Nearest_rows<double>*> m_rows;
+  std::variant<Dense_rows<double>*, Radius_rows<double>*, Nearest_rows<double>*> m_rows;
   std::size_t m_number_of_nearest = 0;
 };
 
 /*
- * The type-erased interface of the graphs of a solver. All member functions are thread-safe.
+ * The type-erased interface of the graphs of a solver, and the reversed graph, for distances to the
+ * sources. All member functions are thread-safe.
  */
 class Solver_graph
 {
@@ -133,7 +102,23 @@ public:
   // The relative error bound of paths; infinity if it is unknown.
   virtual double error_bound() const = 0;
 
-  virtual std::size_t memory() const = 0;
+  std::size_t memory() const
+  {
+    const std::lock_guard lock(m_mutex);
+    return own_memory() + (m_reversed == nullptr ? 0 : m_reversed->own_memory());
+  }
+
+  // Returns the graph, or the reversed one, which is built on demand. Undirected graphs are their
+  // own reversal.
+  const Solver_graph& in_direction(const bool to_source) const
+  {
+    if(!to_source)
+      return *this;
+    const std::lock_guard lock(m_mutex);
+    if(m_reversed == nullptr)
+      m_reversed = reversed();
+    return m_reversed == nullptr ? *this : *m_reversed;
+  }
 
   // Writes the distance of each vertex, by its index in the mesh, and, if `nearest_sources` is not
   // null, the position of its nearest source, or -1.
@@ -163,44 +148,16 @@ public:
                                         std::vector<std::int64_t>& vertices,
                                         Solver_visitor& visitor) const = 0;
 
-  // Returns the reversed graph, or null if the graph is undirected.
-  virtual std::unique_ptr<Solver_graph> reversed() const = 0;
-
   // Writes the graph if it is expensive to build.
   virtual void save(std::ostream& out) const = 0;
-};
-
-/*
- * A graph for distances from the sources, and its reversal for distances to the sources, which is
- * built on demand. Undirected graphs are not duplicated.
- */
-class Two_way_graph
-{
-public:
-  void set(std::unique_ptr<Solver_graph> graph) { m_there = std::move(graph); }
-
-  const Solver_graph& operator*() const { return *m_there; }
-  const Solver_graph* operator->() const { return m_there.get(); }
-
-  const Solver_graph& in_direction(const bool to_source) const
-  {
-    if(!to_source)
-      return *m_there;
-    const std::lock_guard lock(m_mutex);
-    if(m_back == nullptr)
-      m_back = m_there->reversed();
-    return m_back == nullptr ? *m_there : *m_back;
-  }
-
-  std::size_t memory() const
-  {
-    const std::lock_guard lock(m_mutex);
-    return m_there->memory() + (m_back == nullptr ? 0 : m_back->memory());
-  }
 
 private:
-  std::unique_ptr<Solver_graph> m_there;
-  mutable std::unique_ptr<Solver_graph> m_back;
+  virtual std::size_t own_memory() const = 0;
+
+  // Returns null if the graph is undirected.
+  virtual std::unique_ptr<Solver_graph> reversed() const = 0;
+
+  mutable std::unique_ptr<Solver_graph> m_reversed;
   mutable std::mutex m_mutex;
 };
 

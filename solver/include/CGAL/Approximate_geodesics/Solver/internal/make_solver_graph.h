@@ -174,11 +174,6 @@ public:
       return std::numeric_limits<double>::infinity();
   }
 
-  std::size_t memory() const override
-  {
-    return m_graph.memory() + m_workspaces.sum([](const Search& s) { return s.search().memory(); });
-  }
-
   void find_distances(std::vector<Source_point> sources,
                       const double maximum_distance,
                       double* const distances,
@@ -259,6 +254,18 @@ public:
     return farthest.distance;
   }
 
+  void save([[maybe_unused]] std::ostream& out) const override
+  {
+    if constexpr(std::is_same_v<Graph, Discrete_geodesic_graph>)
+      m_graph.save(out);
+  }
+
+private:
+  std::size_t own_memory() const override
+  {
+    return m_graph.memory() + m_workspaces.sum([](const Search& s) { return s.search().memory(); });
+  }
+
   std::unique_ptr<Solver_graph> reversed() const override
   {
     if constexpr(is_directed<Graph>)
@@ -267,13 +274,6 @@ public:
       return nullptr;
   }
 
-  void save([[maybe_unused]] std::ostream& out) const override
-  {
-    if constexpr(std::is_same_v<Graph, Discrete_geodesic_graph>)
-      m_graph.save(out);
-  }
-
-private:
   Graph m_graph;
   mutable Workspaces<Search> m_workspaces;
 };
