@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -107,11 +108,11 @@ protected:
   }
 
   // `contents` with other bytes in place of all data
-  Contents with_other_data(Contents contents) const
+  Contents with_other_data(Contents contents, const char byte = 'x') const
   {
     for(auto& [name, bytes] : contents)
       if(name != identity)
-        bytes.assign(bytes.size(), 'x');
+        bytes.assign(bytes.size(), byte);
     return contents;
   }
 
@@ -228,6 +229,7 @@ TEST_P(Damaged_file, has_other_data)
 {
   Contents contents = contents_after(number_of_rows);
   EXPECT_EQ(expect_right_file(with_other_data(contents)), number_of_rows);
+  EXPECT_EQ(expect_right_file(with_other_data(contents, '\0')), number_of_rows); // after a crash
   contents.erase(is_dense() ? result : result + '/');
   EXPECT_EQ(expect_right_file(contents), is_dense() ? number_of_rows : 0);
 }
@@ -288,6 +290,24 @@ TEST_P(Damaged_file, is_not_taken_for_another_file)
   Contents contents = contents_after(number_of_rows - 2);
   contents["distances"] = "of somebody";
   expect_error(contents, folder.file("distances") + " already exists");
+}
+
+// while it is computed, so that it cannot be completed
+TEST_P(Damaged_file, does_not_replace_another_file)
+{
+  folder.fill({});
+  Matrix_watcher watcher([&](const std::size_t number_done) {
+    if(number_done == number_of_rows)
+      std::filesystem::copy(folder.file("distances.part/identity"), folder.file("distances"));
+    return true;
+  });
+  expect_message<std::invalid_argument>([&] { run.compute(job, watcher); },
+                                        folder.file("distances") + " already exists");
+  const std::string other = folder.bytes("distances");
+  EXPECT_EQ(other, folder.bytes(identity));
+  expect_error(folder.contents(), folder.file("distances") + " already exists");
+  std::filesystem::remove(folder.file("distances"));
+  EXPECT_EQ(expect_right_file(folder.contents()), 0u);
 }
 
 TEST_P(Damaged_file, has_arrays_that_end_anywhere)
