@@ -11,12 +11,13 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_computation.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/Sequential_exact_graph.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/matrix_points.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+
+#include <CGAL/tags.h>
 
 #include <type_traits>
 
@@ -142,12 +143,13 @@ approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
       "documentation lists the supported ones");
 
   if constexpr(AG::internal::check_rows<Rows>())
-    return AG::internal::with_graph<AG::Discrete_geodesic_graph,
-                                    AG::internal::Sequential_exact_graph>(
-        tmesh, np, [&](const auto& graph) {
+    return AG::internal::with_graph<AG::Discrete_geodesic_graph>(
+        tmesh, np,
+        [&](const auto& graph) {
           return AG::internal::compute_distance_matrix(
               graph, rows, AG::internal::matrix_points_on_mesh(tmesh, graph, sources, np), np);
-        });
+        },
+        Sequential_tag()); // rows are parallel, so that exact searches need not be
   else
     return false;
 }

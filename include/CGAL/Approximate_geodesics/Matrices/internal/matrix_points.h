@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -31,8 +32,24 @@ struct Matrix_points
 {
   std::vector<Intrinsic_point> sources; // by row
   std::vector<Intrinsic_point> targets; // by column
-  bool are_targets_given = true;        // otherwise all vertices
+  bool are_targets_given;               // otherwise all vertices
 };
+
+// `read(points, role)` converts points, and `all()` returns the points at all vertices.
+template <typename Read, typename All, typename Sources, typename NamedParameters>
+Matrix_points matrix_points(const Read& read,
+                            [[maybe_unused]] const All& all,
+                            const Sources& sources,
+                            const NamedParameters& np)
+{
+  constexpr bool has_targets = is_given<NamedParameters, internal_np::targets_t>;
+  std::vector<Intrinsic_point> rows = read(sources, "source");
+  if constexpr(has_targets)
+    return {std::move(rows), read(parameters::get_parameter(np, internal_np::targets), "target"),
+            has_targets};
+  else
+    return {std::move(rows), all(), has_targets};
+}
 
 // Reads the points of a mesh.
 
@@ -43,17 +60,11 @@ Matrix_points matrix_points_on_mesh(const TriangleMesh& tmesh,
                                     const NamedParameters& np)
 {
   const Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
-  Matrix_points result;
-  result.sources = intrinsic_points(translation, sources, "source");
-  if constexpr(is_given<NamedParameters, internal_np::targets_t>)
-    result.targets = intrinsic_points(
-        translation, parameters::get_parameter(np, internal_np::targets), "target");
-  else
-  {
-    result.targets = intrinsic_points(translation, vertices(tmesh), "target");
-    result.are_targets_given = false;
-  }
-  return result;
+  const auto read = [&](const auto& points, const char* const role) {
+    return intrinsic_points(translation, points, role);
+  };
+  return matrix_points(
+      read, [&] { return read(vertices(tmesh), "target"); }, sources, np);
 }
 
 // Reads a point of a graph: a vertex index or an intrinsic point.
@@ -109,17 +120,11 @@ Matrix_points matrix_points_on_graph(const Intrinsic_triangulation& triangulatio
                                      const Sources& sources,
                                      const NamedParameters& np)
 {
-  Matrix_points result;
-  result.sources = intrinsic_points(triangulation, sources, "source");
-  if constexpr(is_given<NamedParameters, internal_np::targets_t>)
-    result.targets = intrinsic_points(
-        triangulation, parameters::get_parameter(np, internal_np::targets), "target");
-  else
-  {
-    result.targets = all_vertices(triangulation);
-    result.are_targets_given = false;
-  }
-  return result;
+  return matrix_points(
+      [&](const auto& points, const char* const role) {
+        return intrinsic_points(triangulation, points, role);
+      },
+      [&] { return all_vertices(triangulation); }, sources, np);
 }
 
 } // namespace CGAL::Approximate_geodesics::internal

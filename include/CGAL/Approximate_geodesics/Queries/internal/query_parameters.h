@@ -135,7 +135,7 @@ auto directional_graph(Intrinsic_triangulation triangulation, const NamedParamet
 
 // Calls `f` with a graph for the named parameter `epsilon`. One that is not needed is not compiled
 // if `epsilon` is known by its type.
-template <typename GraphWithBound, typename ExactGraph, typename NamedParameters, typename F>
+template <typename GraphWithBound, typename ExactTag, typename NamedParameters, typename F>
 auto with_epsilon(Intrinsic_triangulation triangulation, const NamedParameters& np, const F& f)
 {
   static_assert(!is_given<NamedParameters, internal_np::direction_to_source_t>,
@@ -145,22 +145,29 @@ auto with_epsilon(Intrinsic_triangulation triangulation, const NamedParameters& 
   const auto number = parameters::get_parameter(np, internal_np::epsilon);
   using Known = Known_number<std::decay_t<decltype(number)>>;
   if constexpr(Known::is_zero)
-    return f(graph_with_epsilon<ExactGraph, Tag>(std::move(triangulation), 0));
+    return f(graph_with_epsilon<Saddle_vertex_graph, ExactTag>(std::move(triangulation), 0));
   else
   {
     const double epsilon = Known::value(number);
     if constexpr(!Known::is_not_zero)
       if(epsilon == 0)
-        return f(graph_with_epsilon<ExactGraph, Tag>(std::move(triangulation), epsilon));
+        return f(
+            graph_with_epsilon<Saddle_vertex_graph, ExactTag>(std::move(triangulation), epsilon));
     return f(graph_with_epsilon<GraphWithBound, Tag>(std::move(triangulation), epsilon));
   }
 }
 
 // Calls `f` with the graph that the named parameters select: a graph with weights and barriers if
-// there are any; otherwise, if `epsilon` is given, a graph of one of the given types; otherwise the
-// edge graph. Returns the result of `f`.
-template <typename GraphWithBound, typename ExactGraph, typename NamedParameters, typename F>
-auto with_graph_on(Intrinsic_triangulation triangulation, const NamedParameters& np, F f)
+// there are any; otherwise, if `epsilon` is given, a graph of the given type, or the exact graph,
+// whose searches are parallel as the tag says; otherwise the edge graph. Returns the result of `f`.
+template <typename GraphWithBound,
+          typename NamedParameters,
+          typename F,
+          typename ExactTag = Concurrency_tag<NamedParameters>>
+auto with_graph_on(Intrinsic_triangulation triangulation,
+                   const NamedParameters& np,
+                   F f,
+                   ExactTag /* tag */ = ExactTag())
 {
   constexpr bool has_epsilon = is_given<NamedParameters, internal_np::epsilon_t>;
   constexpr bool has_number = is_given<NamedParameters, internal_np::number_of_points_per_edge_t>;
@@ -185,20 +192,23 @@ auto with_graph_on(Intrinsic_triangulation triangulation, const NamedParameters&
     return f(
         Steiner_graph<Fixed_number_of_points>(std::move(triangulation), Fixed_number_of_points(0)));
   else if constexpr(has_epsilon)
-    return with_epsilon<GraphWithBound, ExactGraph>(std::move(triangulation), np, f);
+    return with_epsilon<GraphWithBound, ExactTag>(std::move(triangulation), np, f);
   else
     return f(Edge_graph(std::move(triangulation), np));
 }
 
 // Reads a mesh, and calls `f` with the graph that the named parameters select.
 template <typename GraphWithBound,
-          typename ExactGraph = Saddle_vertex_graph,
           typename TriangleMesh,
           typename NamedParameters,
-          typename F>
-auto with_graph(const TriangleMesh& tmesh, const NamedParameters& np, F f)
+          typename F,
+          typename ExactTag = Concurrency_tag<NamedParameters>>
+auto with_graph(const TriangleMesh& tmesh,
+                const NamedParameters& np,
+                F f,
+                ExactTag tag = ExactTag())
 {
-  return with_graph_on<GraphWithBound, ExactGraph>(Intrinsic_triangulation(tmesh, np), np, f);
+  return with_graph_on<GraphWithBound>(Intrinsic_triangulation(tmesh, np), np, f, tag);
 }
 
 } // namespace CGAL::Approximate_geodesics::internal

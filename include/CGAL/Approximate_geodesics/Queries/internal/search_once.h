@@ -123,8 +123,7 @@ bool search_once(const TriangleMesh& tmesh, const NamedParameters& np, const boo
     return false;
   try
   {
-    with_graph_on<Lazy_discrete_geodesic_graph, Saddle_vertex_graph>(std::move(triangulation), np,
-                                                                     search);
+    with_graph_on<Lazy_discrete_geodesic_graph>(std::move(triangulation), np, search);
   }
   catch(const Untraceable_line&)
   {
