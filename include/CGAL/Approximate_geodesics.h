@@ -53,8 +53,6 @@
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
-#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
 #include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
 #include <CGAL/Approximate_geodesics/Queries/distance_intervals.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>

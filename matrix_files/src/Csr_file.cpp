@@ -8,7 +8,7 @@
 #include "files.h"
 #include "formats.h"
 
-#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
 
 #include <algorithm>
 #include <cstdint>

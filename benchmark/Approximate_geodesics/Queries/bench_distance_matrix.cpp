@@ -18,8 +18,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
-#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>

@@ -10,8 +10,7 @@
 #include "files/matrix_job.h"
 #include "files/npy_reader.h"
 
-#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
 
 #include <gtest/gtest.h>
 

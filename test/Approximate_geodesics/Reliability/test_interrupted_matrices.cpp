@@ -7,8 +7,7 @@
 #include "checks/failing_allocation.h"
 
 #include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
-#include <CGAL/Approximate_geodesics/Matrices/Nearest_rows.h>
-#include <CGAL/Approximate_geodesics/Matrices/Radius_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/tags.h>
 

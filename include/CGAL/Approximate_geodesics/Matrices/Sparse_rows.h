@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
 #include <CGAL/Iterator_range.h>
@@ -221,6 +222,7 @@ public:
     m_rows = internal::Compressed_rows<T>();
     m_number_of_columns = plan.number_of_columns();
     m_rows_to_come = plan.number_of_rows();
+    m_is_symmetric = plan.is_symmetric();
     m_blocks.assign(plan.number_of_blocks(), Block());
   }
 
@@ -231,29 +233,26 @@ public:
     block.clear();
   }
 
-  /// concatenates all blocks.
-  bool finish(const bool is_done) { return finish(is_done, false); }
-
-  /// @}
-
-protected:
-  /// constructs a matrix without rows.
-  Sparse_rows() = default;
-
-  /// concatenates all blocks and, if `is_symmetric`, replaces each distance and its transpose by
-  /// the smaller of the two. If an exception is thrown, there are no rows.
-  bool finish(const bool is_done, const bool is_symmetric)
+  /// concatenates all blocks and, if the plan requests it, replaces each distance and its transpose
+  /// by the smaller of the two. If an exception is thrown, there are no rows.
+  bool finish(const bool is_done)
   {
     if(is_done)
     {
       internal::Compressed_rows<T> rows(m_rows_to_come, m_blocks);
-      if(is_symmetric)
+      if(m_is_symmetric)
         rows.make_symmetric();
       m_rows = std::move(rows);
     }
     m_blocks.clear();
     return is_done;
   }
+
+  /// @}
+
+protected:
+  /// constructs a matrix without rows.
+  Sparse_rows() = default;
 
 private:
   template <typename V>
@@ -266,7 +265,115 @@ private:
   internal::Compressed_rows<T> m_rows;
   std::size_t m_number_of_columns = 0;
   std::size_t m_rows_to_come = 0;
+  bool m_is_symmetric = false;
   std::vector<Block> m_blocks; // until they are concatenated
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsMatrices
+ *
+ * The distances up to `maximum_distance`, in memory. Columns ascend in each row.
+ *
+ * \tparam T the type of distances, `double` or `float`
+ *
+ * \cgalModels{DistanceRowSink}
+ */
+template <typename T = double>
+class Radius_rows : public Sparse_rows<T>
+{
+public:
+  /// \name Row Sink
+  /// @{
+
+  using typename Sparse_rows<T>::Block;
+
+  /// symmetric matrices are supported.
+  static constexpr bool can_be_symmetric = true;
+
+  /// appends a row to a block.
+  void collect(Block& block, const std::size_t row, const Distance_row& distances) const
+  {
+    block.append(row, distances.reached(), distances);
+  }
+
+  /// @}
+};
+
+namespace internal {
+
+inline std::size_t checked_number_of_nearest(const std::size_t number)
+{
+  if(number == 0)
+    reject("the number of nearest columns is 0; it must be at least 1");
+  return number;
+}
+
+// Returns the `number` nearest columns, sorted by distance, then by column.
+inline std::vector<Distance_row::Column> nearest_columns(const Distance_row& row,
+                                                         const std::size_t number)
+{
+  using Entry = std::pair<double, Distance_row::Column>;
+  std::vector<Entry> entries;
+  entries.reserve(row.reached().size());
+  for(const auto column : row.reached())
+    entries.emplace_back(row[column], column);
+  if(number < entries.size())
+  {
+    const auto end = entries.begin() + static_cast<std::ptrdiff_t>(number);
+    std::nth_element(entries.begin(), end, entries.end());
+    entries.erase(end, entries.end());
+  }
+  std::sort(entries.begin(), entries.end());
+  std::vector<Distance_row::Column> result;
+  result.reserve(entries.size());
+  for(const Entry& entry : entries)
+    result.push_back(entry.second);
+  return result;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgApproximateGeodesicsMatrices
+ *
+ * The smallest distances of each row, in memory: the distances to the nearest targets, including
+ * the source itself if it is a target. They ascend in each row; ties are broken by column. A row
+ * has fewer entries if the search reaches fewer columns.
+ *
+ * If all targets are vertices, the search for a row ends as soon as its entries are known.
+ *
+ * \tparam T the type of distances, `double` or `float`
+ *
+ * \cgalModels{DistanceRowSink}
+ */
+template <typename T = double>
+class Nearest_rows : public Sparse_rows<T>
+{
+public:
+  /// constructs a sink for up to `number` entries per row. \pre `number > 0`
+  explicit Nearest_rows(const std::size_t number)
+    : m_number(internal::checked_number_of_nearest(number))
+  {
+  }
+
+  /// \name Row Sink
+  /// @{
+
+  using typename Sparse_rows<T>::Block;
+
+  /// returns the maximum number of entries per row.
+  std::size_t number_of_nearest() const { return m_number; }
+
+  /// appends a row to a block.
+  void collect(Block& block, const std::size_t row, const Distance_row& distances) const
+  {
+    block.append(row, internal::nearest_columns(distances, m_number), distances);
+  }
+
+  /// @}
+
+private:
+  std::size_t m_number;
 };
 
 } // namespace CGAL::Approximate_geodesics
