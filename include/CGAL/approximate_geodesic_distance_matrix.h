@@ -16,7 +16,6 @@
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
-
 #include <CGAL/tags.h>
 
 #include <type_traits>
