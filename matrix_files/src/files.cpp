@@ -122,7 +122,8 @@ public:
   File_lock(const std::string& name, const std::string& subject)
     : m_name(fs::absolute(name).string())
   {
-    do
+    constexpr int most_attempts = 100; // some file systems have no stable inode numbers
+    for(int i = 0; i < most_attempts && !(m_lock && m_lock->is_named(name)); ++i)
     {
       if(is_something_else(name)) // would be removed
         reject(name + " exists, but is not a lock; delete it, or choose another name");
@@ -130,7 +131,7 @@ public:
       m_lock.emplace(name);
       if(!m_lock->try_lock())
         reject(subject + " is already being computed, by this program or another one");
-    } while(!m_lock->is_named(name));
+    }
   }
 
   ~File_lock()

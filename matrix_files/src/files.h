@@ -15,7 +15,7 @@
 #include <mutex>
 #include <string>
 
-// Files of the operating system. What fails throws with the reason that the system gives.
+// Files of the operating system. Functions that fail throw, with the reason of the system.
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -35,9 +35,9 @@ void sync_to_disk(const std::string& name);
 void resize_file(const std::string& name, std::uint64_t length);
 
 /*
- * Locks a file until the result is gone, so that a single program computes `subject`. The operating
- * system releases the lock when the process ends, even if it is killed; the file itself remains
- * after a kill.
+ * Creates a file and locks it until the result is destroyed, so that `subject` is computed once at
+ * a time. The operating system releases the lock when the process ends, even if it is killed; the
+ * file itself remains after a kill.
  */
 std::shared_ptr<void> lock_file(const std::string& name, const std::string& subject);
 

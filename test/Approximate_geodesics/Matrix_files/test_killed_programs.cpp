@@ -245,7 +245,7 @@ int number_of_shared_locks(const Temporary_folder& folder)
   return result;
 }
 
-// One opens the lock of another, which removes it at its end, when a third makes a new one.
+// One opens the lock of another, which removes it at its end, and a third one creates a new one.
 TEST(Three_programs, do_not_have_a_lock_at_the_same_time)
 {
   const Temporary_folder folder;

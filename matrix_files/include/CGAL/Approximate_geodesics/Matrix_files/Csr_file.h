@@ -37,11 +37,8 @@ namespace CGAL::Approximate_geodesics {
  * \endcode
  *
  * The folder appears under its name only when it is complete. Until then, the folder `FOLDER.part`
- * has the finished blocks of rows, with their checksums. If the computation ends early, because of
- * a visitor, an error, or a kill, the same call resumes it: only the blocks in progress, which have
- * at most 64 rows each, are lost. Blocks that do not match their checksums are computed again, and
- * the resulting files are bitwise identical for any number of threads and processes. Resuming is
- * rejected if the mesh, the graph, the bound, the points, or the type of distances differ.
+ * has the finished blocks of rows, with their checksums. An interrupted computation is resumed as
+ * that of a `Npy_file`, and the resulting files are bitwise identical in the same cases.
  * Completing the matrix temporarily needs disk space for a second copy of all entries.
  *
  * \tparam T the type of distances, `double` or `float`; distances are rounded to it
@@ -80,7 +77,7 @@ public:
   /*!
    * opens the files, and determines which blocks are missing.
    *
-   * \throws std::invalid_argument if the folder exists already, another program is computing it, or
+   * \throws std::invalid_argument if the folder exists already, it is being computed already, or
    *         `FOLDER.part` is damaged or belongs to another computation. The message names the
    *         difference.
    * \throws std::runtime_error if writing fails. The message gives the reason. Completed blocks are

@@ -34,7 +34,8 @@ namespace CGAL::Approximate_geodesics {
  * progress, which have at most 64 rows each, are lost. Blocks that do not match their checksums are
  * computed again, and the resulting file is bitwise identical for any number of threads and
  * processes. Resuming is rejected if the mesh, the graph, the bound, the points, or the type of
- * distances differ.
+ * distances differ. The empty file `FILE.lock` is locked while a program computes the matrix; a
+ * killed program leaves it, and the next one removes it.
  *
  * \tparam T the type of distances, `double` or `float`; distances are rounded to it, and are
  *         infinite for columns that were not reached
@@ -77,7 +78,7 @@ public:
   /*!
    * opens the files, and determines which blocks are missing.
    *
-   * \throws std::invalid_argument if the file exists already, another program is computing it, or
+   * \throws std::invalid_argument if the file exists already, it is being computed already, or
    *         `FILE.part` is damaged or belongs to another computation. The message names the
    *         difference.
    * \throws std::runtime_error if there is not enough disk space, or writing fails. The message
