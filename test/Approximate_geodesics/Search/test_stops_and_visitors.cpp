@@ -274,6 +274,13 @@ TEST(Visitor, need_not_be_told_of_nodes)
   EXPECT_EQ(search.field().distance, full.distance);
 
   counter.largest = 0;
+  search.search().collect_statistics(true);
+  search.search().run(search.seeds({Vertex(0)}), {}, counter);
+  EXPECT_EQ(search.search().statistics().settled_nodes, 2500u);
+  EXPECT_EQ(counter.largest, 2500u);
+
+  search.search().collect_statistics(false);
+  counter.largest = 0;
   counter.stop_at = 100;
   search.search().run(search.seeds({Vertex(0)}), {}, counter);
   expect_part_of(search.field(), full);

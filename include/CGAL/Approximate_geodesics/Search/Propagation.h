@@ -606,15 +606,15 @@ private:
     if constexpr(internal::is_idle_visitor<Visitor>)
       return internal::Goal_watch<Goal>(m_labels, goal(stop, heuristic), m_counts);
     else
-      return internal::Progress_watch<Graph, Goal, Visitor>(*m_graph, m_labels,
-                                                            goal(stop, heuristic), visitor);
+      return internal::Progress_watch<Graph, Goal, Visitor>(
+          *m_graph, m_labels, goal(stop, heuristic), visitor, m_counts);
   }
 
   void count_all()
   {
     if(!m_counts)
       return;
-    m_statistics.settled_nodes = m_labels.order().size(); // a watched order has no repetitions
+    m_statistics.settled_nodes = m_labels.order().size(); // sorted, so each node occurs once
     if constexpr(internal::counts_comparisons<Queue>)
       m_statistics.queue_comparisons =
           m_queue.statistics().visited_buckets + m_queue.statistics().comparisons;

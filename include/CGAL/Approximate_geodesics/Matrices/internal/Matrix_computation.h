@@ -53,15 +53,6 @@ template <typename Rows>
 constexpr bool is_row_sink = boost::is_detected_v<Block_of, Rows>;
 
 template <typename Rows>
-constexpr bool is_row_function = std::is_invocable_v<Rows&, std::size_t, const Distance_row&>;
-
-template <typename Rows>
-constexpr bool deals_out_blocks = boost::is_detected_v<Next_block, Rows>;
-
-template <typename Rows>
-constexpr bool knows_rows_done = boost::is_detected_v<Number_done, Rows>;
-
-template <typename Rows>
 constexpr bool can_be_symmetric =
     boost::detected_or_t<std::false_type, Can_be_symmetric, Rows>::value;
 
@@ -69,7 +60,8 @@ template <typename Rows>
 constexpr bool check_rows()
 {
   using T = std::remove_reference_t<Rows>;
-  constexpr bool takes_rows = is_row_sink<T> || is_row_function<T>;
+  constexpr bool takes_rows =
+      is_row_sink<T> || std::is_invocable_v<T&, std::size_t, const Distance_row&>;
   constexpr bool can_change = !is_row_sink<T> || !std::is_const_v<T>;
   static_assert(takes_rows,
                 "rows must be a row sink, such as Dense_rows, or callable with the number of a row "
@@ -235,7 +227,7 @@ private:
 
   std::optional<std::size_t> next_block()
   {
-    if constexpr(deals_out_blocks<Rows>)
+    if constexpr(boost::is_detected_v<Next_block, Rows>)
       return m_rows.next_block();
     else
     {
@@ -246,7 +238,7 @@ private:
 
   std::size_t number_done() const
   {
-    if constexpr(knows_rows_done<Rows>)
+    if constexpr(boost::is_detected_v<Number_done, Rows>)
       return m_rows.number_of_rows_done();
     else
       return m_done;

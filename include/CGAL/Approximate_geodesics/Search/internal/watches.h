@@ -189,8 +189,8 @@ class Progress_watch
   using Node = Labels::Node;
 
 public:
-  Progress_watch(const Graph& graph, Labels& labels, Goal goal, Visitor& visitor)
-    : m_graph(graph), m_labels(labels), m_goal(std::move(goal)), m_visitor(visitor)
+  Progress_watch(const Graph& graph, Labels& labels, Goal goal, Visitor& visitor, const bool sorts)
+    : m_graph(graph), m_labels(labels), m_goal(std::move(goal)), m_visitor(visitor), m_sorts(sorts)
   {
   }
 
@@ -212,7 +212,7 @@ private:
     if constexpr(is_told_of_nodes<Visitor>)
       tell_nodes(end);
     else
-      m_number_settled = end;
+      m_number_settled = m_sorts ? sort_order(m_labels, m_number_settled, end) : end;
     m_visitor.on_progress(m_number_settled, m_labels.number_of_nodes());
   }
 
@@ -231,6 +231,7 @@ private:
   Labels& m_labels;
   Goal m_goal;
   Visitor& m_visitor;
+  bool m_sorts; // if the order is to be counted, although the visitor is not told of nodes
   std::size_t m_number_settled = 0;
 };
 
