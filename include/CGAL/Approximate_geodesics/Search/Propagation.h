@@ -493,7 +493,8 @@ private:
     typename Other_relaxation::Candidates candidates;
     Other_relaxation batch(graph, run, m_queue, m_labels, candidates, heuristic,
                            largest_label(stop), nullptr);
-    internal::Goal_watch watch(m_labels, goal(stop, heuristic), false);
+    Geodesic_visitor_base no_visitor;
+    internal::Watch watch(m_labels, goal(stop, heuristic), no_visitor, m_graph->unit(), false);
     batch.run(watch, false);
     m_labels.append_to_order(m_queue);
   }
@@ -527,7 +528,10 @@ private:
       enter_seeds(List_entry{entries});
       for(const Entry& entry : entries)
         enter(entry.seed, entry.payload, stop, heuristic);
-      propagate(stop, watch(stop, visitor, heuristic), heuristic);
+      propagate(
+          stop,
+          internal::Watch(m_labels, goal(stop, heuristic), visitor, m_graph->unit(), m_counts),
+          heuristic);
       count_all();
       m_sources.forget_all(); // a visitor may have asked, too early
     }
@@ -599,17 +603,6 @@ private:
                                             std::move(points));
   }
 
-  template <typename Visitor, typename Heuristic>
-  auto watch(const Stop_rule& stop, [[maybe_unused]] Visitor& visitor, const Heuristic& heuristic)
-  {
-    using Goal = decltype(goal(stop, heuristic));
-    if constexpr(internal::is_idle_visitor<Visitor>)
-      return internal::Goal_watch<Goal>(m_labels, goal(stop, heuristic), m_counts);
-    else
-      return internal::Progress_watch<Graph, Goal, Visitor>(
-          *m_graph, m_labels, goal(stop, heuristic), visitor, m_counts);
-  }
-
   void count_all()
   {
     if(!m_counts)
@@ -632,7 +625,7 @@ private:
 
   void check(const std::vector<Seed>& seeds, const Stop_rule& stop) const
   {
-    internal::Input_check(m_graph->number_of_nodes(), m_graph->unit()).check(seeds, stop);
+    internal::check_input(seeds, stop, m_graph->number_of_nodes(), m_graph->unit());
   }
 
   const Graph* m_graph;

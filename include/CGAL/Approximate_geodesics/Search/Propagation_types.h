@@ -99,47 +99,35 @@ struct Propagation_statistics
 namespace internal {
 
 // Rejects what cannot be searched on a graph of this size and unit.
-class Input_check
+inline void check_input(const std::vector<Seed>& seeds,
+                        const Stop_rule& stop,
+                        const std::size_t number_of_nodes,
+                        const double unit)
 {
-public:
-  Input_check(const std::size_t number_of_nodes, const double unit)
-    : m_number_of_nodes(number_of_nodes), m_unit(unit)
-  {
-  }
-
-  void check(const std::vector<Seed>& seeds, const Stop_rule& stop) const
-  {
-    for(const Seed& seed : seeds)
-    {
-      check_node(seed.node, "source");
-      const double distance = seed.distance / m_unit; // overflows if the mesh is tiny
-      if(!(distance >= 0) || std::isinf(distance))
-        reject("the distance that source node " + std::to_string(seed.node) + " starts with is " +
-               text_of(seed.distance) +
-               "; it must be a finite number that is not negative, nor out of proportion to the "
-               "mesh");
-    }
-    for(const std::size_t target : stop.targets)
-      check_node(target, "target");
-    for(const std::vector<Last_arc>& arcs : stop.points)
-      for(const Last_arc& arc : arcs)
-        check_node(arc.node, "target");
-    if(!(stop.maximum_distance >= 0))
-      reject("the maximum distance is " + text_of(stop.maximum_distance) +
-             "; it must be a number that is not negative");
-  }
-
-private:
-  void check_node(const std::size_t node, const char* role) const
-  {
-    if(node >= m_number_of_nodes)
+  const auto check_node = [&](const std::size_t node, const char* const role) {
+    if(node >= number_of_nodes)
       reject(std::string(role) + " node " + std::to_string(node) + " does not exist: there are " +
-             std::to_string(m_number_of_nodes) + " nodes");
+             std::to_string(number_of_nodes) + " nodes");
+  };
+  for(const Seed& seed : seeds)
+  {
+    check_node(seed.node, "source");
+    const double distance = seed.distance / unit; // overflows if the mesh is tiny
+    if(!(distance >= 0) || std::isinf(distance))
+      reject("the distance that source node " + std::to_string(seed.node) + " starts with is " +
+             text_of(seed.distance) +
+             "; it must be a finite number that is not negative, nor out of proportion to the "
+             "mesh");
   }
-
-  std::size_t m_number_of_nodes;
-  double m_unit;
-};
+  for(const std::size_t target : stop.targets)
+    check_node(target, "target");
+  for(const std::vector<Last_arc>& arcs : stop.points)
+    for(const Last_arc& arc : arcs)
+      check_node(arc.node, "target");
+  if(!(stop.maximum_distance >= 0))
+    reject("the maximum distance is " + text_of(stop.maximum_distance) +
+           "; it must be a number that is not negative");
+}
 
 } // namespace internal
 } // namespace CGAL::Approximate_geodesics

@@ -179,14 +179,12 @@ double value_of_number(const Number& number)
 template <typename NamedParameters, typename... Tags>
 constexpr bool is_any_given = (is_given<NamedParameters, Tags> || ...);
 
-template <typename T, typename... Types>
-constexpr bool is_same_as_any = (std::is_same_v<T, Types> || ...);
-
 // Whether a function that reads the parameters `Read` would ignore a given parameter of this
 // package, or one of CGAL's that affects results. Ignoring `concurrency_tag`, or a parameter that
 // describes the mesh, such as an index map, is harmless.
 #define CGAL_APPROXIMATE_GEODESICS_OR_IGNORED(TAG, VALUE, NAME)                                    \
-  || (is_given<NamedParameters, internal_np::TAG> && !is_same_as_any<internal_np::TAG, Read...>)
+  || (is_given<NamedParameters, internal_np::TAG> &&                                               \
+      !(std::is_same_v<internal_np::TAG, Read> || ...))
 template <typename NamedParameters, typename... Read>
 constexpr bool ignores_any =
     false CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER(CGAL_APPROXIMATE_GEODESICS_OR_IGNORED)

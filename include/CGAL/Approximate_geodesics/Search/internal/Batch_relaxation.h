@@ -313,10 +313,9 @@ public:
       if(!watch.go_further(m_size))
         return false;
       find_candidates();
-      if(m_statistics == nullptr)
-        lower_labels<0>();
-      else
-        count_and_lower_labels();
+      const std::size_t number_lowered = lower_labels();
+      if(m_statistics != nullptr)
+        count(number_lowered);
     }
     return true;
   }
@@ -379,8 +378,8 @@ private:
                  static_cast<const Labels&>(m_labels), m_candidates);
   }
 
-  // The third loop: lowers the labels of the ends of candidates, and enters these nodes.
-  template <std::size_t COUNT>
+  // The third loop: lowers the labels of the ends of candidates, and enters these nodes. Returns
+  // their number.
   std::size_t lower_labels()
   {
     std::size_t number = 0;
@@ -395,17 +394,17 @@ private:
         m_labels.set(c.node, c.distance, c.predecessor);
         m_run.on_label(c.node, c.distance, c);
         m_queue.push(c.node, key(c.node, c.distance));
-        number += COUNT;
+        ++number;
       }
     }
     return number;
   }
 
-  void count_and_lower_labels()
+  void count(const std::size_t number_lowered)
   {
     m_statistics->pops += m_size;
     m_statistics->relaxations += m_candidates.number_of_arcs();
-    m_statistics->improvements += lower_labels<1>();
+    m_statistics->improvements += number_lowered;
   }
 
   // Along an arc, a consistent heuristic falls by no more than the length of the arc, but for

@@ -55,7 +55,7 @@ public:
   const std::vector<Node>& order() const { return m_order; }
   std::vector<Node>& order() { return m_order; }
 
-  // So that the labels of the nodes in a queue are known when they are taken back.
+  // Appends the nodes in a queue, so that `forget()` takes back their labels.
   template <typename Queue>
   void append_to_order(const Queue& queue)
   {

@@ -109,16 +109,6 @@ private:
   bool m_is_given;
 };
 
-/*
- * Watches follow a run, between the loops that work through a batch of entries:
- * - `go_further(n)` is called after `n` nodes were appended to the order, and returns whether these
- *   shall be expanded, or else the run ends;
- * - `finish()` is called when the queue is empty.
- *
- * The nodes expanded since the last time become final all at once: as soon as the queue goes on to
- * larger keys. So it is enough to ask for the first of them.
- */
-
 // Sorts a part of the order by distance, with each node once. Returns where it ends then.
 inline std::size_t sort_order(Labels& labels, const std::size_t first, const std::size_t end)
 {
@@ -135,41 +125,6 @@ inline std::size_t sort_order(Labels& labels, const std::size_t first, const std
   return end - number;
 }
 
-// Ends a run when its goal is met, if it has one. Sorts the order if it is to be counted.
-template <typename Goal>
-class Goal_watch
-{
-public:
-  Goal_watch(Labels& labels, Goal goal, const bool sorts)
-    : m_labels(labels), m_goal(std::move(goal)), m_sorts(sorts)
-  {
-  }
-
-  bool go_further(const std::size_t number_appended)
-  {
-    if(!m_goal.is_given() && !m_sorts)
-      return true;
-    const std::size_t number_of_earlier = m_labels.order().size() - number_appended;
-    if(m_number_final == number_of_earlier || !m_goal.is_final(m_labels.order()[m_number_final]))
-      return true;
-    settle(number_of_earlier);
-    return !m_goal.is_met();
-  }
-
-  void finish() { settle(m_labels.order().size()); }
-
-private:
-  void settle(const std::size_t end)
-  {
-    m_number_final = m_sorts ? sort_order(m_labels, m_number_final, end) : end;
-  }
-
-  Labels& m_labels;
-  Goal m_goal;
-  bool m_sorts;
-  std::size_t m_number_final = 0;
-};
-
 template <typename Visitor>
 constexpr bool is_idle_visitor = std::is_same_v<std::decay_t<Visitor>, Geodesic_visitor_base>;
 
@@ -179,60 +134,70 @@ using Is_told_of_nodes = std::bool_constant<std::decay_t<Visitor>::is_told_of_no
 // Whether a visitor is told of nodes, which have to be sorted for that.
 template <typename Visitor>
 constexpr bool is_told_of_nodes =
+    !is_idle_visitor<Visitor> &&
     boost::detected_or_t<std::true_type, Is_told_of_nodes, Visitor>::value;
 
-// Tells a visitor which nodes are settled, as soon as they are final, and ends a run when its goal
-// is met or the visitor wishes so.
-template <typename Graph, typename Goal, typename Visitor>
-class Progress_watch
+/*
+ * Follows a run, between the loops that work through a batch of entries: tells the visitor of nodes
+ * as soon as they are final, and ends the run when its goal is met or the visitor ends it.
+ *
+ * The nodes expanded since the last time become final all at once: as soon as the queue goes on to
+ * larger keys. So it is enough to ask for the first of them.
+ */
+template <typename Goal, typename Visitor>
+class Watch
 {
-  using Node = Labels::Node;
-
 public:
-  Progress_watch(const Graph& graph, Labels& labels, Goal goal, Visitor& visitor, const bool sorts)
-    : m_graph(graph), m_labels(labels), m_goal(std::move(goal)), m_visitor(visitor), m_sorts(sorts)
+  // Distances that the visitor is told are in units of the graph times `unit`. The order is sorted,
+  // with each node once, if it is to be counted.
+  Watch(Labels& labels, Goal goal, Visitor& visitor, const double unit, const bool counts)
+    : m_labels(labels),
+      m_goal(std::move(goal)),
+      m_visitor(visitor),
+      m_unit(unit),
+      m_sorts(counts || is_told_of_nodes<Visitor>),
+      m_is_needed(m_goal.is_given() || m_sorts || !is_idle_visitor<Visitor>)
   {
   }
 
+  // To be called after so many nodes were appended to the order. Returns whether these shall be
+  // expanded, or else the run ends.
   bool go_further(const std::size_t number_appended)
   {
+    if(!m_is_needed)
+      return true;
     const std::size_t number_of_earlier = m_labels.order().size() - number_appended;
-    if(m_number_settled == number_of_earlier ||
-       !m_goal.is_final(m_labels.order()[m_number_settled]))
+    if(m_number_final == number_of_earlier || !m_goal.is_final(m_labels.order()[m_number_final]))
       return true;
     settle(number_of_earlier);
     return !m_goal.is_met() && m_visitor.go_further();
   }
 
+  // To be called when the queue is empty.
   void finish() { settle(m_labels.order().size()); }
 
 private:
+  // The nodes of the order up to `end` are final.
   void settle(const std::size_t end)
   {
+    [[maybe_unused]] std::size_t i = m_number_final;
+    m_number_final = m_sorts ? sort_order(m_labels, m_number_final, end) : end;
     if constexpr(is_told_of_nodes<Visitor>)
-      tell_nodes(end);
-    else
-      m_number_settled = m_sorts ? sort_order(m_labels, m_number_settled, end) : end;
-    m_visitor.on_progress(m_number_settled, m_labels.number_of_nodes());
+      for(; i < m_number_final; ++i)
+      {
+        const Labels::Node node = m_labels.order()[i];
+        m_visitor.on_settled(node, m_labels.distance(node) * m_unit);
+      }
+    m_visitor.on_progress(m_number_final, m_labels.number_of_nodes());
   }
 
-  // Settles the nodes of the order up to `end`: by distance, and each of them once.
-  void tell_nodes(const std::size_t end)
-  {
-    const std::size_t beyond = sort_order(m_labels, m_number_settled, end);
-    while(m_number_settled < beyond)
-    {
-      const Node node = m_labels.order()[m_number_settled++];
-      m_visitor.on_settled(node, m_labels.distance(node) * m_graph.unit());
-    }
-  }
-
-  const Graph& m_graph;
   Labels& m_labels;
   Goal m_goal;
   Visitor& m_visitor;
-  bool m_sorts; // if the order is to be counted, although the visitor is not told of nodes
-  std::size_t m_number_settled = 0;
+  double m_unit;
+  bool m_sorts;
+  bool m_is_needed;
+  std::size_t m_number_final = 0;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal
