@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <limits>
+#include <optional>
 
 namespace CGAL {
 namespace Approximate_geodesics::internal {
@@ -46,8 +47,18 @@ double write_path(const TriangleMesh& tmesh,
     }
     return distance;
   };
-  if(!search_part_between(tmesh, source, target, np, write))
-    search_once<Source, Target>(tmesh, np, true, [&](auto& search) { write(search, infinity); });
+  if constexpr(may_read_part<TriangleMesh, NamedParameters>())
+  {
+    const auto search_part = [&](const auto& part, const double limit) {
+      std::optional<double> distance;
+      search_once<Source, Target>(part, np, true,
+                                  [&](auto& search) { distance = write(search, limit); });
+      return distance;
+    };
+    if(Part_to_read(tmesh, np).between(source, target, search_part))
+      return length;
+  }
+  search_once<Source, Target>(tmesh, np, true, [&](auto& search) { write(search, infinity); });
   return length;
 }
 

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,25 @@ void add_row(const std::string& name,
       .add(double(counts.number_of_read) / double(counts.number_of_reached), 2);
 }
 
+// The part of the mesh that has the path, if there is one.
+template <typename NamedParameters>
+auto part_between(const Mesh& mesh, const Task& task, const NamedParameters& np)
+{
+  std::optional<AG::internal::Mesh_part<Mesh>> result;
+  const auto search_part = [&](const auto& part, double) {
+    result = part;
+    std::optional<double> distance;
+    AG::internal::search_once(part, np, true, [&](auto& search) {
+      search.run_to(task.source, task.target, AG::internal::positions_for_one_run(search, np), np);
+      distance = search.search().distance(search.translation().intrinsic_point(task.target));
+    });
+    return distance;
+  };
+  if(!AG::internal::Part_to_read(mesh, np).between(task.source, task.target, search_part))
+    result.reset();
+  return result;
+}
+
 template <typename NamedParameters>
 void compare_paths(const Mesh& mesh,
                    const std::vector<Task>& tasks,
@@ -123,7 +143,7 @@ void compare_paths(const Mesh& mesh,
   });
   contest.run(tasks.size());
   for(const Task& task : tasks)
-    counts.add_part(mesh, AG::internal::Part_to_read(mesh, np).between(task.source, task.target));
+    counts.add_part(mesh, part_between(mesh, task, np));
 }
 
 template <typename NamedParametersOf>

@@ -25,6 +25,8 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for users of the class
 
+#include <boost/iterator/transform_iterator.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <list>
@@ -71,7 +73,17 @@ template <typename TriangleMesh,
 class Surface_mesh_shortest_path : public Surface_locations<TriangleMesh>
 {
   using Locations = Surface_locations<TriangleMesh>;
-  struct Listed_source; // a face location, as in the exact class, and what the search starts from
+
+  struct Listed_source
+  {
+    typename Locations::Face_location location;
+    Source_point source;
+  };
+
+  struct Location_of_source
+  {
+    const auto& operator()(const Listed_source& source) const { return source.location; }
+  };
 
 public:
   /// \name Types
@@ -95,11 +107,13 @@ public:
 #endif
 
 #ifdef DOXYGEN_RUNNING
-  /// a model of `BidirectionalIterator` whose value type derives from `Face_location`. It stays
-  /// valid until its source is removed.
+  /// a model of `BidirectionalIterator` with value type `Face_location`. It stays valid until its
+  /// source is removed.
   using Source_point_iterator = unspecified_type;
 #else
-  using Source_point_iterator = typename std::list<Listed_source>::const_iterator;
+  using Source_point_iterator =
+      boost::transform_iterator<Location_of_source,
+                                typename std::list<Listed_source>::const_iterator>;
 #endif
 
   /// a distance, and the corresponding source.
@@ -140,11 +154,9 @@ public:
   }
 
   /*!
-   * takes a graph of `tmesh` that was built before, or read from a file. The named parameters are
-   * `vertex_point_map` and, if one was given for the triangulation, `vertex_index_map`.
-   *
-   * \warning `tmesh` is referred to, and must neither be changed nor destroyed during the lifetime
-   * of this object.
+   * takes a graph of `tmesh` that was built before, or read from a file. `tmesh` is referred to, as
+   * above. The named parameters are `vertex_point_map` and, if one was given for the triangulation,
+   * `vertex_index_map`.
    *
    * \throws std::invalid_argument if `graph` belongs to a mesh of another size.
    */
@@ -228,7 +240,7 @@ public:
   void remove_source_point(const Source_point_iterator it)
   {
     m_has_changed = true;
-    m_sources.erase(it);
+    m_sources.erase(it.base());
   }
 
   /// removes all sources.
@@ -239,10 +251,13 @@ public:
   }
 
   /// returns an iterator to the first source. Sources have the order of insertion.
-  Source_point_iterator source_points_begin() const { return m_sources.begin(); }
+  Source_point_iterator source_points_begin() const
+  {
+    return Source_point_iterator(m_sources.begin());
+  }
 
   /// returns the past-the-end iterator.
-  Source_point_iterator source_points_end() const { return m_sources.end(); }
+  Source_point_iterator source_points_end() const { return Source_point_iterator(m_sources.end()); }
 
   /// returns the number of sources.
   std::size_t number_of_source_points() const { return m_sources.size(); }
@@ -277,7 +292,7 @@ public:
     std::vector<Source_point> sources;
     for(auto it = source_points_begin(); it != source_points_end(); ++it)
     {
-      sources.push_back(it->source);
+      sources.push_back(it.base()->source);
       m_source_points.push_back(it);
     }
     m_search.run(std::move(sources), np);
@@ -542,11 +557,6 @@ private:
   using Translation = Mesh_translation<Triangle_mesh, Index_function>;
   using Mesh_search = internal::Mesh_search<Graph, PriorityQueue, Translation, Point_function>;
 
-  struct Listed_source : Face_location
-  {
-    Source_point source;
-  };
-
   // Disambiguates the delegated constructor from the one that takes a graph.
   struct Graph_holder
   {
@@ -574,7 +584,8 @@ private:
   {
     internal::check_initial_distance(initial_distance, m_sources.size());
     m_has_changed = true;
-    return m_sources.insert(m_sources.end(), Listed_source{location, {p, initial_distance}});
+    return Source_point_iterator(
+        m_sources.insert(m_sources.end(), Listed_source{location, {p, initial_distance}}));
   }
 
   Shortest_path_result shortest_distance(const Intrinsic_point& p)
@@ -598,7 +609,7 @@ private:
       return result;
     const Path path = m_search.find_path(p, np);
     std::for_each(path.points.begin(), path.points.end(), f);
-    result.first = path.length + result.second->source.distance;
+    result.first = path.length + result.second.base()->source.distance;
     return result;
   }
 

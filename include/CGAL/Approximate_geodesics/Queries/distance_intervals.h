@@ -13,13 +13,13 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/search_once.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
@@ -39,31 +39,24 @@ smallest_distance(const double distance, const double epsilon, const double cost
   return (std::max)(distance - detour, 0.) / (1 + epsilon) * (1 - rounding_of_distances);
 }
 
-// Returns the extension of the error bound for a point that is not a vertex, if the graph defines
-// one.
 template <typename Graph>
-auto cost_to_corner(const Graph& graph, const Intrinsic_point& point, int /* preferred */)
-    -> decltype(graph.cost_to_corner(point))
-{
-  return graph.cost_to_corner(point);
-}
-template <typename Graph>
-double cost_to_corner(const Graph& /* graph */, const Intrinsic_point& /* point */, long)
-{
-  return 0;
-}
+using Cost_to_corner =
+    decltype(std::declval<const Graph&>().cost_to_corner(std::declval<Intrinsic_point>()));
 
-// Returns the largest finite cost from a source to a corner of its face.
+// Returns the largest finite cost from a source to a corner of its face, which extends the error
+// bound of some graphs; 0 for other graphs.
 template <typename Graph>
-double largest_cost_to_corner(const Graph& graph, const std::vector<Source_point>& sources)
+double largest_cost_to_corner([[maybe_unused]] const Graph& graph,
+                              [[maybe_unused]] const std::vector<Source_point>& sources)
 {
   double result = 0;
-  for(const Source_point& source : sources)
-  {
-    const double cost = graph.unit() * cost_to_corner(graph, source.point, 0);
-    if(!std::isinf(cost))
-      result = (std::max)(result, cost);
-  }
+  if constexpr(boost::is_detected_v<Cost_to_corner, Graph>)
+    for(const Source_point& source : sources)
+    {
+      const double cost = graph.unit() * graph.cost_to_corner(source.point);
+      if(!std::isinf(cost))
+        result = (std::max)(result, cost);
+    }
   return result;
 }
 
@@ -133,9 +126,7 @@ void distance_intervals(const TriangleMesh& tmesh,
       "lists the supported ones");
   using Interval = typename boost::property_traits<VertexIntervalMap>::value_type;
 
-  const double limit = CGAL::to_double(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_distance),
-                                   std::numeric_limits<double>::infinity()));
+  const double limit = internal::maximum_distance(np);
   internal::search_once(tmesh, np, false, [&](auto& search) {
     search.run_from(sources, np);
     const auto& distances = search.search().search();

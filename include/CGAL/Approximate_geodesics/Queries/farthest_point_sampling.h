@@ -172,6 +172,8 @@ farthest_point_sampling(const TriangleMesh& tmesh,
       !internal::query_ignores_any<NamedParameters>,
       "farthest_point_sampling() reads epsilon, number_of_points_per_edge, and parameters that "
       "describe the mesh only; it always searches the whole mesh");
+  static_assert(internal::are_vertices<TriangleMesh, Sources>,
+                "farthest_point_sampling() takes a vertex or a range of vertices as sources");
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   internal::check_number_of_points(number_of_points);

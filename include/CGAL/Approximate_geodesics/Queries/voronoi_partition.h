@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
@@ -42,14 +43,6 @@ inline std::size_t source_of_face(const std::array<Corner_source, 3>& corners)
              corners.begin(), corners.end(),
              [](const Corner_source& p, const Corner_source& q) { return p.distance < q.distance; })
       ->source;
-}
-
-template <typename Keys, typename FromMap, typename ToMap>
-void copy_values(const Keys& keys, const FromMap from, const ToMap to)
-{
-  using Value = typename boost::property_traits<ToMap>::value_type;
-  for(const auto key : keys)
-    put(to, key, static_cast<Value>(get(from, key)));
 }
 
 } // namespace internal
@@ -107,8 +100,12 @@ void voronoi_partition(const TriangleMesh& tmesh,
       parameters::combine(np, parameters::nearest_source_map(source_map)));
 
   if constexpr(internal::is_given<NamedParameters, internal_np::nearest_source_t>)
-    internal::copy_values(vertices(tmesh), source_map,
-                          parameters::get_parameter(np, internal_np::nearest_source));
+  {
+    const auto map = parameters::get_parameter(np, internal_np::nearest_source);
+    using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
+    for(const auto v : vertices(tmesh))
+      put(map, v, static_cast<Value>(get(source_map, v)));
+  }
 
   using Value = typename boost::property_traits<FaceSourceMap>::value_type;
   for(const auto f : faces(tmesh))

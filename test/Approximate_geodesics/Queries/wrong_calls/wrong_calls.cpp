@@ -92,6 +92,9 @@ void call_wrongly(const Mesh& mesh,
   // farthest_point_sampling() reads epsilon
   AG::farthest_point_sampling(mesh, std::back_inserter(samples), 3, parameters::targets(vertices));
 
+  // farthest_point_sampling() takes a vertex or a range of vertices as sources
+  AG::farthest_point_sampling(mesh, std::back_inserter(samples), 3, AG::Face_location<Mesh>());
+
   // approximate_geodesic_distances() does not read one of these named parameters
   AG::voronoi_partition(mesh, cells, vertices, parameters::straighten(true));
 

@@ -31,8 +31,8 @@ constexpr bool is_hashable = std::is_default_constructible_v<std::hash<Descripto
 
 /*
  * A map from mesh elements to numbers: a hash table with linear probing. Memory and time depend on
- * the number of entries, not on the size of the mesh. `std::unordered_map`, which allocates every
- * entry, executes 2.6 times as many instructions.
+ * the number of entries, not on the size of the mesh. With `std::unordered_map`, which allocates
+ * every entry, the path between near points executes 1.3 to 2.3 times as many instructions.
  */
 template <typename Descriptor>
 class Descriptor_table

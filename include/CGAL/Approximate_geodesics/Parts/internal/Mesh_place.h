@@ -39,7 +39,7 @@ struct Mesh_place
   using Vertex = typename Graph_traits::vertex_descriptor;
 
   // The vertices, with weights that add up to 1: one, two on an edge, or three in a face.
-  std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};
+  std::array<Vertex, 3> corner{};
   std::array<double, 3> weight{};
   std::size_t number_of_corners = 0;
 
@@ -66,18 +66,12 @@ checked_place(const TriangleMesh& tmesh,
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   if(!may_be_element(v, Graph_traits::null_vertex(), num_vertices(tmesh), tmesh))
     return std::nullopt;
-  Mesh_place<TriangleMesh> result;
-  result.corner[0] = v;
-  result.weight[0] = 1;
-  result.number_of_corners = 1;
   const auto h = halfedge(v, tmesh);
-  if(h != Graph_traits::null_halfedge())
-  {
-    result.halfedge = side_of_edge(h, tmesh);
-    if(result.halfedge == Graph_traits::null_halfedge() || target(h, tmesh) != v)
-      return std::nullopt;
-  }
-  return result;
+  const bool is_isolated = h == Graph_traits::null_halfedge();
+  const auto side = is_isolated ? h : side_of_edge(h, tmesh);
+  if(!is_isolated && (side == Graph_traits::null_halfedge() || target(h, tmesh) != v))
+    return std::nullopt;
+  return Mesh_place<TriangleMesh>{{v}, {1}, 1, side};
 }
 
 template <typename TriangleMesh>
@@ -88,14 +82,10 @@ std::optional<Mesh_place<TriangleMesh>> checked_place(
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   const auto [h, t] = point;
   check_point(h, t, tmesh);
-  Mesh_place<TriangleMesh> result;
-  result.halfedge = side_of_edge(h, tmesh);
-  if(result.halfedge == Graph_traits::null_halfedge())
+  const auto side = side_of_edge(h, tmesh);
+  if(side == Graph_traits::null_halfedge())
     return std::nullopt;
-  result.corner = {source(h, tmesh), target(h, tmesh), Graph_traits::null_vertex()};
-  result.weight = {1 - t, t, 0};
-  result.number_of_corners = 2;
-  return result;
+  return Mesh_place<TriangleMesh>{{source(h, tmesh), target(h, tmesh)}, {1 - t, t}, 2, side};
 }
 
 template <typename TriangleMesh, typename FT>

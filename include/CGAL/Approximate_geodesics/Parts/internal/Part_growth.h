@@ -114,7 +114,7 @@ public:
 
   Mesh_part<TriangleMesh>& part() { return m_part; }
 
-  // Returns the smallest limit that adds faces to the part; infinity if none does.
+  // Returns a limit up to which the part stays the same; infinity if it is a whole component.
   double next_limit() const { return m_next_limit; }
 
 private:

@@ -18,7 +18,6 @@
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
-#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -68,33 +67,8 @@ private:
 };
 
 template <typename Visitor, typename Vertices>
-Vertex_visitor<Visitor, Vertices> make_vertex_visitor(Visitor& visitor, const Vertices& vertices)
-{
-  return {visitor, vertices};
-}
-
-// Overload for a visitor given by reference.
-template <typename Visitor, typename Vertices>
-Vertex_visitor<Visitor, Vertices> make_vertex_visitor(std::reference_wrapper<Visitor>& visitor,
-                                                      const Vertices& vertices)
-{
-  return {visitor.get(), vertices};
-}
-
-// Calls `run` with the visitor of the named parameters, adapted to nodes, or with an idle visitor.
-template <typename NamedParameters, typename Vertices, typename Run>
-void run_with_visitor([[maybe_unused]] const NamedParameters& np,
-                      [[maybe_unused]] const Vertices& vertices,
-                      Run run)
-{
-  if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
-  {
-    auto visitor = parameters::get_parameter(np, internal_np::visitor);
-    run(make_vertex_visitor(visitor, vertices));
-  }
-  else
-    run(Geodesic_visitor_base());
-}
+Vertex_visitor(std::reference_wrapper<Visitor>&, const Vertices&)
+    -> Vertex_visitor<Visitor, Vertices>;
 
 /*
  * Writes the results of a search to property maps of the vertices of a mesh. All memory is
@@ -304,8 +278,13 @@ private:
   template <typename NamedParameters>
   void run(std::vector<Source_point> sources, const Stop_rule& stop, const NamedParameters& np)
   {
-    run_with_visitor(np, m_translation,
-                     [&](auto&& visitor) { m_search.run(std::move(sources), stop, visitor); });
+    if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
+    {
+      auto visitor = parameters::get_parameter(np, internal_np::visitor);
+      m_search.run(std::move(sources), stop, Vertex_visitor(visitor, m_translation));
+    }
+    else
+      m_search.run(std::move(sources), stop);
   }
 
   const Translation& m_translation;

@@ -318,54 +318,6 @@ private:
   const Translation& m_translation;
 };
 
-// Calls `f(search, limit)` with searches of growing parts of the mesh, until it returns a distance
-// from the nearest source to `target` within the limit. Returns false if the mesh must be read
-// completely.
-template <typename TriangleMesh,
-          typename Sources,
-          typename Target,
-          typename NamedParameters,
-          typename F>
-bool search_part_between([[maybe_unused]] const TriangleMesh& tmesh,
-                         [[maybe_unused]] const Sources& sources,
-                         [[maybe_unused]] const Target& target,
-                         [[maybe_unused]] const NamedParameters& np,
-                         [[maybe_unused]] F f)
-{
-  if constexpr(may_read_part<TriangleMesh, NamedParameters>())
-    return Part_to_read(tmesh, np).between(
-        sources, target, [&](const auto& part, const double limit) {
-          std::optional<double> distance;
-          search_once<Sources, Target>(part, np, true,
-                                       [&](auto& search) { distance = f(search, limit); });
-          return distance;
-        });
-  return false;
-}
-
-// Writes the results of a search of the part within the maximum distance. Returns false if the part
-// cannot be determined without reading the whole mesh.
-template <typename TriangleMesh,
-          typename VertexDistanceMap,
-          typename Sources,
-          typename NamedParameters>
-bool write_distances_of_part([[maybe_unused]] const TriangleMesh& tmesh,
-                             [[maybe_unused]] VertexDistanceMap distances,
-                             [[maybe_unused]] const Sources& sources,
-                             [[maybe_unused]] const NamedParameters& np)
-{
-  if constexpr(may_read_part<TriangleMesh, NamedParameters>() &&
-               is_given<NamedParameters, internal_np::maximum_distance_t> &&
-               !is_given<NamedParameters, internal_np::targets_t>)
-    if(const auto part = Part_to_read(tmesh, np).around(sources))
-      return search_once<Sources>(*part, np, false, [&](auto& search) {
-        search.run_from(sources, np);
-        Vertex_results(search.search().search(), Whole_translation(search.translation()))
-            .write(distances, np);
-      });
-  return false;
-}
-
 } // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_SEARCH_ONCE_H
