@@ -18,6 +18,7 @@
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -284,7 +285,10 @@ private:
       m_search.run(std::move(sources), stop, Vertex_visitor(visitor, m_translation));
     }
     else
-      m_search.run(std::move(sources), stop);
+    {
+      Geodesic_visitor_base visitor; // as in the compiled searches
+      m_search.run(std::move(sources), stop, visitor);
+    }
   }
 
   const Translation& m_translation;
