@@ -7,7 +7,6 @@
 #define BENCHMARK_SIGHT_COUNTING_GRAPH_H
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Saddle_run.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
@@ -65,7 +64,7 @@ public:
   {
     namespace internal = CGAL::Approximate_geodesics::internal;
     Visitor<Known, F> visitor{{{}, known, f}, m_number_of_sights};
-    internal::Sight_expansion<Visitor<Known, F>> expansion(m_steps, m_bends, known.distance(node),
+    internal::Sight_expansion<Visitor<Known, F>> expansion(m_steps, m_bends, known.label(node),
                                                            visitor);
     internal::Vertex_sights(triangulation(), m_steps, m_bends)
         .for_each(

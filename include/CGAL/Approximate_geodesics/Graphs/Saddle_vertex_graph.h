@@ -13,10 +13,10 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Saddle_run.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>

@@ -10,7 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>

@@ -87,23 +87,13 @@ private:
   std::vector<Node> m_nodes;
 };
 
-// Reports what is seen to a search, and knows what its labels tell.
-template <typename Labels, typename F>
-struct Arc_visitor : Sight_visitor_base
+// Reports what is seen to a search. `Known` is what its labels tell.
+template <typename Known, typename F>
+struct Arc_visitor : Sight_visitor_base, Known
 {
-  using Node = Intrinsic_triangulation::Index;
-
   static constexpr bool knows_arrivals = true;
 
-  double bound(const Node v) const { return labels.bound(v); }
-  double label(const Node v) const { return labels.distance(v); }
-  const Arrival& arrival(const Node v) const { return labels.arrival(v); }
-  bool has_predecessor(const Node v) const
-  {
-    return labels.predecessor(v) != Intrinsic_triangulation::null_index;
-  }
-
-  void on_vertex(const Node v,
+  void on_vertex(const Intrinsic_triangulation::Index v,
                  const Sight_path& path,
                  const Sight& sight,
                  const Plane_vector apex,
@@ -112,7 +102,6 @@ struct Arc_visitor : Sight_visitor_base
     f(v, path.length, sight.arrival(path, apex, left_edge));
   }
 
-  const Labels& labels;
   F& f;
 };
 
@@ -133,14 +122,17 @@ public:
 
   static constexpr bool attaches_by_labels = true;
 
-  // What the search knows, as `Arc_visitor` asks for it.
+  // What `Sight_expansion` asks for.
   template <typename Labels>
   struct Known
   {
     double bound(const Node v) const { return run.bound(v); }
-    double distance(const Node v) const { return labels.distance(v); }
-    Node predecessor(const Node v) const { return labels.predecessor(v); }
+    double label(const Node v) const { return labels.distance(v); }
     const Arrival& arrival(const Node v) const { return run.m_arrival[v]; }
+    bool has_predecessor(const Node v) const
+    {
+      return labels.predecessor(v) != Intrinsic_triangulation::null_index;
+    }
 
     const Saddle_run& run;
     const Labels& labels;
@@ -370,8 +362,8 @@ private:
     const Intrinsic_triangulation& t = graph().triangulation();
     using Visitor = Arc_visitor<Known, F>;
     Visitor visitor{{}, known, f};
-    Sight_expansion<Visitor> expansion(graph().m_steps, graph().m_bends, known.distance(node),
-                                       visitor, part);
+    Sight_expansion<Visitor> expansion(graph().m_steps, graph().m_bends, known.label(node), visitor,
+                                       part);
     Vertex_sights(t, graph().m_steps, graph().m_bends)
         .for_each(
             node, known.arrival(node),

@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Bends.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
@@ -78,6 +78,14 @@ public:
   }
 
 private:
+  // The third vertex of the face ahead.
+  struct Apex
+  {
+    const Face_step& step;
+    Plane_vector left_edge, position;
+    double distance, bound;
+  };
+
   double bound(const Index v) const { return m_visitor.bound(v) * (1 + rounding); }
 
   bool pop(Sight& sight)
@@ -100,53 +108,46 @@ private:
       m_visitor.on_sight(sight);
     if(has_returned(sight, step.across))
       return false;
-    const Plane_vector left_edge = step.left_edge(sight.edge);
-    const Plane_vector apex = sight.apex(left_edge, step);
-    const double distance = length(apex), bound = this->bound(step.apex);
+    const Plane_vector left_edge = step.left_edge(sight.edge), p = sight.apex(left_edge, step);
+    const Apex apex{step, left_edge, p, length(p), bound(step.apex)};
     if constexpr(Visitor::wants_faces)
-      m_visitor.on_face(sight, apex);
-    const double beyond_left = cross(sight.left_ray.direction, apex);
-    const double beyond_right = cross(apex, sight.right_ray.direction);
-    const double left_margin = sight.left_ray.margin * distance;
-    const double right_margin = sight.right_ray.margin * distance;
+      m_visitor.on_face(sight, p);
+    const double beyond_left = cross(sight.left_ray.direction, p),
+                 beyond_right = cross(p, sight.right_ray.direction),
+                 left_margin = sight.left_ray.margin * apex.distance,
+                 right_margin = sight.right_ray.margin * apex.distance;
 
     int side = beyond_left > left_margin ? 1 : beyond_right > right_margin ? -1 : 0;
     if(side == 0)
     {
-      if(m_label_of_tip + distance <= bound)
-        report(sight, step, apex, left_edge, distance, bound);
+      if(m_label_of_tip + apex.distance <= apex.bound)
+        report(sight, apex);
       if(BOOST_UNLIKELY(!(beyond_left < -left_margin && beyond_right < -right_margin)))
       {
-        side = side_at_ray(sight, step, apex, left_edge, distance, beyond_left, beyond_right);
+        side = side_at_ray(sight, apex, beyond_left, beyond_right);
         if(side > 0)
-          sight.left_ray = sight.left_ray.before_fold(sight.left, sight.left_distance, distance);
+          sight.left_ray =
+              sight.left_ray.before_fold(sight.left, sight.left_distance, apex.distance);
         if(side < 0)
           sight.right_ray =
-              sight.right_ray.before_fold(sight.right, sight.right_distance, distance);
+              sight.right_ray.before_fold(sight.right, sight.right_distance, apex.distance);
       }
     }
-    if(side > 0)
-      return go_right(sight, step, apex, distance, bound);
-    if(side < 0)
-      return go_left(sight, step, apex, left_edge, distance, bound);
-    side = useful_side(sight, step, apex, left_edge, m_label_of_tip + distance);
+    if(side != 0)
+      return side > 0 ? go_right(sight, apex) : go_left(sight, apex);
+    side = useful_side(sight, apex);
     if(side == 0)
       side = m_part.side(sight.splits++);
-    return split(sight, step, apex, left_edge, distance, bound, side);
+    return split(sight, apex, side);
   }
 
   // Not inline, as few vertices are reached on a line that is not longer than their bounds. It
-  // takes a copy of the sight, so that the inner loop may keep all of it in registers.
-  BOOST_NOINLINE void report(const Sight sight,
-                             const Face_step& step,
-                             const Plane_vector apex,
-                             const Plane_vector left_edge,
-                             const double distance,
-                             const double bound)
+  // takes copies, so that the inner loop may keep all of the sight in registers.
+  BOOST_NOINLINE void report(const Sight sight, const Apex apex)
   {
-    const Sight_path path = sight.path_to(apex, distance);
-    if(m_label_of_tip + path.length <= bound)
-      m_visitor.on_vertex(step.apex, path, sight, apex, left_edge);
+    const Sight_path path = sight.path_to(apex.position, apex.distance);
+    if(m_label_of_tip + path.length <= apex.bound)
+      m_visitor.on_vertex(apex.step.apex, path, sight, apex.position, apex.left_edge);
   }
 
   // Whether a sight comes back to an edge, and is given up there. If not, it goes on.
@@ -185,28 +186,26 @@ private:
    * divided.
    */
   BOOST_NOINLINE int side_at_ray(const Sight sight,
-                                 const Face_step& step,
-                                 const Plane_vector apex,
-                                 const Plane_vector left_edge,
-                                 const double distance,
+                                 const Apex apex,
                                  const double beyond_left,
                                  const double beyond_right) const
   {
+    const double distance = apex.distance;
     if(!(distance > 0)) // nothing is seen through an edge with both ends where the tip is
       return sight.right_distance > 0 ? 1 : -1;
-    const Plane_vector right_edge = step.right_edge(sight.edge);
+    const Face_step& step = apex.step;
     const bool hides_nothing = m_bends.hides_nothing(step.apex);
     const bool is_left_empty =
-        hides_nothing && leads_away(step.left, left_edge, sight.left_distance, distance);
-    const bool is_right_empty =
-        hides_nothing && leads_away(step.right, right_edge, sight.right_distance, distance);
-    const bool is_on_left = is_on(sight.left_ray, apex, distance, beyond_left, is_left_empty);
-    const bool is_on_right = is_on(sight.right_ray, apex, distance, beyond_right, is_right_empty);
+        hides_nothing && leads_away(step.left, apex.left_edge, sight.left_distance, distance);
+    const bool is_right_empty = hides_nothing && leads_away(step.right, step.right_edge(sight.edge),
+                                                            sight.right_distance, distance);
+    const bool is_on_left = is_on(sight.left_ray, apex, beyond_left, is_left_empty);
+    const bool is_on_right = is_on(sight.right_ray, apex, beyond_right, is_right_empty);
     if(is_on_left != is_on_right)
       return is_on_left ? 1 : -1;
     const bool is_narrow = beyond_left > -sight.left_ray.margin * distance &&
                            beyond_right > -sight.right_ray.margin * distance;
-    if(is_on_left || (is_narrow && sight.is_behind(apex)))
+    if(is_on_left || (is_narrow && sight.is_behind(apex.position)))
       return beyond_left * sight.right_ray.margin < beyond_right * sight.left_ray.margin ? -1 : 1;
     return 0;
   }
@@ -214,14 +213,11 @@ private:
   // Whether an apex on the inside of a ray counts as one on it depends on whether all that is seen
   // between the two is also seen by others. If the sight is as wide as half a plane, an apex on the
   // other ray is in line with this one, too.
-  static bool is_on(const Sight_ray& ray,
-                    const Plane_vector apex,
-                    const double distance,
-                    const double beyond,
-                    const bool is_rest_empty)
+  static bool
+  is_on(const Sight_ray& ray, const Apex& apex, const double beyond, const bool is_rest_empty)
   {
-    const double allowed = is_rest_empty ? Sight_ray::ROUNDING * ray.margin * distance : 0;
-    return beyond > -allowed && dot(ray.direction, apex) > 0;
+    const double allowed = is_rest_empty ? Sight_ray::ROUNDING * ray.margin * apex.distance : 0;
+    return beyond > -allowed && dot(ray.direction, apex.position) > 0;
   }
 
   // Whether an edge along a ray, from one end of the sight to the apex, leads away from the tip and
@@ -251,80 +247,65 @@ private:
    * the tip to points on the right of the apex, and makes them shorter from there on. Returns a
    * positive number if only the right part is of use, a negative one for the left part, and else 0.
    */
-  int useful_side(const Sight& sight,
-                  const Face_step& step,
-                  const Plane_vector apex,
-                  const Plane_vector left_edge,
-                  const double label_of_apex) const
+  int useful_side(const Sight& sight, const Apex& apex) const
   {
     if constexpr(Visitor::knows_arrivals)
-      if(label_of_apex > m_visitor.label(step.apex) * (1 + rounding) &&
-         m_visitor.has_predecessor(step.apex)) // a line from a source may have started in the face
+    {
+      const Index v = apex.step.apex;
+      if(m_label_of_tip + apex.distance > m_visitor.label(v) * (1 + rounding) &&
+         m_visitor.has_predecessor(v)) // a line from a source may have started in the face
       {
-        const Arrival& other = m_visitor.arrival(step.apex);
+        const Arrival& other = m_visitor.arrival(v);
         if(other.halfedge == sight.halfedge && other.has_direction())
         {
-          const double way = Arrival::across(sight.halfedge, apex, left_edge).direction;
+          const double way =
+              Arrival::across(sight.halfedge, apex.position, apex.left_edge).direction;
           return int(way > other.direction + Arrival::ROUNDING) -
                  int(way < other.direction - Arrival::ROUNDING);
         }
       }
+    }
     return 0;
   }
 
   // The edge between the apex and the right end.
-  BOOST_FORCEINLINE bool go_right(Sight& sight,
-                                  const Face_step& step,
-                                  const Plane_vector apex,
-                                  const double distance,
-                                  const double bound) const
+  BOOST_FORCEINLINE bool go_right(Sight& sight, const Apex& apex) const
   {
-    sight.halfedge = step.right;
-    sight.left = apex;
-    sight.edge = step.right_edge(sight.edge);
-    sight.left_distance = distance;
-    sight.left_bound = bound;
-    return step.right != Intrinsic_triangulation::null_index && !sight.is_useless(m_label_of_tip);
+    sight.halfedge = apex.step.right;
+    sight.left = apex.position;
+    sight.edge = apex.step.right_edge(sight.edge);
+    sight.left_distance = apex.distance;
+    sight.left_bound = apex.bound;
+    return sight.halfedge != null_index && !sight.is_useless(m_label_of_tip);
   }
 
-  BOOST_FORCEINLINE bool go_left(Sight& sight,
-                                 const Face_step& step,
-                                 const Plane_vector apex,
-                                 const Plane_vector left_edge,
-                                 const double distance,
-                                 const double bound) const
+  BOOST_FORCEINLINE bool go_left(Sight& sight, const Apex& apex) const
   {
-    sight.halfedge = step.left;
-    sight.right = apex;
-    sight.edge = left_edge;
-    sight.right_distance = distance;
-    sight.right_bound = bound;
-    return step.left != Intrinsic_triangulation::null_index && !sight.is_useless(m_label_of_tip);
+    sight.halfedge = apex.step.left;
+    sight.right = apex.position;
+    sight.edge = apex.left_edge;
+    sight.right_distance = apex.distance;
+    sight.right_bound = apex.bound;
+    return sight.halfedge != null_index && !sight.is_useless(m_label_of_tip);
   }
 
-  BOOST_FORCEINLINE bool split(Sight& sight,
-                               const Face_step& step,
-                               const Plane_vector apex,
-                               const Plane_vector left_edge,
-                               const double distance,
-                               const double bound,
-                               const int useful_side)
+  BOOST_FORCEINLINE bool split(Sight& sight, const Apex& apex, const int useful_side)
   {
-    const Sight_ray between(apex, distance);
+    const Sight_ray between(apex.position, apex.distance);
     if(useful_side > 0)
     {
       sight.left_ray = between;
-      return go_right(sight, step, apex, distance, bound);
+      return go_right(sight, apex);
     }
     if(useful_side == 0)
     {
       Sight right = sight;
       right.left_ray = between;
-      if(go_right(right, step, apex, distance, bound))
+      if(go_right(right, apex))
         m_stack.push_back(right);
     }
     sight.right_ray = between;
-    return go_left(sight, step, apex, left_edge, distance, bound);
+    return go_left(sight, apex);
   }
 
   const Face_steps& m_steps;
