@@ -330,8 +330,12 @@ double refined_path(const TriangleMesh& tmesh,
  * mesh with faces too thin for the bound is rejected, unless `accept_weaker_bound` is given; then
  * the lower end is that of the guaranteed bound `Steiner_graph::epsilon()`.
  *
- * Template arguments and the first parameters are those of `refined_path()`.
+ * Template arguments are those of `refined_path()`.
  *
+ * \param tmesh the triangle mesh; it is not changed
+ * \param points receives the points of the path
+ * \param source the start vertex of the path
+ * \param target the end vertex of the path
  * \param np a sequence of \ref bgl_namedparameters "Named Parameters": `epsilon`, which is
  *           required, `accept_weaker_bound`, `maximum_number_of_points`,
  *           `maximum_number_of_points_per_edge`, `relative_tolerance`, and parameters that describe
