@@ -38,13 +38,14 @@ struct Mesh_place
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using Vertex = typename Graph_traits::vertex_descriptor;
 
-  // The vertices, with weights that add up to 1: one, two on an edge, or three in a face.
-  std::array<Vertex, 3> corner{};
-  std::array<double, 3> weight{};
-  std::size_t number_of_corners = 0;
+  // The vertices, with weights that add up to 1: one, two on an edge, or three in a face; the last
+  // one is repeated with weight 0.
+  std::array<Vertex, 3> corner;
+  std::array<double, 3> weight;
+  std::size_t number_of_corners;
 
   // A halfedge whose face contains the point; null for an isolated vertex.
-  typename Graph_traits::halfedge_descriptor halfedge = Graph_traits::null_halfedge();
+  typename Graph_traits::halfedge_descriptor halfedge;
 };
 
 // Returns a halfedge of the edge of `h` with a face to its left, or a null halfedge.
@@ -71,7 +72,7 @@ checked_place(const TriangleMesh& tmesh,
   const auto side = is_isolated ? h : side_of_edge(h, tmesh);
   if(!is_isolated && (side == Graph_traits::null_halfedge() || target(h, tmesh) != v))
     return std::nullopt;
-  return Mesh_place<TriangleMesh>{{v}, {1}, 1, side};
+  return Mesh_place<TriangleMesh>{{v, v, v}, {1, 0, 0}, 1, side};
 }
 
 template <typename TriangleMesh>
@@ -85,7 +86,8 @@ std::optional<Mesh_place<TriangleMesh>> checked_place(
   const auto side = side_of_edge(h, tmesh);
   if(side == Graph_traits::null_halfedge())
     return std::nullopt;
-  return Mesh_place<TriangleMesh>{{source(h, tmesh), target(h, tmesh)}, {1 - t, t}, 2, side};
+  const auto v = source(h, tmesh), w = target(h, tmesh);
+  return Mesh_place<TriangleMesh>{{v, w, w}, {1 - t, t, 0}, 2, side};
 }
 
 template <typename TriangleMesh, typename FT>
