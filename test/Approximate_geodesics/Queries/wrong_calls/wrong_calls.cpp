@@ -79,7 +79,6 @@ void call_wrongly(const Mesh& mesh,
                                   parameters::targets(vertices));
 
   // maximum_number_of_points_per_edge, accept_weaker_bound: they are for epsilon with
-  // maximum_number_of_points_per_edge, accept_weaker_bound: the bound of this graph
   CGAL::approximate_geodesic_distances(mesh, distances, Vertex(0),
                                        parameters::epsilon(0.1).accept_weaker_bound(true));
 
@@ -127,6 +126,10 @@ void call_wrongly(const Mesh& mesh,
 
   // edge_is_constrained_map: this graph does not support barriers
   AG::Surface_mesh_shortest_path<Mesh>(mesh, parameters::edge_is_constrained_map(barriers));
+
+  // maximum_number_of_points_per_edge, accept_weaker_bound: the bound of this graph
+  AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>(
+      mesh, parameters::accept_weaker_bound(true));
 
   // this graph has no points on edges
   AG::Surface_mesh_shortest_path<Mesh>(mesh, parameters::number_of_points_per_edge(3));
