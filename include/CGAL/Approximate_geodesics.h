@@ -18,10 +18,8 @@
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
 
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
+#include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
-#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
 
 #include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>

@@ -12,8 +12,7 @@
 #include "oracles/exact_distances.h"
 
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
-#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "checks/test_random.h"
 
-#include <CGAL/Approximate_geodesics/Queues/internal/Indexed_heap.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,7 @@
 #include "peers/Published_bucket_queue.h"
 #include "peers/Published_bucket_width.h"
 
-#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
-#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 
 #include <gtest/gtest.h>
 

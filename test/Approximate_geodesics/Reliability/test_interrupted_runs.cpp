@@ -9,9 +9,7 @@
 #include "peers/Pairing_heap_queue.h"
 #include "peers/Published_bucket_queue.h"
 
-#include <CGAL/Approximate_geodesics/Queues/Array_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
-#include <CGAL/Approximate_geodesics/Queues/Radix_heap_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "oracles/test_oracles.h"
 #include "peers/Published_bucket_queue.h"
 
-#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
+#include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <gtest/gtest.h>

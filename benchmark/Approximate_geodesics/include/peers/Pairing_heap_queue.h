@@ -6,21 +6,11 @@
 #ifndef BENCHMARK_PAIRING_HEAP_QUEUE_H
 #define BENCHMARK_PAIRING_HEAP_QUEUE_H
 
-#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Queues/Heap_queues.h>
+#include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 
 #include <boost/heap/pairing_heap.hpp>
 
-#include <cstddef>
-
 namespace CGAL::Approximate_geodesics {
-
-namespace internal {
-
-using Boost_pairing_heap_queue =
-    Boost_heap_queue<boost::heap::pairing_heap<Queue_entry, boost::heap::compare<Has_larger_key>>>;
-
-} // namespace internal
 
 /*
  * A priority queue based on the pairing heap (Fredman et al. 1986) of Boost.Heap: simpler than a
@@ -32,16 +22,7 @@ using Boost_pairing_heap_queue =
  *
  * The class is movable, but not copyable.
  */
-class Pairing_heap_queue : public internal::Boost_pairing_heap_queue
-{
-public:
-  // Constructs an empty queue for a graph with `number_of_nodes` nodes.
-  explicit Pairing_heap_queue(const std::size_t number_of_nodes = 0,
-                              const Arc_lengths& arcs = Arc_lengths())
-    : internal::Boost_pairing_heap_queue(number_of_nodes, arcs)
-  {
-  }
-};
+using Pairing_heap_queue = internal::Queue_of_heap<boost::heap::pairing_heap>;
 
 } // namespace CGAL::Approximate_geodesics
 

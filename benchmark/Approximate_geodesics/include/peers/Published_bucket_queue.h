@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
+#include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
