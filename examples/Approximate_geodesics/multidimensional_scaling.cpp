@@ -3,8 +3,8 @@
 // by classical multidimensional scaling of some points, which carry all others along.
 // draw_scaling.py draws both.
 
-#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
+#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>

@@ -1,8 +1,7 @@
 // What becomes of the rows of a distance matrix is up to the program: here, two numbers of each are
 // kept, so that a matrix of any size takes no memory.
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>

@@ -8,7 +8,7 @@
 #include "files.h"
 #include "formats.h"
 
-#include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 
 #include <algorithm>
 #include <cstdint>

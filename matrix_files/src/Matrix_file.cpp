@@ -85,7 +85,7 @@ void Matrix_file::start(const Distance_matrix_plan& plan,
                         const std::uint64_t bytes_per_row)
 {
   m_plan = &plan;
-  m_identity = plan.identity();
+  m_identity = Matrix_identity(plan.facts());
   m_identity.parts[Matrix_identity::KIND] = kind;
   // markers have the numbers of blocks, whose size depends on the version, too
   m_identity.parts[Matrix_identity::DISTANCES] |= std::uint64_t(plan.rows_per_block()) << 32;

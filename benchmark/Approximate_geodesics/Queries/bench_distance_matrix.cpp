@@ -16,9 +16,8 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
-#include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
+#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>

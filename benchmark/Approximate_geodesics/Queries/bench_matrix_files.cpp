@@ -16,7 +16,7 @@
 #include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Csr_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>

@@ -5,7 +5,7 @@
 #include "../command_line/Stopwatch.h"
 #include "texts.h"
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 
 #include <unistd.h>
 

@@ -3,8 +3,7 @@
 
 #include "../command_line/Stopwatch.h"
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 
 #include <algorithm>
 #include <atomic>

@@ -7,7 +7,7 @@
 #include "peak_memory.h"
 #include "texts.h"
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 

@@ -5,9 +5,7 @@
 
 #include "checks/distance_matrices.h"
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 
 #include <gtest/gtest.h>

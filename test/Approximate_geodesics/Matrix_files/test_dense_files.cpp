@@ -9,7 +9,7 @@
 #include "files/matrix_job.h"
 #include "files/npy_reader.h"
 
-#include <CGAL/Approximate_geodesics/Matrices/Dense_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 
 #include <gtest/gtest.h>
 

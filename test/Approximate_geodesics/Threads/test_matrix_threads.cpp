@@ -7,8 +7,7 @@
 #include "threads/numbers_of_threads.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/tags.h>
 

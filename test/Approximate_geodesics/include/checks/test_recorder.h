@@ -6,7 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_RECORDER_H
 #define APPROXIMATE_GEODESICS_TEST_RECORDER_H
 
-#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 
 #include <cstddef>
 #include <limits>

@@ -9,7 +9,7 @@
 #include "meshes/test_meshes.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Csr_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Process_team.h>

@@ -8,13 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_columns.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/Row_search.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <boost/type_traits/detected_or.hpp>
 #include <boost/type_traits/is_detected.hpp>
@@ -26,6 +25,7 @@
 #include <cstddef>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <thread>
@@ -34,6 +34,304 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// The sources and targets of a distance matrix.
+struct Matrix_points
+{
+  std::vector<Intrinsic_point> sources; // by row
+  std::vector<Intrinsic_point> targets; // by column
+  bool are_targets_given;               // otherwise all vertices
+};
+
+// Limits of the searches for the rows of a distance matrix.
+struct Row_limits
+{
+  double maximum_distance = std::numeric_limits<double>::infinity();
+  std::size_t number_of_nearest = 0;    // columns; 0: all
+  std::vector<Intrinsic_point> targets; // if any, a search may stop after them
+
+  // Whether a search may reach a small part of the columns only.
+  bool are_given() const
+  {
+    return number_of_nearest > 0 || maximum_distance < std::numeric_limits<double>::infinity();
+  }
+};
+
+/*
+ * The target points of the columns of a distance matrix, and the extraction of their distances
+ * after a search.
+ */
+template <typename Graph>
+class Matrix_columns
+{
+  using Column = Distance_row::Column;
+  using Index = Intrinsic_triangulation::Index;
+
+public:
+  // A column per point, in the given order. The graph is referred to, not copied.
+  Matrix_columns(const Graph& graph, const std::vector<Intrinsic_point>& points)
+  {
+    m_vertices.reserve(points.size());
+    for(const Intrinsic_point& p : points)
+    {
+      if(!p.is_vertex())
+        m_points.columns.push_back(static_cast<Column>(m_vertices.size()));
+      m_vertices.push_back(p.vertex);
+    }
+    sort_by_vertex(graph.triangulation().number_of_vertices());
+    attach(graph, points);
+  }
+
+  std::size_t size() const { return m_vertices.size(); }
+  bool are_vertices() const { return m_points.columns.empty(); }
+
+  // Returns the number of columns whose target is a node.
+  std::size_t number_at(const Index node) const
+  {
+    return is_vertex(node) ? m_first_at[node + 1] - m_first_at[node] : 0;
+  }
+
+  // Writes the distances of all columns.
+  template <typename SurfaceSearch>
+  void write_all(const SurfaceSearch& search, Distance_row& row) const
+  {
+    const auto& nodes = search.search();
+    if(are_vertices())
+      row.set_all([&](const Column c) { return nodes.distance(m_vertices[c]); });
+    else
+    {
+      row.set_all([&](const Column c) {
+        return m_vertices[c] == Intrinsic_triangulation::null_index ? infinity
+                                                                    : nodes.distance(m_vertices[c]);
+      });
+      write_points(search, row);
+    }
+  }
+
+  // Writes the distances of reached columns only. Columns of vertices take time proportional to the
+  // number of reached nodes.
+  template <typename SurfaceSearch>
+  void write_reached(const SurfaceSearch& search, Distance_row& row) const
+  {
+    for(const Index node : search.search().reached_nodes())
+      for(std::size_t i = 0; i < number_at(node); ++i)
+        set(m_columns[m_first_at[node] + i], search.search().distance(node), row);
+    write_points(search, row);
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // Columns whose targets are not vertices. Points are attached to the graph once for all rows,
+  // unless attachment depends on the search.
+  struct Point_columns
+  {
+    std::vector<Column> columns;
+    Points_by_face points;
+    std::vector<std::vector<Last_arc>> arcs; // by point, in units of the graph
+  };
+
+  bool is_vertex(const Index node) const { return node + std::size_t(1) < m_first_at.size(); }
+
+  static void set(const Column column, const double distance, Distance_row& row)
+  {
+    if(distance < infinity)
+      row.set(column, distance);
+  }
+
+  void attach(const Graph& graph, const std::vector<Intrinsic_point>& points)
+  {
+    std::vector<Intrinsic_point> points_of_columns;
+    for(const Column column : m_points.columns)
+    {
+      points_of_columns.push_back(points[column]);
+      std::vector<Last_arc>& arcs = m_points.arcs.emplace_back();
+      if constexpr(!Run_of<Graph>::attaches_by_labels)
+        attach_target(graph, points[column])
+            .for_each_node([&](const auto node, const double length) {
+              arcs.push_back({node, length});
+            });
+    }
+    m_points.points = Points_by_face(graph.triangulation(), std::move(points_of_columns));
+  }
+
+  template <typename SurfaceSearch>
+  void write_points(const SurfaceSearch& search, Distance_row& row) const
+  {
+    if(are_vertices())
+      return;
+    if constexpr(Run_of<Graph>::attaches_by_labels)
+      for(std::size_t i = 0; i < m_points.columns.size(); ++i)
+        set(m_points.columns[i], search.distance(m_points.points[i]), row);
+    else
+    {
+      std::vector<double> distances = distances_by_line(search);
+      for(std::size_t i = 0; i < m_points.columns.size(); ++i)
+      {
+        const double distance = (std::min)(distances[i], distance_over_nodes(search, i));
+        set(m_points.columns[i], search.is_known(distance) ? distance : infinity, row);
+      }
+    }
+  }
+
+  // Returns the lengths of straight segments from the source to all points; infinity if the source
+  // is a node.
+  template <typename SurfaceSearch>
+  std::vector<double> distances_by_line(const SurfaceSearch& search) const
+  {
+    const Graph& graph = search.graph();
+    const Source_point& source = search.sources().front();
+    std::vector<double> result(m_points.columns.size(), infinity);
+    if(source.point.is_vertex())
+      return result;
+    graph.attach(source.point)
+        .for_each_point(m_points.points, [&](const std::size_t i, const double length) {
+          result[i] = (std::min)(result[i], source.distance + length * graph.unit());
+        });
+    return result;
+  }
+
+  template <typename SurfaceSearch>
+  double distance_over_nodes(const SurfaceSearch& search, const std::size_t i) const
+  {
+    double result = infinity;
+    for(const auto& [node, length] : m_points.arcs[i])
+      result = (std::min)(result, search.search().distance(node) + length * search.graph().unit());
+    return result;
+  }
+
+  // Groups columns by vertex: several columns may have the same target.
+  void sort_by_vertex(const std::size_t number_of_vertices)
+  {
+    m_first_at.assign(number_of_vertices + 1, 0);
+    for(const Index v : m_vertices)
+      if(v != Intrinsic_triangulation::null_index)
+        ++m_first_at[v + 1];
+    std::partial_sum(m_first_at.begin(), m_first_at.end(), m_first_at.begin());
+    m_columns.resize(m_first_at.back());
+    std::vector<Column> next(m_first_at.begin(), m_first_at.end() - 1);
+    for(std::size_t c = 0; c < size(); ++c)
+      if(m_vertices[c] != Intrinsic_triangulation::null_index)
+        m_columns[next[m_vertices[c]]++] = static_cast<Column>(c);
+  }
+
+  std::vector<Index> m_vertices;  // by column; null_index if not a vertex
+  std::vector<Column> m_first_at; // by vertex, into m_columns
+  std::vector<Column> m_columns;  // grouped by vertex
+  Point_columns m_points;
+};
+
+// What the rows of a distance matrix are computed from. Nothing is copied.
+template <typename Graph>
+struct Matrix_input
+{
+  const Graph& graph;
+  const Matrix_points& points;
+  const Matrix_columns<Graph>& columns;
+  const Row_limits& limits;
+};
+
+// Stops a search when the wanted number of columns is settled, including all ties of the last one.
+template <typename Columns>
+class Nearest_columns_visitor : public Geodesic_visitor_base
+{
+public:
+  Nearest_columns_visitor(const Columns& columns, const std::size_t wanted)
+    : m_columns(columns), m_wanted(wanted)
+  {
+  }
+
+  template <typename Node>
+  void on_settled(const Node node, const double distance)
+  {
+    m_is_done = m_is_done || (m_number >= m_wanted && distance > m_farthest);
+    const std::size_t number = m_columns.number_at(node);
+    if(m_number < m_wanted && number > 0)
+      m_farthest = distance;
+    m_number += number;
+  }
+
+  bool go_further() const { return !m_is_done; }
+
+  // Whether the wanted number of columns was settled.
+  bool is_enough() const { return m_number >= m_wanted; }
+  double farthest() const { return m_farthest; }
+
+private:
+  const Columns& m_columns;
+  std::size_t m_wanted;
+  std::size_t m_number = 0;
+  double m_farthest = 0;
+  bool m_is_done = false;
+};
+
+/*
+ * Computes rows of a distance matrix, one by one: the workspace of a thread.
+ */
+template <typename Graph>
+class Row_search
+{
+public:
+  explicit Row_search(const Matrix_input<Graph>& input)
+    : m_columns(input.columns),
+      m_limits(input.limits),
+      m_search(input.graph),
+      m_row(input.columns.size())
+  {
+  }
+
+  // Returns the distances from `source`. The reference is valid until the next call.
+  const Distance_row& find(const Intrinsic_point& source)
+  {
+    m_row.clear();
+    if(m_limits.number_of_nearest > 0 && m_columns.are_vertices())
+      search_nearest(source);
+    else
+      m_search.run({{source}}, stop_rule(m_limits.maximum_distance));
+    if(m_limits.are_given())
+      m_columns.write_reached(m_search, m_row);
+    else
+      m_columns.write_all(m_search, m_row);
+    return m_row;
+  }
+
+private:
+  using Search = Surface_search<Graph>;
+
+  typename Search::Stop_rule stop_rule(const double maximum_distance) const
+  {
+    return {maximum_distance, m_limits.targets};
+  }
+
+  // Whether arcs depend on labels, so that the range of a search affects the last bits of
+  // distances.
+  static constexpr bool depends_on_limit = !std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
+
+  // A search for few columns labels many nodes beyond them. Limiting the distance avoids this; the
+  // estimate is that of the previous row, whose source is near.
+  void search_nearest(const Intrinsic_point& source)
+  {
+    if(depends_on_limit || !search_nearest(source, m_expected_distance))
+      search_nearest(source, m_limits.maximum_distance);
+  }
+
+  // Returns whether there are enough columns within `distance`.
+  bool search_nearest(const Intrinsic_point& source, const double distance)
+  {
+    constexpr double margin = 1.25;
+    Nearest_columns_visitor nearest(m_columns, m_limits.number_of_nearest);
+    m_search.run({{source}}, stop_rule((std::min)(distance, m_limits.maximum_distance)), nearest);
+    m_expected_distance =
+        nearest.is_enough() ? margin * nearest.farthest() : m_limits.maximum_distance;
+    return nearest.is_enough() || distance >= m_limits.maximum_distance;
+  }
+
+  const Matrix_columns<Graph>& m_columns;
+  const Row_limits& m_limits;
+  Search m_search;
+  Distance_row m_row;
+  double m_expected_distance = std::numeric_limits<double>::infinity(); // of the nearest columns
+};
 
 // Detection of the optional members of models of `DistanceRowSink`.
 
@@ -135,17 +433,11 @@ class Matrix_computation
 {
 public:
   // All are referred to, not copied.
-  Matrix_computation(const Graph& graph,
-                     const std::vector<Intrinsic_point>& sources,
-                     const Matrix_columns<Graph>& columns,
-                     const Row_limits& limits,
+  Matrix_computation(const Matrix_input<Graph>& input,
                      const Distance_matrix_plan& plan,
                      Rows& rows,
                      Visitor& visitor)
-    : m_graph(graph),
-      m_sources(sources),
-      m_columns(columns),
-      m_limits(limits),
+    : m_input(input),
       m_plan(plan),
       m_rows(rows),
       m_progress(visitor, plan.number_of_rows(), number_done())
@@ -199,7 +491,7 @@ private:
 
   void work()
   {
-    Row_search<Graph> search(m_graph, m_columns, m_limits);
+    Row_search<Graph> search(m_input);
     if constexpr(is_row_sink<Rows>)
       compute_blocks(search);
     else
@@ -217,7 +509,7 @@ private:
       {
         if(!goes_further())
           return;
-        m_rows.collect(block, row, search.find(m_sources[row]));
+        m_rows.collect(block, row, search.find(m_input.points.sources[row]));
       }
       m_rows.add(*number, block);
       m_done += rows.size();
@@ -247,7 +539,7 @@ private:
   void compute_rows(Row_search<Graph>& search)
   {
     for(std::size_t row = m_next++; row < m_plan.number_of_rows(); row = m_next++)
-      if(!goes_further() || !hand_over(row, search.find(m_sources[row])))
+      if(!goes_further() || !hand_over(row, search.find(m_input.points.sources[row])))
         return;
   }
 
@@ -286,10 +578,7 @@ private:
     m_turn.notify_all();
   }
 
-  const Graph& m_graph;
-  const std::vector<Intrinsic_point>& m_sources;
-  const Matrix_columns<Graph>& m_columns;
-  const Row_limits& m_limits;
+  const Matrix_input<Graph>& m_input;
   const Distance_matrix_plan& m_plan;
   Rows& m_rows;
 

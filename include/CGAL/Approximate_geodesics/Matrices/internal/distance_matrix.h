@@ -8,17 +8,14 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_visitor_base.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_columns.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_computation.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/Row_search.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/identity_of_matrix.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/matrix_points.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -33,11 +30,104 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// `read(points, role)` converts points, and `all()` returns the points at all vertices.
+template <typename Read, typename All, typename Sources, typename NamedParameters>
+Matrix_points matrix_points(const Read& read,
+                            [[maybe_unused]] const All& all,
+                            const Sources& sources,
+                            const NamedParameters& np)
+{
+  constexpr bool has_targets = is_given<NamedParameters, internal_np::targets_t>;
+  std::vector<Intrinsic_point> rows = read(sources, "source");
+  if constexpr(has_targets)
+    return {std::move(rows), read(parameters::get_parameter(np, internal_np::targets), "target"),
+            has_targets};
+  else
+    return {std::move(rows), all(), has_targets};
+}
+
+// Reads the points of a mesh.
+
+template <typename TriangleMesh, typename Graph, typename Sources, typename NamedParameters>
+Matrix_points matrix_points_on_mesh(const TriangleMesh& tmesh,
+                                    const Graph& graph,
+                                    const Sources& sources,
+                                    const NamedParameters& np)
+{
+  const Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
+  const auto read = [&](const auto& points, const char* const role) {
+    return intrinsic_points(translation, points, role);
+  };
+  return matrix_points(
+      read, [&] { return read(vertices(tmesh), "target"); }, sources, np);
+}
+
+// Reads a point of a graph: a vertex index or an intrinsic point.
+
+template <typename Point>
+Intrinsic_point
+intrinsic_point(const Intrinsic_triangulation& triangulation, const Point& point, const char* kind)
+{
+  if constexpr(std::is_integral_v<Point>)
+  {
+    if constexpr(std::is_signed_v<Point>)
+      if(point < 0)
+        reject(std::string(kind) + ' ' + std::to_string(point) + " is negative");
+    const auto vertex = triangulation.vertex(static_cast<std::size_t>(point));
+    if(vertex == Intrinsic_triangulation::null_index)
+      reject(std::string(kind) + ' ' + std::to_string(point) +
+             " is not the index of a vertex of the mesh");
+    return Intrinsic_point::at_vertex(vertex);
+  }
+  else
+    return point;
+}
+
+template <typename Points>
+std::vector<Intrinsic_point> intrinsic_points(const Intrinsic_triangulation& triangulation,
+                                              const Points& points,
+                                              const char* const kind)
+{
+  std::vector<Intrinsic_point> result;
+  for(const auto& point : points)
+  {
+    result.push_back(intrinsic_point(triangulation, point, kind));
+    if(!result.back().is_valid(triangulation))
+      reject(std::string(kind) + ' ' + std::to_string(result.size() - 1) +
+             " is not a point of the triangulated surface");
+  }
+  return result;
+}
+
+inline std::vector<Intrinsic_point> all_vertices(const Intrinsic_triangulation& triangulation)
+{
+  std::vector<Intrinsic_point> result;
+  for(Intrinsic_triangulation::Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    result.push_back(Intrinsic_point::at_vertex(v));
+  std::sort(result.begin(), result.end(), [&](const auto& p, const auto& q) {
+    return triangulation.index(p.vertex) < triangulation.index(q.vertex);
+  });
+  return result;
+}
+
+template <typename Sources, typename NamedParameters>
+Matrix_points matrix_points_on_graph(const Intrinsic_triangulation& triangulation,
+                                     const Sources& sources,
+                                     const NamedParameters& np)
+{
+  return matrix_points(
+      [&](const auto& points, const char* const role) {
+        return intrinsic_points(triangulation, points, role);
+      },
+      [&] { return all_vertices(triangulation); }, sources, np);
+}
 
 inline bool are_the_same(const std::vector<Intrinsic_point>& a,
                          const std::vector<Intrinsic_point>& b)
@@ -88,27 +178,6 @@ Loop loop_over_rows([[maybe_unused]] const Graph& graph, const NamedParameters& 
   return Loop::with_tag<Concurrency_tag<NamedParameters>>();
 }
 
-template <typename NamedParameters>
-auto matrix_visitor([[maybe_unused]] const NamedParameters& np)
-{
-  if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
-    return parameters::get_parameter(np, internal_np::visitor);
-  else
-    return Distance_matrix_visitor_base();
-}
-
-template <typename Visitor>
-Visitor& unwrapped(Visitor& visitor)
-{
-  return visitor;
-}
-
-template <typename Visitor>
-Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
-{
-  return visitor.get();
-}
-
 template <typename Rows, typename NamedParameters>
 bool wants_symmetry(const Matrix_points& points, const NamedParameters& np)
 {
@@ -119,6 +188,37 @@ bool wants_symmetry(const Matrix_points& points, const NamedParameters& np)
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::symmetric), false);
   if(result && !are_the_same(points.sources, points.targets))
     reject("symmetric: targets are not the same points as sources, in the same order");
+  return result;
+}
+
+template <typename Graph>
+using Epsilon_of = decltype(std::declval<const Graph&>().epsilon());
+
+// Returns the accessible properties of a graph; the first row depends on the others.
+template <typename Graph>
+std::vector<double> facts_of_graph(const Graph& graph)
+{
+  const Arc_lengths lengths = graph.arc_lengths();
+  std::vector<double> result{static_cast<double>(graph.number_of_nodes()),
+                             graph.unit(),
+                             lengths.shortest,
+                             lengths.mean,
+                             lengths.longest,
+                             static_cast<double>(leads_to_sources(graph))};
+  if constexpr(boost::is_detected_v<Epsilon_of, Graph>)
+    result.push_back(graph.epsilon());
+  return result;
+}
+
+template <typename Graph>
+Matrix_facts facts_of_matrix(const Matrix_input<Graph>& input)
+{
+  const auto& [graph, points, columns, limits] = input;
+  Matrix_facts result{graph.triangulation(), facts_of_graph(graph),   points.sources,
+                      points.targets,        limits.maximum_distance, limits.number_of_nearest,
+                      Distance_row()};
+  if(!points.sources.empty())
+    result.first_row = Row_search<Graph>(input).find(points.sources.front());
   return result;
 }
 
@@ -137,16 +237,18 @@ bool compute_distance_matrix(const Graph& graph,
   if(points.are_targets_given && columns.are_vertices() &&
      columns.size() < graph.triangulation().number_of_vertices())
     limits.targets = points.targets; // all vertices as targets would stop no search
+  const Matrix_input<Graph> input{graph, points, columns, limits};
   const Distance_matrix_plan plan(
       order_of_rows(graph.triangulation(), points.sources), columns.size(), limits.maximum_distance,
-      limits.number_of_nearest, [&] { return identity_of_matrix(graph, points, columns, limits); },
-      is_symmetric);
+      limits.number_of_nearest, [&] { return facts_of_matrix(input); }, is_symmetric);
 
-  auto visitor = matrix_visitor(np);
+  auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
+                                              Distance_matrix_visitor_base());
+  auto& unwrapped = std::ref(visitor).get(); // of a `std::reference_wrapper`
   if constexpr(is_row_sink<Rows>)
     rows.start(plan);
-  Matrix_computation<Graph, Rows, std::remove_reference_t<decltype(unwrapped(visitor))>>
-      computation(graph, points.sources, columns, limits, plan, rows, unwrapped(visitor));
+  Matrix_computation<Graph, Rows, std::remove_reference_t<decltype(unwrapped)>> computation(
+      input, plan, rows, unwrapped);
   const bool is_done = computation.run(loop_over_rows(graph, np));
   if constexpr(is_row_sink<Rows>)
     return rows.finish(is_done);

@@ -8,9 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_plan.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_row.h>
-#include <CGAL/Approximate_geodesics/Matrices/Sparse_rows.h>
+#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
+#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Process_team.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_file.h>
 
