@@ -1,6 +1,6 @@
 // A visitor that prints how far a run has come, and ends it before it is complete.
 
-#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/approximate_geodesic_distances.h>

@@ -23,7 +23,6 @@
 #include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
 
-#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>

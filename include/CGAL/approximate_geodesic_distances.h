@@ -25,23 +25,17 @@ void write_distances(const TriangleMesh& tmesh,
                      const Sources& sources,
                      const NamedParameters& np)
 {
+  const auto write = [&](auto& search) {
+    search.run_from(sources, np);
+    search.write_results(vertex_distance_map, np);
+  };
   if constexpr(may_read_part<TriangleMesh, NamedParameters>() &&
                is_given<NamedParameters, internal_np::maximum_distance_t> &&
                !is_given<NamedParameters, internal_np::targets_t>)
     if(const auto part = Part_to_read(tmesh, np).around(sources))
-    {
-      const auto write = [&](auto& search) {
-        search.run_from(sources, np);
-        Vertex_results(search.search().search(), Whole_translation(search.translation()))
-            .write(vertex_distance_map, np);
-      };
       if(search_once<Sources>(*part, np, false, write))
         return;
-    }
-  search_once<Sources>(tmesh, np, false, [&](auto& search) {
-    search.run_from(sources, np);
-    search.write_results(vertex_distance_map, np);
-  });
+  search_once<Sources>(tmesh, np, false, write);
 }
 
 } // namespace Approximate_geodesics::internal

@@ -11,7 +11,7 @@
 #include "exact_comparison.h"
 #include "results.h"
 
-#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <cstddef>

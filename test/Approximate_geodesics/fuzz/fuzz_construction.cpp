@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,10 +12,10 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
-#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +28,126 @@
 namespace CGAL::Approximate_geodesics {
 
 namespace internal {
+
+// Paths in the shortest-path tree of a search. Lengths are in units of the graph, unless noted.
+
+// Appends the edges that a line crosses. All lines have this function object, as graphs instantiate
+// much for its type.
+struct Append_crossing
+{
+  void operator()(const Intrinsic_point::Index h, const double t) const
+  {
+    points.push_back(Intrinsic_point::on_edge(h, t));
+  }
+
+  std::vector<Intrinsic_point>& points;
+};
+
+// Appends the crossings of a line with edges, and adds its length. `for_each_crossing(f)` reports
+// the crossings in the opposite order, and returns the length.
+template <typename ForEachCrossing>
+void append_backward(ForEachCrossing for_each_crossing, Path& path)
+{
+  const auto beyond = static_cast<std::ptrdiff_t>(path.points.size());
+  path.length += for_each_crossing(Append_crossing{path.points});
+  std::reverse(path.points.begin() + beyond, path.points.end());
+}
+
+// Appends the arc from `previous` to `node` in the opposite direction.
+template <typename Search>
+void append_arc_back(const Search& search,
+                     const typename Search::Node node,
+                     const typename Search::Node previous,
+                     Path& path)
+{
+  using Graph = typename Search::Graph;
+  if constexpr(has_crossing_arcs<Graph>)
+    append_backward(
+        [&](auto f) {
+          return search.graph_run().for_each_crossing(previous, node, search.labels(), f);
+        },
+        path);
+  else
+    path.length += search.labels().distance(node) - search.labels().distance(previous);
+  append(position(search.graph(), previous), search.graph().triangulation(), path);
+}
+
+// Appends the rest of the path from `node` back to the start of the search. Returns the last node.
+template <typename Search>
+typename Search::Node append_tree_path(const Search& search, typename Search::Node node, Path& path)
+{
+  for(auto previous = search.predecessor(node); previous != Search::null_node;
+      previous = search.predecessor(node))
+  {
+    append_arc_back(search, node, previous, path);
+    node = previous;
+  }
+  return node;
+}
+
+// The path from `node` back to the start of the search, with its length in the unit of the mesh; it
+// has no points if `node` was not reached.
+template <typename Search>
+Path tree_path(const Search& search, const typename Search::Node node)
+{
+  Path result;
+  if(!search.is_reached(node))
+    return result;
+  result.points.push_back(position(search.graph(), node));
+  append_tree_path(search, node, result);
+  result.length *= search.graph().unit();
+  return result;
+}
+
+/*
+ * The vertex before a node on its path, or the search's null node if there is none. Results are
+ * kept along the path, so that run time for all nodes is linear.
+ */
+template <typename Search>
+class Vertex_predecessors
+{
+  using Node = typename Search::Node;
+
+public:
+  explicit Vertex_predecessors(const Search& search) : m_search(search)
+  {
+    if constexpr(has_positions<typename Search::Graph>)
+    {
+      const std::size_t number_of_nodes = search.graph().number_of_nodes();
+      if(number_of_nodes > search.graph().triangulation().number_of_vertices())
+        m_before.resize(number_of_nodes, Search::null_node);
+    }
+  }
+
+  // Allocates nothing.
+  Node operator()(const Node node)
+  {
+    if(m_before.empty()) // all nodes are vertices
+      return m_search.predecessor(node);
+
+    const Node vertex = vertex_of(node);
+    Node result = m_before[node], end_of_way = node;
+    while(result == Search::null_node)
+    {
+      end_of_way = m_search.predecessor(end_of_way);
+      if(end_of_way == Search::null_node)
+        return Search::null_node;
+      const Node candidate = vertex_of(end_of_way);
+      const bool is_another = candidate != Search::null_node && candidate != vertex;
+      result = is_another ? candidate : m_before[end_of_way];
+    }
+    for(Node n = node; n != end_of_way; n = m_search.predecessor(n))
+      m_before[n] = result;
+    return result;
+  }
+
+private:
+  // null_node if the node is not at a vertex
+  Node vertex_of(const Node node) const { return position(m_search.graph(), node).vertex; }
+
+  const Search& m_search;
+  std::vector<Node> m_before; // null_node where it is not known
+};
 
 inline void check_initial_distance(const double distance, const std::size_t number_of_source)
 {
@@ -248,35 +368,26 @@ private:
   }
 
   using Run = typename Search::Run;
-  using Payload = typename Run::Payload;
 
-  // Lines to a point that is not a vertex may be found from labels. All labels below its distance
-  // must be final then, which A* does not guarantee.
-  static bool is_goal_for_heuristic(const Intrinsic_point& target)
+  // Finds the ends of the lines from the sources if lines are found from labels. Otherwise, it is
+  // empty, and the search starts at the seeds.
+  typename Search::Find_entries
+  find_entries([[maybe_unused]] const std::vector<Source_point>& sources) const
   {
-    return !Run::attaches_by_labels || target.is_vertex();
-  }
-
-  // Enters the seeds, or, if lines are found from labels, the ends of the lines from the sources.
-  // All runs get the same type, so that the search is instantiated once.
-  auto starting_from([[maybe_unused]] const std::vector<Source_point>& sources,
-                     [[maybe_unused]] const std::vector<typename Search::Seed>& seeds) const
-  {
-    return [&](const auto& enter) {
-      if constexpr(Run::attaches_by_labels)
-      {
+    if constexpr(!Run::attaches_by_labels)
+      return {};
+    else
+      return [&] {
+        std::vector<typename Search::Entry> result;
         const double unit = m_graph->unit();
         for(std::size_t i = 0; i < sources.size(); ++i)
           m_search.graph_run().for_each_line_from(
               sources[i].point, sources[i].distance / unit,
-              [&](const Node node, const double length, const Payload& payload) {
-                enter({node, sources[i].distance + length * unit, i}, payload);
+              [&](const Node node, const double length, const typename Run::Payload& payload) {
+                result.push_back({{node, sources[i].distance + length * unit, i}, payload});
               });
-      }
-      else
-        for(const auto& seed : seeds)
-          enter(seed, Payload());
-    };
+        return result;
+      };
   }
 
   // Considers lines from nodes and sources in other faces.
@@ -295,7 +406,7 @@ private:
     }
   }
 
-  // Calls `run(seeds, rule, enter_seeds)`. Sources and results fit together, even if the run fails:
+  // Calls `run(seeds, rule, entries)`. Sources and results fit together, even if the run fails:
   // if the search refuses its input, nothing changes; after other exceptions, it has reached
   // nothing, and there are no sources.
   template <typename F>
@@ -309,7 +420,7 @@ private:
     const auto rule = rule_for_nodes(stop);
     try
     {
-      run(seeds, rule, starting_from(sources, seeds));
+      run(seeds, rule, find_entries(sources));
     }
     catch(...)
     {
@@ -461,8 +572,8 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run(std::vector<Source_point> 
 {
   Points_by_face points = sorted(sources);
   run_and_adopt(std::move(sources), std::move(points), stop, stop.maximum_distance,
-                [&](const auto& seeds, const auto& rule, const auto& enter_seeds) {
-                  m_search.run(seeds, rule, visitor, enter_seeds);
+                [&](const auto& seeds, const auto& rule, const auto& entries) {
+                  m_search.run(seeds, rule, visitor, entries);
                 });
 }
 
@@ -476,16 +587,17 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
   Points_by_face points = sorted(sources);
   const double limit =
       (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
-  const bool is_guided = positions.are_known() && is_goal_for_heuristic(target);
+  // Lines to a point that is not a vertex may be found from labels. All labels below its distance
+  // must be final then, which A* does not guarantee.
+  const bool is_guided = positions.are_known() && (!Run::attaches_by_labels || target.is_vertex());
   run_and_adopt(std::move(sources), std::move(points), {limit, {target}}, maximum_distance,
-                [&](const auto& seeds, const auto& rule, const auto& enter_seeds) {
+                [&](const auto& seeds, const auto& rule, const auto& entries) {
                   if(is_guided)
                     m_search.run_toward(
                         seeds, rule,
-                        internal::Euclidean_heuristic<Graph>(*m_graph, positions, target),
-                        enter_seeds);
+                        internal::Euclidean_heuristic<Graph>(*m_graph, positions, target), entries);
                   else
-                    m_search.run_toward(seeds, rule, internal::No_heuristic(), enter_seeds);
+                    m_search.run_toward(seeds, rule, internal::No_heuristic(), entries);
                 });
 }
 

@@ -16,69 +16,23 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <queue>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
 namespace internal {
-
-/*
- * A max-priority queue of the numbers `0`, `1`, ... by distances that decrease over time. Keys are
- * updated lazily when an entry gets to the top: a stored distance is an upper bound. Among equal
- * distances, the smallest number is found.
- */
-class Farthest_first
-{
-public:
-  struct Entry
-  {
-    double distance;
-    std::size_t number;
-
-    bool operator<(const Entry& other) const
-    {
-      return distance < other.distance || (distance == other.distance && number > other.number);
-    }
-  };
-
-  explicit Farthest_first(const std::size_t size)
-  {
-    std::vector<Entry> entries;
-    for(std::size_t i = 0; i < size; ++i)
-      entries.push_back({std::numeric_limits<double>::infinity(), i});
-    m_queue = std::priority_queue<Entry>(std::less<Entry>(), std::move(entries));
-  }
-
-  // Returns the distance `0` if the queue is empty.
-  template <typename Distance>
-  Entry find(const Distance& distance)
-  {
-    while(!m_queue.empty())
-    {
-      const Entry top = m_queue.top();
-      const double present = distance(top.number);
-      if(present == top.distance)
-        return top;
-      m_queue.pop();
-      m_queue.push({present, top.number});
-    }
-    return {0, 0};
-  }
-
-private:
-  std::priority_queue<Entry> m_queue;
-};
 
 template <typename Integer>
 void check_number_of_points(const Integer number)
@@ -90,11 +44,48 @@ void check_number_of_points(const Integer number)
       reject("the number of points is " + std::to_string(number) + "; it must not be negative");
 }
 
-// Converts a vertex or a range of vertices to seeds.
-template <typename Search, typename Sources, typename MeshTranslation>
-std::vector<typename Search::Seed> seeds(const Sources& sources, const MeshTranslation& translation)
+/*
+ * Finds the farthest of the candidates, whose distances decrease over time. Keys are updated lazily
+ * when an entry gets to the top: a stored distance is an upper bound. Among equal distances, the
+ * first candidate is found.
+ */
+template <typename Distance>
+class Farthest_first
 {
-  std::vector<typename Search::Seed> result;
+public:
+  // `distance(i)` returns the distance of candidate `i`.
+  Farthest_first(const std::size_t number_of_candidates, const Distance& distance)
+    : m_distance(distance)
+  {
+    for(std::size_t i = 0; i < number_of_candidates; ++i)
+      m_queue.emplace(std::numeric_limits<double>::infinity(), ~i);
+  }
+
+  // Returns the distance and the number; the distance `0` if there are no candidates.
+  std::pair<double, std::size_t> find()
+  {
+    while(!m_queue.empty())
+    {
+      const auto [key, complement] = m_queue.top();
+      const double distance = m_distance(~complement);
+      if(distance == key)
+        return {distance, ~complement};
+      m_queue.pop();
+      m_queue.emplace(distance, complement);
+    }
+    return {0, 0};
+  }
+
+private:
+  const Distance& m_distance;
+  std::priority_queue<std::pair<double, std::size_t>> m_queue; // numbers in descending order
+};
+
+// Converts a vertex or a range of vertices to seeds.
+template <typename MeshTranslation, typename Sources>
+std::vector<Seed> seeds(const MeshTranslation& translation, const Sources& sources)
+{
+  std::vector<Seed> result;
   for(const Intrinsic_point& point : intrinsic_points(translation, sources, "source"))
     result.push_back({point.vertex});
   return result;
@@ -182,21 +173,21 @@ farthest_point_sampling(const TriangleMesh& tmesh,
     const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
                                        graph.triangulation());
     Propagation<std::decay_t<decltype(graph)>> search(graph);
-    search.run(internal::seeds<decltype(search)>(sources, translation));
+    search.run(internal::seeds(translation, sources));
 
     const std::vector<vertex_descriptor> candidates(vertices(tmesh).begin(), vertices(tmesh).end());
-    const auto distance = [&](const std::size_t i) {
+    const auto distance_of = [&](const std::size_t i) {
       return search.distance(translation.node(candidates[i]));
     };
-    internal::Farthest_first farthest_first(candidates.size());
-    auto farthest = farthest_first.find(distance);
-    for(Integer i = 0; i < number_of_points && farthest.distance > 0; ++i)
+    internal::Farthest_first farthest_first(candidates.size(), distance_of);
+    auto [distance, number] = farthest_first.find();
+    for(Integer i = 0; i < number_of_points && distance > 0; ++i)
     {
-      search.run_further({{translation.node(candidates[farthest.number])}});
-      *points++ = candidates[farthest.number];
-      farthest = farthest_first.find(distance);
+      search.run_further({{translation.node(candidates[number])}});
+      *points++ = candidates[number];
+      std::tie(distance, number) = farthest_first.find();
     }
-    return farthest.distance;
+    return distance;
   });
 }
 

@@ -10,12 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
-#include <CGAL/Approximate_geodesics/Search/internal/watches.h>
 
 #include <algorithm>
 #include <cmath>
@@ -176,22 +174,31 @@ public:
   template <typename Visitor = Geodesic_visitor_base>
   void run(const std::vector<Seed>& seeds, const Stop_rule& stop, Visitor&& visitor = Visitor())
   {
-    run(seeds, stop, visitor, all_of(seeds));
+    run(seeds, stop, visitor, {});
   }
 
   /// \cond SKIP_IN_MANUAL
 
-  // Starts from seeds that are found with the help of the graph's `Run`: `enter_seeds(enter)` calls
-  // `enter(seed, payload)` for each of them. Upper bounds of distances are found from `seeds`.
-  template <typename Visitor, typename EnterSeeds>
+  // A seed, and what the graph's `Run` keeps of the line that leads to it.
+  struct Entry
+  {
+    Seed seed;
+    typename Run::Payload payload;
+  };
+
+  // Finds the seeds with the help of the graph's `Run`, after it has started. If it is empty, the
+  // given seeds are entered; otherwise they only serve to find upper bounds of distances.
+  using Find_entries = std::function<std::vector<Entry>()>;
+
+  template <typename Visitor>
   void run(const std::vector<Seed>& seeds,
            const Stop_rule& stop,
            Visitor&& visitor,
-           const EnterSeeds& enter_seeds)
+           const Find_entries& find_entries)
   {
     check(seeds, stop);
     forget();
-    search(seeds, stop, visitor, internal::No_heuristic(), enter_seeds);
+    search(seeds, stop, visitor, internal::No_heuristic(), find_entries);
   }
 
   /// \endcond
@@ -222,25 +229,24 @@ public:
   void
   run_toward(const std::vector<Seed>& seeds, const Stop_rule& stop, const AStarHeuristic& heuristic)
   {
-    run_toward(seeds, stop, heuristic, all_of(seeds));
+    run_toward(seeds, stop, heuristic, {});
   }
 
   /// \cond SKIP_IN_MANUAL
 
-  // does the same from seeds that are found with the help of the graph's `Run`
-  template <typename AStarHeuristic, typename EnterSeeds>
+  template <typename AStarHeuristic>
   void run_toward(const std::vector<Seed>& seeds,
                   const Stop_rule& stop,
                   const AStarHeuristic& heuristic,
-                  const EnterSeeds& enter_seeds)
+                  const Find_entries& find_entries)
   {
     check(seeds, stop);
     forget();
-    search(seeds, stop, Geodesic_visitor_base(), heuristic, enter_seeds);
+    search(seeds, stop, Geodesic_visitor_base(), heuristic, find_entries);
     if(internal::reopens_too_often(m_labels) || has_lost_goal(stop))
     {
       forget();
-      search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), enter_seeds);
+      search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_entries);
     }
   }
 
@@ -259,7 +265,7 @@ public:
   {
     check(seeds, Stop_rule());
     m_sources.forget(m_labels);
-    search(seeds, Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic(), all_of(seeds));
+    search(seeds, Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic(), {});
   }
 
   /// enables or disables statistics for subsequent runs, which they slow down slightly.
@@ -381,11 +387,42 @@ private:
     }
 
     // Searches another graph of the same nodes and unit, until the goal is met, and calls
-    // `f(node, label)` for all nodes that this labels.
+    // `f(node, label)` for all nodes that this labels. Finds how far the goal can be. Then takes
+    // the labels back.
     template <typename OtherGraph, typename F>
     void find_upper_bounds(const OtherGraph& graph, F f)
     {
-      search.find_upper_bounds(graph, seeds, stop, to_goal, f);
+      constexpr double slack = 1e-6; // much more than rounding, and not much more to search
+      Labels& labels = search.m_labels;
+      const std::size_t size_of_order = labels.order().size();
+      label_nodes(graph);
+      search.m_limit = search.goal(stop, to_goal).distance() * (1 + slack);
+      for(std::size_t i = size_of_order; i < labels.order().size(); ++i)
+        if(const Node node = labels.order()[i]; labels.is_reached(node)) // or it occurs twice
+        {
+          f(node, labels.distance(node));
+          labels.discard(node);
+        }
+      labels.order().resize(size_of_order);
+      search.m_queue.clear();
+    }
+
+    // Appends all nodes that get labels to the order.
+    template <typename OtherGraph>
+    void label_nodes(const OtherGraph& graph)
+    {
+      for(const Seed& seed : seeds)
+        search.enter(seed.node, search.to_graph_unit(seed.distance), stop, to_goal);
+      using Other_relaxation = Relaxation<OtherGraph, Heuristic>;
+      typename Other_relaxation::Run run(graph);
+      typename Other_relaxation::Candidates candidates;
+      Other_relaxation batch(graph, run, search.m_queue, search.m_labels, candidates, to_goal,
+                             limit(), nullptr);
+      Geodesic_visitor_base no_visitor;
+      internal::Watch watch(search.m_labels, search.goal(stop, to_goal), no_visitor,
+                            search.m_graph->unit(), false);
+      batch.run(watch, false);
+      search.m_labels.append_to_order(search.m_queue);
     }
 
     Propagation& search;
@@ -450,55 +487,6 @@ private:
     m_run.discard(node);
   }
 
-  // Finds upper bounds of all distances, and how far the goal can be. Then takes the labels back.
-  template <typename OtherGraph, typename Heuristic, typename F>
-  void find_upper_bounds(const OtherGraph& graph,
-                         const std::vector<Seed>& seeds,
-                         const Stop_rule& stop,
-                         const Heuristic& heuristic,
-                         F f)
-  {
-    constexpr double slack = 1e-6; // much more than rounding, and not much more to search
-    auto& order = m_labels.order();
-    const std::size_t size_of_order = order.size();
-    label_nodes(graph, seeds, stop, heuristic);
-    m_limit = goal(stop, heuristic).distance() * (1 + slack);
-    for(std::size_t i = size_of_order; i < order.size(); ++i)
-      if(m_labels.is_reached(order[i])) // or it occurs twice
-      {
-        f(order[i], m_labels.distance(order[i]));
-        m_labels.discard(order[i]);
-      }
-    order.resize(size_of_order);
-    m_queue.clear();
-  }
-
-  // Searches a graph until the goal is met. All nodes that get labels are appended to the order.
-  template <typename OtherGraph, typename Heuristic>
-  void label_nodes(const OtherGraph& graph,
-                   const std::vector<Seed>& seeds,
-                   const Stop_rule& stop,
-                   const Heuristic& heuristic)
-  {
-    for(const Seed& seed : seeds)
-    {
-      const double distance = to_graph_unit(seed.distance);
-      if(!(distance < m_labels.distance(seed.node) && distance <= largest_label(stop)))
-        continue;
-      m_labels.set(seed.node, distance, null_node);
-      m_queue.push(seed.node, distance + heuristic(seed.node));
-    }
-    using Other_relaxation = Relaxation<OtherGraph, Heuristic>;
-    typename Other_relaxation::Run run(graph);
-    typename Other_relaxation::Candidates candidates;
-    Other_relaxation batch(graph, run, m_queue, m_labels, candidates, heuristic,
-                           largest_label(stop), nullptr);
-    Geodesic_visitor_base no_visitor;
-    internal::Watch watch(m_labels, goal(stop, heuristic), no_visitor, m_graph->unit(), false);
-    batch.run(watch, false);
-    m_labels.append_to_order(m_queue);
-  }
-
   // Whether upper bounds say that the goal can be reached, and it was not.
   bool has_lost_goal(const Stop_rule& stop) const
   {
@@ -512,22 +500,24 @@ private:
     return (std::min)(m_limit, to_graph_unit(stop.maximum_distance));
   }
 
-  template <typename Visitor, typename Heuristic, typename EnterSeeds>
+  template <typename Visitor, typename Heuristic>
   void search(const std::vector<Seed>& seeds,
               const Stop_rule& stop,
               Visitor&& visitor,
               const Heuristic& heuristic,
-              const EnterSeeds& enter_seeds)
+              const Find_entries& find_entries)
   {
     try
     {
       prepare();
       Start<Heuristic> start{*this, seeds, stop, heuristic};
       m_run.start(start);
-      std::vector<Entry> entries; // listed, so that `enter_seeds` is instantiated once
-      enter_seeds(List_entry{entries});
-      for(const Entry& entry : entries)
-        enter(entry.seed, entry.payload, stop, heuristic);
+      if(find_entries)
+        for(const Entry& entry : find_entries())
+          enter(entry, stop, heuristic);
+      else
+        for(const Seed& seed : seeds)
+          enter(Entry{seed, {}}, stop, heuristic);
       propagate(
           stop,
           internal::Watch(m_labels, goal(stop, heuristic), visitor, m_graph->unit(), m_counts),
@@ -553,43 +543,25 @@ private:
     m_limit = std::numeric_limits<double>::infinity();
   }
 
-  struct Entry
-  {
-    Seed seed;
-    typename Run::Payload payload;
-  };
-
-  struct List_entry
-  {
-    void operator()(const Seed& seed, const typename Run::Payload& payload) const
-    {
-      entries.push_back({seed, payload});
-    }
-
-    std::vector<Entry>& entries;
-  };
-
-  static auto all_of(const std::vector<Seed>& seeds)
-  {
-    return [&seeds](const auto& enter) {
-      for(const Seed& seed : seeds)
-        enter(seed, typename Run::Payload());
-    };
-  }
-
   template <typename Heuristic>
-  void enter(Seed seed,
-             const typename Run::Payload& payload,
-             const Stop_rule& stop,
-             const Heuristic& heuristic)
+  void enter(Entry entry, const Stop_rule& stop, const Heuristic& heuristic)
   {
+    Seed& seed = entry.seed;
     seed.distance = to_graph_unit(seed.distance);
     m_seeds.push_back(seed);
-    if(!(seed.distance < m_labels.distance(seed.node) && seed.distance <= largest_label(stop)))
-      return;
-    m_labels.set(seed.node, seed.distance, null_node);
-    m_run.on_label(seed.node, seed.distance, payload);
-    m_queue.push(seed.node, seed.distance + heuristic(seed.node));
+    if(enter(seed.node, seed.distance, stop, heuristic))
+      m_run.on_label(seed.node, seed.distance, entry.payload);
+  }
+
+  // Labels a node where the search starts, unless it has a smaller label. Returns whether it did.
+  template <typename Heuristic>
+  bool enter(const Node node, const double label, const Stop_rule& stop, const Heuristic& heuristic)
+  {
+    if(!(label < m_labels.distance(node) && label <= largest_label(stop)))
+      return false;
+    m_labels.set(node, label, null_node);
+    m_queue.push(node, label + heuristic(node));
+    return true;
   }
 
   template <typename Heuristic>

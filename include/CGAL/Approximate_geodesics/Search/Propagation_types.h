@@ -130,6 +130,30 @@ inline void check_input(const std::vector<Seed>& seeds,
 }
 
 } // namespace internal
+
+/*!
+ * \ingroup PkgApproximateGeodesicsSearch
+ *
+ * A visitor that does nothing. A class derived from it has to define only the functions that it
+ * needs; these hide those below, which are not virtual.
+ *
+ * \cgalModels{GeodesicVisitor}
+ */
+struct Geodesic_visitor_base
+{
+  /// does nothing.
+  template <typename Vertex>
+  void on_settled(const Vertex& /* vertex */, double /* distance */)
+  {
+  }
+
+  /// does nothing.
+  void on_progress(std::size_t /* number_of_settled_nodes */, std::size_t /* number_of_nodes */) {}
+
+  /// returns `true`.
+  bool go_further() { return true; }
+};
+
 } // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_PROPAGATION_TYPES_H

@@ -12,13 +12,13 @@
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
+#include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
-#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -67,101 +67,78 @@ private:
   const Vertices& m_vertices;
 };
 
-template <typename Visitor, typename Vertices>
-Vertex_visitor(std::reference_wrapper<Visitor>&, const Vertices&)
-    -> Vertex_visitor<Visitor, Vertices>;
-
-/*
- * Writes the results of a search to property maps of the vertices of a mesh. All memory is
- * allocated before the first write. `Vertices` maps vertices to nodes and, for predecessors, nodes
- * to vertices; vertices without a node count as not reached.
- */
-template <typename Search, typename Vertices>
-class Vertex_results
+// Writes `value(v, node)` for each vertex of a mesh and its node. If a part of the mesh was
+// searched, vertices outside the part have the null node.
+template <typename Translation, typename VertexMap, typename F>
+void put_for_all(const Translation& translation, VertexMap map, const F& value)
 {
-  using Triangle_mesh = typename Vertices::Triangle_mesh;
-  using vertex_descriptor = typename boost::graph_traits<Triangle_mesh>::vertex_descriptor;
-  using Node = typename Search::Node;
-
-public:
-  Vertex_results(const Search& search, const Vertices& vertices)
-    : m_search(search), m_vertices(vertices)
+  using Triangle_mesh = typename Translation::Triangle_mesh;
+  for(const auto v : vertices(whole(translation.mesh())))
   {
+    bool has_node = true;
+    if constexpr(is_part<Triangle_mesh>)
+      has_node = translation.mesh().number(v) != Triangle_mesh::null_index;
+    put(map, v, value(v, has_node ? translation.node(v) : Intrinsic_triangulation::null_index));
   }
+}
 
-  // Writes the distances and the other results requested by named parameters.
-  template <typename VertexDistanceMap, typename NamedParameters>
-  void write(VertexDistanceMap distances, const NamedParameters& np) const
-  {
-    if constexpr(is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
-    {
-      Vertex_predecessors<Search> predecessors(m_search);
-      write_distances_and_sources(distances, np);
-      write_predecessors(predecessors, np);
-    }
-    else
-      write_distances_and_sources(distances, np);
-  }
-
-private:
-  double distance(const Node node) const
-  {
+template <typename Search,
+          typename Translation,
+          typename VertexDistanceMap,
+          typename NamedParameters>
+void write_distances_and_sources(const Search& search,
+                                 const Translation& translation,
+                                 VertexDistanceMap distances,
+                                 [[maybe_unused]] const NamedParameters& np)
+{
+  constexpr bool with_sources = is_given<NamedParameters, internal_np::nearest_source_t>;
+  if constexpr(with_sources)
+    for(const auto node : search.reached_nodes())
+      if(search.source(node) != Search::null_source)
+        break; // the first source that is found allocates memory for all
+  put_for_all(translation, distances, [&](auto /* vertex */, const auto node) {
     return node == Search::null_node ? std::numeric_limits<double>::infinity()
-                                     : m_search.distance(node);
-  }
-
-  auto source(const Node node) const
+                                     : search.distance(node);
+  });
+  if constexpr(with_sources)
   {
-    return node == Search::null_node ? Search::null_source : m_search.source(node);
+    const auto map = parameters::get_parameter(np, internal_np::nearest_source);
+    using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
+    put_for_all(translation, map, [&](auto /* vertex */, const auto node) {
+      return static_cast<Value>(node == Search::null_node ? Search::null_source
+                                                          : search.source(node));
+    });
   }
+}
 
-  template <typename VertexDistanceMap, typename NamedParameters>
-  void write_distances_and_sources(VertexDistanceMap distances,
-                                   [[maybe_unused]] const NamedParameters& np) const
+// Writes the distances of a search, and the other results requested by named parameters, to
+// property maps. All memory is allocated before the first write.
+template <typename Search,
+          typename Translation,
+          typename VertexDistanceMap,
+          typename NamedParameters>
+void write_results(const Search& search,
+                   const Translation& translation,
+                   VertexDistanceMap distances,
+                   const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
   {
-    constexpr bool with_sources = is_given<NamedParameters, internal_np::nearest_source_t>;
-    if constexpr(with_sources)
-      allocate_sources();
-    for(const vertex_descriptor v : vertices(m_vertices.mesh()))
-      put(distances, v, distance(m_vertices.node(v)));
-    if constexpr(with_sources)
-    {
-      const auto sources = parameters::get_parameter(np, internal_np::nearest_source);
-      using Value = typename boost::property_traits<std::decay_t<decltype(sources)>>::value_type;
-      for(const vertex_descriptor v : vertices(m_vertices.mesh()))
-        put(sources, v, static_cast<Value>(source(m_vertices.node(v))));
-    }
+    using Graph_traits = boost::graph_traits<typename Translation::Triangle_mesh>;
+    using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+    Vertex_predecessors<Search> predecessors(search);
+    write_distances_and_sources(search, translation, distances, np);
+    put_for_all(translation, parameters::get_parameter(np, internal_np::geodesic_predecessor),
+                [&](const vertex_descriptor v, const auto node) -> vertex_descriptor {
+                  if(node == Search::null_node || !search.is_reached(node))
+                    return Graph_traits::null_vertex();
+                  const auto before = predecessors(node);
+                  return before == Search::null_node ? v : translation.vertex(before);
+                });
   }
-
-  // The first query for a source allocates all memory for sources.
-  void allocate_sources() const
-  {
-    for(const Node node : m_search.reached_nodes())
-      if(m_search.source(node) != Search::null_source)
-        return;
-  }
-
-  template <typename Predecessors, typename NamedParameters>
-  void write_predecessors(Predecessors& predecessors, const NamedParameters& np) const
-  {
-    const auto map = parameters::get_parameter(np, internal_np::geodesic_predecessor);
-    for(const vertex_descriptor v : vertices(m_vertices.mesh()))
-      put(map, v, predecessor(v, predecessors));
-  }
-
-  template <typename Predecessors>
-  vertex_descriptor predecessor(const vertex_descriptor v, Predecessors& predecessors) const
-  {
-    const Node node = m_vertices.node(v);
-    if(node == Search::null_node || !m_search.is_reached(node))
-      return boost::graph_traits<Triangle_mesh>::null_vertex();
-    const Node before = predecessors(node);
-    return before == Search::null_node ? v : m_vertices.vertex(before);
-  }
-
-  const Search& m_search;
-  const Vertices& m_vertices;
-};
+  else
+    write_distances_and_sources(search, translation, distances, np);
+}
 
 /*
  * A search of a graph in terms of a mesh: the common implementation of the class and of the free
@@ -263,16 +240,21 @@ public:
   template <typename VertexDistanceMap, typename NamedParameters>
   void write_results(VertexDistanceMap distances, const NamedParameters& np) const
   {
-    Vertex_results(m_search.search(), m_translation).write(distances, np);
+    internal::write_results(m_search.search(), m_translation, distances, np);
   }
 
 private:
   using Stop_rule = typename Surface_search::Stop_rule;
 
+  // Reads the named parameters that limit a run.
   template <typename NamedParameters>
   Stop_rule stop_rule(const NamedParameters& np) const
   {
-    return internal::stop_rule<Stop_rule>(m_translation, np);
+    Stop_rule result{maximum_distance(np)};
+    if constexpr(is_given<NamedParameters, internal_np::targets_t>)
+      result.targets = intrinsic_points(
+          m_translation, parameters::get_parameter(np, internal_np::targets), "target");
+    return result;
   }
 
   // Runs with the visitor of the named parameters, if any.
@@ -282,7 +264,8 @@ private:
     if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
     {
       auto visitor = parameters::get_parameter(np, internal_np::visitor);
-      m_search.run(std::move(sources), stop, Vertex_visitor(visitor, m_translation));
+      m_search.run(std::move(sources), stop,
+                   Vertex_visitor(std::ref(visitor).get(), m_translation));
     }
     else
     {

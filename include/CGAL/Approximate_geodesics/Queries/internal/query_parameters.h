@@ -8,24 +8,30 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/read_thin_faces.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <limits>
@@ -35,6 +41,14 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// Returns a graph with a bound, which is `0` for an exact one.
+template <typename Graph, typename ConcurrencyTag>
+Graph graph_with_epsilon(Intrinsic_triangulation triangulation, const double epsilon)
+{
+  return Graph(std::move(triangulation),
+               parameters::epsilon(epsilon).concurrency_tag(ConcurrencyTag()));
+}
 
 // Whether a query that reads the parameters of meshes and graphs, and `Read`, ignores a parameter.
 template <typename NamedParameters, typename... Read>
@@ -67,18 +81,6 @@ double maximum_distance(const NamedParameters& np)
   return CGAL::to_double(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_distance),
                                    std::numeric_limits<double>::infinity()));
-}
-
-// Reads the named parameters that limit a run.
-template <typename StopRule, typename Translation, typename NamedParameters>
-StopRule stop_rule(const Translation& translation, const NamedParameters& np)
-{
-  StopRule result;
-  result.maximum_distance = maximum_distance(np);
-  if constexpr(is_given<NamedParameters, internal_np::targets_t>)
-    result.targets = intrinsic_points(
-        translation, parameters::get_parameter(np, internal_np::targets), "target");
-  return result;
 }
 
 // Reads the initial distances of sources or seeds.
@@ -212,5 +214,40 @@ auto with_graph(const TriangleMesh& tmesh,
 }
 
 } // namespace CGAL::Approximate_geodesics::internal
+
+/*
+ * The target `Approximate_geodesics::compiled` instantiates what a query does once the mesh is
+ * read: these functions, and what they call, know neither the type of the mesh nor the named
+ * parameters. A program that links the target does not compile them again.
+ */
+#ifdef CGAL_APPROXIMATE_GEODESICS_COMPILED
+#ifndef CGAL_APPROXIMATE_GEODESICS_INSTANTIATION // empty where the library is compiled
+#define CGAL_APPROXIMATE_GEODESICS_INSTANTIATION extern
+#endif
+
+#define CGAL_APPROXIMATE_GEODESICS_SEARCH(GRAPH)                                                   \
+  CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template class Surface_search<GRAPH>;                   \
+  CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template void Surface_search<GRAPH>::run(               \
+      std::vector<Source_point>, const Stop_rule&, Geodesic_visitor_base&);
+
+#define CGAL_APPROXIMATE_GEODESICS_GRAPH(GRAPH)                                                    \
+  CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template GRAPH                                          \
+  internal::graph_with_epsilon<GRAPH, Sequential_tag>(Intrinsic_triangulation, double);
+
+namespace CGAL::Approximate_geodesics {
+
+CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template internal::Edge_lengths internal::straight_lengths(
+    std::vector<Space_vector>, const Intrinsic_triangulation&, const Loop&, Sharp_corners&);
+CGAL_APPROXIMATE_GEODESICS_GRAPH(Lazy_discrete_geodesic_graph)
+CGAL_APPROXIMATE_GEODESICS_GRAPH(Saddle_vertex_graph)
+CGAL_APPROXIMATE_GEODESICS_SEARCH(Edge_graph)
+CGAL_APPROXIMATE_GEODESICS_SEARCH(Lazy_discrete_geodesic_graph)
+CGAL_APPROXIMATE_GEODESICS_SEARCH(Saddle_vertex_graph)
+
+} // namespace CGAL::Approximate_geodesics
+
+#undef CGAL_APPROXIMATE_GEODESICS_SEARCH
+#undef CGAL_APPROXIMATE_GEODESICS_GRAPH
+#endif // CGAL_APPROXIMATE_GEODESICS_COMPILED
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_QUERY_PARAMETERS_H

@@ -20,7 +20,6 @@
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
-#include <CGAL/Approximate_geodesics/Parts/internal/Mesh_place.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Part_growth.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
@@ -29,15 +28,14 @@
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -184,7 +182,10 @@ public:
   template <typename Sources, typename Target, typename Search>
   bool between(const Sources& sources, const Target& target, Search search)
   {
-    if(!is_worth_trying() || !add_sources(sources) || !add_place(target))
+    if(!is_worth_trying([&] {
+         add_sources(sources);
+         add_place(target);
+       }))
       return false;
     m_detour.target = (*m_positions)(m_places.back());
     for(double limit = FIRST_LIMIT * m_detour.over(*m_detour.target);;)
@@ -207,64 +208,54 @@ public:
   template <typename Sources>
   std::optional<Mesh_part<TriangleMesh>> around(const Sources& sources)
   {
-    if(!is_worth_trying() || m_maximum_distance == infinity || !add_sources(sources) ||
-       !set_initial_distances())
+    const auto read_sources = [&] {
+      add_sources(sources);
+      set_initial_distances(m_np, m_detour.starts);
+      for(std::size_t i = 0; i < m_detour.starts.size(); ++i)
+        check_initial_distance(m_detour.starts[i].distance, i);
+    };
+    if(m_maximum_distance == infinity || !is_worth_trying(read_sources))
       return std::nullopt;
     Growth growth = growth_up_to(m_maximum_distance, AROUND_SOURCES);
     return growth.run() ? std::make_optional(std::move(growth.part())) : std::nullopt;
   }
 
 private:
-  bool is_worth_trying() const
+  // Fails for points that may be invalid; reading the whole mesh then diagnoses the error.
+  template <typename F>
+  bool is_worth_trying(const F& read_points)
   {
-    return m_number_of_vertices >= SMALLEST_MESH && m_maximum_distance >= 0;
+    if(m_number_of_vertices < SMALLEST_MESH || !(m_maximum_distance >= 0))
+      return false;
+    try
+    {
+      read_points();
+    }
+    catch(const std::invalid_argument&)
+    {
+      return false;
+    }
+    return !m_detour.starts.empty();
   }
 
   template <typename Sources>
-  bool add_sources(const Sources& sources)
+  void add_sources(const Sources& sources)
   {
     if constexpr(is_surface_point<TriangleMesh, Sources>)
-    {
-      if(!add_place(sources))
-        return false;
-    }
+      add_place(sources);
     else
       for(const auto& source : sources)
-        if(!add_place(source))
-          return false;
+        add_place(source);
     for(const auto& place : m_places)
       m_detour.starts.push_back({(*m_positions)(place), 0});
-    return !m_places.empty();
   }
 
   template <typename Point>
-  bool add_place(const Point& point)
+  void add_place(const Point& point)
   {
-    const auto place = mesh_place(m_mesh, point);
-    if(!place)
-      return false;
-    m_places.push_back(*place);
+    m_places.push_back(checked_place(m_mesh, point));
     if(!m_positions)
-      m_positions.emplace(m_mesh, m_np, place->corner[0]);
-    return true;
-  }
-
-  bool set_initial_distances()
-  {
-    if constexpr(is_given<NamedParameters, internal_np::initial_distances_t>)
-    {
-      std::size_t number = 0;
-      for(const auto& initial : parameters::get_parameter(m_np, internal_np::initial_distances))
-      {
-        const double distance = CGAL::to_double(initial);
-        if(number == m_detour.starts.size() || !(distance >= 0 && std::isfinite(distance)))
-          return false;
-        m_detour.starts[number++].distance = distance;
-      }
-      return number == m_detour.starts.size();
-    }
-    else
-      return true;
+      m_positions.emplace(m_mesh, m_np, m_places.back().corner[0]);
   }
 
   // The budget is smaller for searches along edges, which are faster, and for many sources, which
@@ -287,35 +278,6 @@ private:
   std::vector<Mesh_place<TriangleMesh>> m_places; // the sources, and the target
   std::optional<Positions> m_positions;
   Detour m_detour;
-};
-
-/*
- * Maps the vertices of the whole mesh to nodes of a part. Vertices outside the part have no node.
- */
-template <typename Translation>
-class Whole_translation
-{
-  using Part = typename Translation::Triangle_mesh;
-
-public:
-  using Triangle_mesh = typename Part::Triangle_mesh;
-  using vertex_descriptor = typename Part::vertex_descriptor;
-  using Index = typename Part::Index;
-
-  explicit Whole_translation(const Translation& translation) : m_translation(translation) {}
-
-  const Triangle_mesh& mesh() const { return whole(m_translation.mesh()); }
-
-  Index node(const vertex_descriptor v) const
-  {
-    const bool is_in_part = m_translation.mesh().number(v) != Part::null_index;
-    return is_in_part ? m_translation.node(v) : Part::null_index;
-  }
-
-  vertex_descriptor vertex(const Index node) const { return m_translation.vertex(node); }
-
-private:
-  const Translation& m_translation;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

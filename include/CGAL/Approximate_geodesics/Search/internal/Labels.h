@@ -6,9 +6,8 @@
 #ifndef CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_LABELS_H
 #define CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_LABELS_H
 
-#include <CGAL/license/Approximate_geodesics.h>
-
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
+#include <CGAL/license/Approximate_geodesics.h>
 
 #include <algorithm>
 #include <cstddef>
