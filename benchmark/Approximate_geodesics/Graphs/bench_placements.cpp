@@ -14,7 +14,7 @@
 #include "peers/Published_geometric_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Face_gauges.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
 
 #include "meshes/test_costs.h"
 

@@ -9,7 +9,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Retriangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
 
 #include <boost/property_map/function_property_map.hpp>
 

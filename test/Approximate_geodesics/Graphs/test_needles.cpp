@@ -13,7 +13,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Retriangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 
 #include "checks/expect_costs.h"
 #include "checks/expect_message.h"

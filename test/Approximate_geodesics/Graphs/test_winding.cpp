@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include "checks/test_random.h"
 #include "meshes/test_meshes.h"

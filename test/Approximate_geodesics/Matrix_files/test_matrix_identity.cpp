@@ -13,7 +13,6 @@
 #include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
-#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 
 #include <gtest/gtest.h>
 

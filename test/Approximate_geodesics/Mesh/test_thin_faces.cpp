@@ -3,14 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include "checks/graphs_of_all_kinds.h"
 #include "checks/test_random.h"
 #include "meshes/sample_meshes.h"
 #include "oracles/long_double_distances.h"
 
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Exact_rational.h>
 
 #include <gtest/gtest.h>

@@ -3,8 +3,6 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
-
 #include "checks/expect_message.h"
 #include "checks/test_random.h"
 #include "meshes/test_costs.h"

@@ -7,7 +7,6 @@
 #define BENCHMARK_PUBLISHED_GEOMETRIC_POINTS_H
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>

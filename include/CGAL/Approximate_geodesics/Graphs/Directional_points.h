@@ -9,9 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Face_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Points_on_edges.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 

@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>

@@ -11,13 +11,11 @@
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/read_thin_faces.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
-#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Connectivity.h>
 #include <CGAL/assertions.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Connectivity.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Gauges/Face_gauges.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Mesh/internal/face_links.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_links.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 

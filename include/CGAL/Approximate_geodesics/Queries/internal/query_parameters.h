@@ -28,6 +28,8 @@
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>

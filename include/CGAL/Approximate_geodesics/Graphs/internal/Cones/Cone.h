@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <algorithm>
 #include <cmath>

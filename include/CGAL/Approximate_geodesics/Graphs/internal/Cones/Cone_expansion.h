@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -12,7 +12,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
 
 #include <algorithm>
 #include <cmath>

@@ -15,7 +15,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_line.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Retriangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -14,10 +14,10 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Retriangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,10 +10,9 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <cstddef>
 #include <vector>

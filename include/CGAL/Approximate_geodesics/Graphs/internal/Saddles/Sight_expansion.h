@@ -13,7 +13,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Winding.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <boost/config.hpp>
 #include <boost/container/small_vector.hpp>

@@ -11,8 +11,8 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 

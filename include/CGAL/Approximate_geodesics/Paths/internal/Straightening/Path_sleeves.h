@@ -11,8 +11,7 @@
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <array>
 #include <cmath>

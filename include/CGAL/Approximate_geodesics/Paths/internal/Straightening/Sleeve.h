@@ -10,9 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_point.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -15,7 +15,6 @@
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_mesh.h>
-#include <CGAL/Approximate_geodesics/Surface/Directional_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -3,16 +3,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_REFINED_NEEDLES_H
-#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_REFINED_NEEDLES_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Edge_flips.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Balanced_fans.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation/Edge_flips.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +22,123 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * Flips edges of hubs, vertices with very many neighbors, every other one at a time, until hubs
+ * have few neighbors. So their faces, which were a fan, become a balanced tree, and a straight line
+ * crosses few of them.
+ *
+ * Edges stay where the hub's neighbors turn inwards, as those can be connected to nothing else.
+ */
+class Balanced_fans
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  // Vertices with more neighbors than this are hubs.
+  static constexpr Index LARGEST_DEGREE = 128;
+
+  static bool are_useful(const Intrinsic_triangulation& mesh)
+  {
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      if(mesh.degree(v) > LARGEST_DEGREE)
+        return true;
+    return false;
+  }
+
+  // Balances the fans of all hubs. Returns whether there are any.
+  static bool balance(Edge_flips& flips) { return Balanced_fans(flips).balance(); }
+
+private:
+  explicit Balanced_fans(Edge_flips& flips)
+    : m_flips(flips), m_gained(flips.number_of_vertices(), 0), m_left(flips.number_of_vertices(), 0)
+  {
+    for(Index h = 0; h < flips.number_of_halfedges(); ++h)
+      ++m_left[flips[h].target];
+  }
+
+  bool balance()
+  {
+    std::vector<Index> hubs;
+    for(Index v = 0; v < m_left.size(); ++v)
+      if(m_left[v] > LARGEST_DEGREE)
+        hubs.push_back(v);
+    if(hubs.empty())
+      return false;
+    m_has_changed.resize(m_flips.number_of_halfedges(), false);
+    const std::vector<Index> first = m_flips.first_halfedges();
+    std::vector<std::vector<Index>> spokes;
+    for(const Index hub : hubs)
+      spokes.push_back(halfedges_from(first[hub]));
+    for(std::size_t i = 0; i < hubs.size(); ++i)
+      balance(hubs[i], std::move(spokes[i]));
+    return true;
+  }
+
+  // Returns the halfedges that start where `first` does, counterclockwise.
+  std::vector<Index> halfedges_from(const Index first) const
+  {
+    std::vector<Index> result;
+    Index h = first;
+    do
+    {
+      result.push_back(h);
+      h = m_flips[h].counterclockwise;
+    } while(h != first);
+    return result;
+  }
+
+  // Flips edges of `hub`, those next to each other in different rounds; in each of them, only those
+  // whose faces have changed in the one before.
+  void balance(const Index hub, std::vector<Index> edges)
+  {
+    const auto is_taken = [&](const Index h) { return m_flips.is_taken(h); };
+    edges.erase(std::remove_if(edges.begin(), edges.end(), is_taken), edges.end());
+    std::vector<Index> changed;
+    while(!edges.empty())
+    {
+      for(const Index h : edges)
+        if(!m_has_changed[h] && try_flip(hub, h))
+          for(const Index side : {m_flips.next(m_flips.next(h)), m_flips.next(h)})
+            note_change(hub, side, changed);
+      for(const Index h : changed)
+        m_has_changed[h] = false;
+      edges.swap(changed);
+      changed.clear();
+    }
+  }
+
+  // The side of a new face at the hub has got another neighbor.
+  void note_change(const Index hub, const Index side, std::vector<Index>& changed)
+  {
+    const Index h = m_flips[side].target == hub ? m_flips[side].opposite : side;
+    if(m_flips.is_taken(h) || m_has_changed[h])
+      return;
+    m_has_changed[h] = true;
+    changed.push_back(h);
+  }
+
+  bool try_flip(const Index hub, const Index h)
+  {
+    if(!m_flips.can_flip(hub, h))
+      return false;
+    const Index v = m_flips[h].target, left = m_flips[m_flips.next(h)].target,
+                right = m_flips[m_flips.next(m_flips[h].opposite)].target;
+    constexpr Index most = LARGEST_DEGREE / 2; // so that no vertex becomes a hub
+    if(m_gained[left] >= most || m_gained[right] >= most || m_left[v] < 2)
+      return false;
+    ++m_gained[left];
+    ++m_gained[right];
+    --m_left[v];
+    --m_left[hub];
+    m_flips.flip(hub, h);
+    return true;
+  }
+
+  Edge_flips& m_flips;
+  std::vector<Index> m_gained, m_left; // edges that a vertex has got from others, or has left
+  std::vector<bool> m_has_changed;     // per halfedge
+};
 
 /*
  * Adds vertices inside needles, faces that are many times as long as their shortest side, if a mesh
@@ -282,6 +399,62 @@ private:
   std::vector<double> m_covered; // per vertex of the mesh, how far from it there are added ones
 };
 
+/*
+ * Another triangulation of the surface of a mesh, in which straight lines cross fewer faces: with
+ * refined needles, balanced fans, or both. Its first vertices are those of the mesh.
+ */
+class Retriangulation : public Flipped_triangulation
+{
+public:
+  // Returns the retriangulation of `mesh`, if its faces need one.
+  static std::optional<Retriangulation> make(const Intrinsic_triangulation& mesh)
+  {
+    const bool has_needles = Refined_needles::are_useful(mesh);
+    if(has_needles || Balanced_fans::are_useful(mesh))
+      return Retriangulation(mesh, has_needles, most_flips(mesh));
+    return std::nullopt;
+  }
+
+  // Refines needles if asked for. Throws if a face of `mesh` breaks the triangle inequality.
+  Retriangulation(const Intrinsic_triangulation& mesh,
+                  const bool refines_needles,
+                  const std::size_t most_flips)
+    : m_number_of_vertices(mesh.number_of_vertices())
+  {
+    Edge_flips flips(mesh);
+    if(refines_needles)
+      m_positions = Refined_needles::refine(flips, most_flips);
+    m_has_balanced_fans = Balanced_fans::balance(flips);
+    static_cast<Flipped_triangulation&>(*this) = Flipped_triangulation(mesh, flips);
+  }
+
+  // More than strips and fans of needles take, which is about one per halfedge.
+  static std::size_t most_flips(const Intrinsic_triangulation& mesh)
+  {
+    return std::size_t(32) * mesh.number_of_halfedges();
+  }
+
+  bool has_balanced_fans() const { return m_has_balanced_fans; }
+  bool has_refined_needles() const { return !m_positions.empty(); }
+
+  // Where a vertex is in the mesh.
+  Intrinsic_point position(const Index v) const
+  {
+    return v < m_number_of_vertices ? Intrinsic_point::at_vertex(v)
+                                    : m_positions[v - m_number_of_vertices];
+  }
+
+  std::size_t memory() const
+  {
+    return Flipped_triangulation::memory() + m_positions.capacity() * sizeof(Intrinsic_point);
+  }
+
+private:
+  Index m_number_of_vertices;               // of the mesh
+  std::vector<Intrinsic_point> m_positions; // of added vertices
+  bool m_has_balanced_fans = false;
+};
+
 } // namespace CGAL::Approximate_geodesics::internal
 
-#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_REFINED_NEEDLES_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_H

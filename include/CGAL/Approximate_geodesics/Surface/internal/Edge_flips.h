@@ -3,20 +3,23 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_EDGE_FLIPS_H
-#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_EDGE_FLIPS_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_EDGE_FLIPS_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_EDGE_FLIPS_H
 
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Corner.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -367,6 +370,122 @@ private:
   std::vector<Halfedge> m_halfedges;
 };
 
+/*
+ * The triangulation that flips of edges, and added vertices, have made of a mesh. The vertices of
+ * the mesh come first, with their numbers.
+ */
+class Flipped_triangulation
+{
+public:
+  using Index = Intrinsic_triangulation::Index;
+
+  Flipped_triangulation() = default;
+
+  Flipped_triangulation(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
+  {
+    copy_halfedges(flips);
+    copy(mesh, flips);
+    copy_thin_faces(mesh, flips);
+  }
+
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+
+  // Whether a halfedge of the mesh is none of this triangulation.
+  bool is_lost(const Index h) const { return m_triangulation.is_flipped(m_number[h]); }
+
+  // The number here of a halfedge that is not lost, and that in the mesh of one that is not new.
+  Index number(const Index h) const { return m_number[h]; }
+  Index number_in_mesh(const Index h) const { return m_number_in_mesh[h]; }
+
+  std::size_t memory() const
+  {
+    return m_triangulation.memory() +
+           sizeof(Index) * (m_number.capacity() + m_number_in_mesh.capacity());
+  }
+
+private:
+  // Visits each halfedge once, as they are far more than fit into a cache.
+  void copy_halfedges(const Edge_flips& flips)
+  {
+    Intrinsic_triangulation& t = m_triangulation;
+    m_number.resize(flips.number_of_halfedges());
+    m_number_in_mesh.reserve(m_number.size());
+    t.m_target.reserve(m_number.size());
+    t.m_length.reserve(m_number.size());
+    t.m_first_halfedge.clear();
+    t.m_first_halfedge.reserve(flips.number_of_vertices() + 1);
+    for(const Index first : flips.first_halfedges())
+    {
+      t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
+      if(first == Intrinsic_triangulation::null_index)
+        continue; // an isolated vertex
+      Index h = first;
+      do
+      {
+        const Edge_flips::Halfedge& halfedge = flips[h];
+        m_number[h] = static_cast<Index>(m_number_in_mesh.size());
+        m_number_in_mesh.push_back(h);
+        t.m_target.push_back(halfedge.target);
+        t.m_length.push_back(halfedge.length);
+        t.m_is_border.push_back(halfedge.is_border);
+        t.m_is_flipped.push_back(halfedge.is_new);
+        h = halfedge.counterclockwise;
+      } while(h != first);
+    }
+    t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
+  }
+
+  void copy(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
+  {
+    Intrinsic_triangulation& t = m_triangulation;
+    t.m_opposite_rank.resize(m_number.size());
+    for(Index h = 0; h < m_number.size(); ++h)
+      t.m_opposite_rank.set(m_number[h],
+                            m_number[flips[h].opposite] - t.first_halfedge(flips[h].target));
+    t.m_vertex_of_index = mesh.m_vertex_of_index;
+    t.m_index_of_vertex = mesh.m_index_of_vertex;
+    for(Index v = mesh.number_of_vertices(); v < flips.number_of_vertices(); ++v)
+    {
+      t.m_index_of_vertex.push_back(static_cast<Index>(t.m_vertex_of_index.size()));
+      t.m_vertex_of_index.push_back(v);
+    }
+    t.m_number_of_faces =
+        mesh.m_number_of_faces + 2 * (flips.number_of_vertices() - mesh.number_of_vertices());
+    t.m_unit = mesh.m_unit;
+    t.m_lines_may_return = mesh.m_lines_may_return;
+  }
+
+  // New faces have shapes, even where those of the mesh are not known.
+  void copy_thin_faces(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
+  {
+    const Intrinsic_triangulation& t = m_triangulation;
+    Thin_faces result;
+    for(Index i = 0; i < t.number_of_halfedges(); ++i)
+    {
+      if(t.is_border(i))
+        continue;
+      const Thin_faces::Halfedges sides = t.halfedges_of_face(i);
+      if(i > sides[1] || i > sides[2] ||
+         !Thin_faces::is_thin(t.length(i), t.length(sides[1]), t.length(sides[2])))
+        continue;
+      const Thin_faces::Halfedges in_mesh{m_number_in_mesh[i], m_number_in_mesh[sides[1]],
+                                          m_number_in_mesh[sides[2]]};
+      const Edge_flips::Halfedge& h = flips[in_mesh[0]];
+      if(t.is_in_new_face(i))
+        result.add(sides, {{h.corner, flips[in_mesh[1]].corner, flips[in_mesh[2]].corner},
+                           h.doubled_area});
+      else if(const std::optional<Thin_face> face = mesh.thin_faces().find(in_mesh))
+        result.add(sides, *face);
+    }
+    result.shrink_to_fit();
+    m_triangulation.m_thin_faces = std::move(result);
+  }
+
+  Intrinsic_triangulation m_triangulation;
+  std::vector<Index> m_number;         // by that in the mesh
+  std::vector<Index> m_number_in_mesh; // per halfedge of the triangulation
+};
+
 } // namespace CGAL::Approximate_geodesics::internal
 
-#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_RETRIANGULATION_EDGE_FLIPS_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_EDGE_FLIPS_H
