@@ -272,6 +272,45 @@ TEST(Hubs, have_the_bound_where_they_are_neighbors)
   }
 }
 
+// A cone with an angle of about 100 degrees in all, whose rim has three parts of different width.
+// New edges span more than half of it, so that shortest paths between vertices beyond their ends
+// cross them twice, or come back to a new face.
+TEST(Hubs, have_the_distances_of_cones_where_lines_return_to_new_edges_and_faces)
+{
+  constexpr std::size_t size = 192;
+  constexpr double e = 1e-4, radius = 100. / 360; // the rim is at the distance 1 from the hub
+  Random random(test_seed());
+  for(int trial = 0; trial < 20; ++trial)
+  {
+    const double first = random.between(0.2, 0.6), second = random.between(0.05, 0.3);
+    const double widths[3] = {first, second, 1 - first - second};
+    std::vector<double> angle(1, 0); // at the hub, from the first vertex of the rim on
+    Soup soup;
+    double azimuth = 0;
+    for(std::size_t i = 0; i < size; ++i)
+    {
+      soup.points.push_back(on_circle(azimuth, radius, 0));
+      soup.triangles.push_back({i, (i + 1) % size, size});
+      const double step = 2 * CGAL_PI * widths[i / 64] / 64;
+      azimuth += step;
+      angle.push_back(angle.back() + 2 * std::asin(radius * std::sin(step / 2)));
+    }
+    soup.points.push_back(Point(0, 0, std::sqrt(1 - radius * radius)));
+    const Triangulation t(to_mesh(soup));
+    for(std::size_t source = 0; source < size; source += 5)
+    {
+      std::vector<double> exact(size + 1, 1);
+      for(std::size_t i = 0; i < size; ++i)
+      {
+        const double turn = std::abs(angle[i] - angle[source]);
+        exact[t.vertex(i)] =
+            2 * std::sin((std::min)(turn, angle[size] - turn) / 2) * (1 - 1e-10); // for rounding
+      }
+      expect_bound_at_hub<Lazy_discrete_geodesic_graph>(t, t.vertex(source), exact, e);
+    }
+  }
+}
+
 // Rounded shapes of thin faces are those that the mesh has; lengths alone say less of them.
 TEST(Hubs, have_the_bound_where_only_lengths_are_known)
 {
