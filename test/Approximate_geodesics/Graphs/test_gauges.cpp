@@ -45,7 +45,7 @@ struct Sampled_gauge
   {
     samples.sample(sides(second), tolerance, cost);
     gauges.reserve(3, 1);
-    gauges.add(std::array<Face_gauges::Index, 3>{0, 1, 2}, sides(second), samples);
+    gauges.add(std::array<AG::internal::Index, 3>{0, 1, 2}, sides(second), samples);
   }
 
   static std::array<Plane_vector, 3> sides(const double second)

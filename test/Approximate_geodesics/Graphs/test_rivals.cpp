@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 // Which points of a row a point has to look at, beside rivals on its own side of the corner.
@@ -35,13 +36,13 @@ struct Contest
       points[i] = {weight * (label + spread * random.between(0, 1)), x[i]};
   }
 
-  double cost(const Reached_point& p, const Point_row::Index rank) const
+  double cost(const Reached_point& p, const std::uint32_t rank) const
   {
     return p.label +
            weight * corner.distance(p.distance_from_corner, row.distance_from_corner(rank));
   }
 
-  bool is_beaten(const Point_row::Index rank) const
+  bool is_beaten(const std::uint32_t rank) const
   {
     return (std::min)(cost(points[0], rank), cost(points[2], rank)) < cost(points[1], rank);
   }
@@ -64,7 +65,7 @@ TEST(Rivals, win_by_sums_that_are_smaller_after_rounding)
     {
       const Contest contest(random, random.between(0, 10), spread);
       const auto [first, beyond] = contest.worthwhile();
-      for(Point_row::Index rank = 0; rank < contest.row.size(); ++rank)
+      for(std::uint32_t rank = 0; rank < contest.row.size(); ++rank)
       {
         const bool is_left_out = rank < first || rank >= beyond;
         if(is_left_out)

@@ -181,12 +181,6 @@ private:
   static constexpr double ROUNDING = 1e-9;
   static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7; // of positions in single precision
 
-  static bool is_open(const Intrinsic_triangulation& triangulation, const Index h)
-  {
-    const auto& gauges = triangulation.gauges();
-    return !triangulation.is_border(h) && !gauges.is_forbidden(gauges.face(h));
-  }
-
   void give_up(const std::string& reason)
   {
     if(!m_limit.is_soft)
@@ -210,7 +204,7 @@ private:
     m_spread.assign(gauges.number_of_faces(), 1);
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
     {
-      if(!is_open(triangulation, h))
+      if(!triangulation.is_open(h))
         continue;
       const Index face = gauges.face(h);
       const Gauge_shape shape(gauges, face);
@@ -240,7 +234,7 @@ private:
     {
       double radius = infinity, smallest = infinity, largest = 0;
       for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-        if(is_open(triangulation, h))
+        if(triangulation.is_open(h))
         {
           radius = (std::min)(radius,
                               internal::Face_shape(triangulation, h).distance_to_opposite_edge());
@@ -280,7 +274,7 @@ private:
     const Index opposite = triangulation.opposite(h);
     double spread = 1, sine_at_source = 1, sine_at_target = 1;
     for(const Index side : {h, opposite})
-      if(is_open(triangulation, side))
+      if(triangulation.is_open(side))
       {
         const internal::Face_shape shape(triangulation, side);
         double& first = side == h ? sine_at_source : sine_at_target;

@@ -30,8 +30,8 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
-namespace internal {
 
+namespace internal {
 /*
  * Numbers the vertices of a mesh so that nearby vertices have close numbers, which makes searches
  * cache-friendly: breadth first, on large meshes by patches of the surface. The arrays of the
@@ -41,8 +41,6 @@ namespace internal {
 class Vertex_order
 {
 public:
-  using Index = Connectivity::Index;
-
   // `before` has the order of the mesh; it is referred to, not copied.
   explicit Vertex_order(const Connectivity& before) : m_before(before)
   {
@@ -186,7 +184,6 @@ template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using Index = Intrinsic_triangulation::Index;
 
   static constexpr bool needs_halfedges = is_any_given<NamedParameters,
                                                        internal_np::edge_length_t,
@@ -235,9 +232,7 @@ public:
       return false;
     if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
       m_halfedges = halfedges_in_groups(m_vertices, adjacency, m_mesh);
-    No_corners corners;
-    Edge_lengths lengths =
-        read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, adjacency, corners);
+    Edge_lengths lengths = read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, adjacency);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
     m_result.m_first_halfedge = std::move(adjacency.first_of_vertex);
@@ -291,14 +286,12 @@ private:
 
   void copy_lengths()
   {
-    Sharp_corners corners(m_result);
-    Edge_lengths lengths =
-        read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, m_result, corners);
+    Edge_lengths lengths = read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, m_result);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
     m_result.m_lines_may_return = is_given<NamedParameters, internal_np::edge_length_t>;
     if(!lengths.points.empty())
-      m_result.m_thin_faces = thin_faces(std::move(corners).faces(), lengths.points, m_result);
+      m_result.m_thin_faces = thin_faces(std::move(lengths.sharp_faces), lengths.points, m_result);
   }
 
   void copy_weights()

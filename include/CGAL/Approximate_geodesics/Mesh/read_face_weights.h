@@ -31,8 +31,8 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
-namespace internal {
 
+namespace internal {
 // Scales weights by a power of two, without rounding, so that products with lengths neither
 // overflow nor underflow: the largest finite weight is then in [1, 2), or smaller if the unit of
 // costs would underflow.
@@ -71,7 +71,6 @@ Face_weights weights_of_faces(const TriangleMesh& tmesh,
                               const FaceWeightMap& face_weight_map,
                               const Intrinsic_triangulation& triangulation)
 {
-  using Index = Intrinsic_triangulation::Index;
   Face_weights result;
   result.of_halfedge.resize(halfedges.size(), std::numeric_limits<double>::infinity());
   for(Index h = 0; h < halfedges.size(); ++h)
@@ -137,7 +136,6 @@ private:
 // Throws if the cost of a path could overflow.
 inline void check_cost(const Face_gauges& gauges, const Intrinsic_triangulation& triangulation)
 {
-  using Index = Intrinsic_triangulation::Index;
   std::vector<double> largest(gauges.number_of_faces(), 0);
   for(Index f = 0; f < gauges.number_of_faces(); ++f)
     for(auto s = gauges.first_sector(f); s != gauges.beyond_sector(f); ++s)
@@ -164,17 +162,7 @@ inline std::array<Plane_vector, 3> directions_of_sides(const Face_layout& layout
   return result;
 }
 
-inline bool is_first_of_face(const Intrinsic_triangulation::Index h,
-                             const Intrinsic_triangulation& triangulation)
-{
-  if(triangulation.is_border(h))
-    return false;
-  const auto sides = triangulation.halfedges_of_face(h);
-  return h == *std::min_element(sides.begin(), sides.end());
-}
-
-inline Intrinsic_triangulation::Index longest_side(Intrinsic_triangulation::Index h,
-                                                   const Intrinsic_triangulation& triangulation)
+inline Index longest_side(Index h, const Intrinsic_triangulation& triangulation)
 {
   for(const auto side : triangulation.halfedges_of_face(h))
     if(triangulation.length(side) > triangulation.length(h))
@@ -192,7 +180,6 @@ Face_gauges gauges_of_faces(const TriangleMesh& tmesh,
                             const Intrinsic_triangulation& triangulation,
                             const double tolerance)
 {
-  using Index = Intrinsic_triangulation::Index;
   using Kernel =
       typename Kernel_traits<typename boost::property_traits<VertexPointMap>::value_type>::Kernel;
 
@@ -218,7 +205,7 @@ Face_gauges gauges_of_faces(const TriangleMesh& tmesh,
     result.add(triangulation.halfedges_of_face(first), directions, samples);
   };
   for(Index h = 0; h < halfedges.size(); ++h)
-    if(is_first_of_face(h, triangulation))
+    if(!triangulation.is_border(h) && h == triangulation.first_of_face(h))
       add_face(longest_side(h, triangulation));
   result.normalize(triangulation.unit());
   check_cost(result, triangulation);

@@ -158,8 +158,9 @@ public:
   {
     for(std::size_t i = 0; i < m_points.size(); ++i)
       if(!m_points[i].is_vertex())
-        m_points[i].for_each_face(triangulation,
-                                  [&](const Index h) { m_entries.emplace_back(face(h), i); });
+        m_points[i].for_each_face(triangulation, [&](const Index h) {
+          m_entries.emplace_back(m_triangulation->first_of_face(h), i);
+        });
     std::sort(m_entries.begin(), m_entries.end());
   }
 
@@ -176,7 +177,7 @@ public:
   {
     if(is_empty())
       return;
-    const Index wanted = face(h);
+    const Index wanted = m_triangulation->first_of_face(h);
     for(auto it = std::lower_bound(m_entries.begin(), m_entries.end(), Entry(wanted, 0));
         it != m_entries.end() && it->first == wanted; ++it)
       f(it->second);
@@ -184,13 +185,6 @@ public:
 
 private:
   using Entry = std::pair<Index, std::size_t>; // a face, and the number of a point
-
-  // the smallest of its halfedges
-  Index face(const Index h) const
-  {
-    const auto sides = m_triangulation->halfedges_of_face(h);
-    return *std::min_element(sides.begin(), sides.end());
-  }
 
   const Intrinsic_triangulation* m_triangulation = nullptr;
   std::vector<Intrinsic_point> m_points;

@@ -51,7 +51,7 @@ struct Face_weights
 namespace internal {
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder;
-class Flipped_triangulation;
+class Retriangulation;
 } // namespace internal
 
 /*!
@@ -308,6 +308,15 @@ public:
     return {h, second, next(second)};
   }
 
+#ifndef DOXYGEN_RUNNING
+  // The smallest halfedge of the face to the left of `h`, which identifies the face.
+  Index first_of_face(const Index h) const
+  {
+    const auto sides = halfedges_of_face(h);
+    return *std::min_element(sides.begin(), sides.end());
+  }
+#endif
+
   /// returns whether there is no face to the left of `h`.
   bool is_border(const Index h) const { return m_is_border[h]; }
 
@@ -337,6 +346,13 @@ public:
     if(has_weights())
       return m_weight[h];
     return is_border(h) ? std::numeric_limits<double>::infinity() : 1;
+  }
+
+  /// returns whether paths may enter the face to the left of `h`.
+  bool is_open(const Index h) const
+  {
+    return weight(h) < std::numeric_limits<double>::infinity() &&
+           (m_gauges.is_empty() || !m_gauges.is_forbidden(m_gauges.face(h)));
   }
 
   /// returns the weight of the edge of `h`: the smaller one of its two faces'. A barrier is an edge
@@ -398,7 +414,7 @@ public:
   // embedding.
   bool lines_may_return() const { return m_lines_may_return; }
 
-  // Whether the edge of `h` is not an edge of the mesh, as in a `Flipped_triangulation`. A shortest
+  // Whether the edge of `h` is not an edge of the mesh, as in a `Retriangulation`. A shortest
   // path may cross it, and the faces next to it, more than once.
   bool is_flipped(const Index h) const { return !m_is_flipped.empty() && m_is_flipped[h]; }
 
@@ -507,7 +523,7 @@ public:
 private:
   template <typename TriangleMesh, typename NamedParameters>
   friend class internal::Triangulation_builder;
-  friend class internal::Flipped_triangulation;
+  friend class internal::Retriangulation;
 
   bool is_valid_halfedge(const Index h) const
   {

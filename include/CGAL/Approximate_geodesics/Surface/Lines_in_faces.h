@@ -26,16 +26,8 @@ namespace internal {
  */
 class Line_weights
 {
-  using Index = Intrinsic_triangulation::Index;
-
 public:
   explicit Line_weights(const Intrinsic_triangulation& triangulation) : m_surface(triangulation) {}
-
-  // Returns whether paths may enter the face to the left of `h`.
-  bool is_open(const Index h) const
-  {
-    return m_surface.weight(h) < std::numeric_limits<double>::infinity();
-  }
 
   // Returns the cost per unit of length along `h`, or against its direction on its left side.
   double along(const Index h, const bool /* is_forward */) const
@@ -61,8 +53,6 @@ template <typename Costs>
 class Lines_of_point
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   template <typename F>
   void for_each_point(const Points_by_face& points, F f) const
   {
@@ -101,7 +91,7 @@ private:
       return;
     }
     f(i, cost_along_edge(end));
-    if(m_costs.is_open(h))
+    if(m_triangulation.is_open(h))
       for_each_face_point(m_triangulation, m_point, h, [&](const Face_point& p) {
         for_each_face_point(m_triangulation, end, h,
                             [&](const Face_point& q) { f(i, m_costs.between(h, p, q)); });
@@ -160,7 +150,7 @@ public:
       return;
     }
     m_point.for_each_face(m_triangulation, [&](const Index h) {
-      if(!m_costs.is_open(h))
+      if(!m_triangulation.is_open(h))
         return;
       internal::for_each_face_point(m_triangulation, m_point, h, [&](const auto& p) {
         for(const Index side : m_triangulation.halfedges_of_face(h))

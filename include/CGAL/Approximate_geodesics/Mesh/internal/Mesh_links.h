@@ -142,7 +142,7 @@ auto halfedges_in_groups(const Vertices& vertices,
   const auto null = boost::graph_traits<TriangleMesh>::null_halfedge();
   std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> result;
   result.reserve(connectivity.number_of_halfedges());
-  for(typename Connectivity::Index v = 0; v < vertices.size(); ++v)
+  for(Index v = 0; v < vertices.size(); ++v)
   {
     const auto first = first_halfedge_from(vertices[v], tmesh);
     auto left = connectivity.degree(v);
@@ -181,7 +181,6 @@ class Mesh_links
 
 public:
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using Index = Connectivity::Index;
 
   // The mesh is referred to, not copied. Throws `std::length_error` if it is too large.
   Mesh_links(const TriangleMesh& tmesh,

@@ -24,13 +24,12 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 // Reads and checks edge lengths without overflow or underflow: see the remark on units at
-// `Intrinsic_triangulation`.
-
-// Computes the shapes of thin faces from coordinates in double-double arithmetic.
+// `Intrinsic_triangulation`. Computes the shapes of thin faces in double-double arithmetic.
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -85,10 +84,11 @@ struct Edge_lengths
   std::vector<double> of_halfedge;
   double unit = 1;
   std::vector<Space_vector> points; // of vertices, in that unit; empty if lengths were given
+  std::vector<Index> sharp_faces;   // those that may be thin
 };
 
 template <typename Connectivity>
-std::string name_of_edge(const typename Connectivity::Index h, const Connectivity& connectivity)
+std::string name_of_edge(const Index h, const Connectivity& connectivity)
 {
   return "edge between vertex " + std::to_string(connectivity.index(connectivity.source(h))) +
          " and vertex " + std::to_string(connectivity.index(connectivity.target(h)));
@@ -104,7 +104,7 @@ Edge_lengths given_lengths(const TriangleMesh& tmesh,
   Edge_lengths result;
   result.of_halfedge.reserve(halfedges.size());
   double extent = 0;
-  for(typename Connectivity::Index h = 0; h < halfedges.size(); ++h)
+  for(Index h = 0; h < halfedges.size(); ++h)
   {
     const double length = CGAL::to_double(get(edge_length_map, edge(halfedges[h], tmesh)));
     if(!(length >= 0) || std::isinf(length))
@@ -138,7 +138,7 @@ std::vector<Space_vector> double_points(const Vertices& vertices,
 {
   std::vector<Space_vector> result;
   result.reserve(vertices.size());
-  for(typename Connectivity::Index v = 0; v < vertices.size(); ++v)
+  for(Index v = 0; v < vertices.size(); ++v)
   {
     result.push_back(double_point(get(point_map, vertices[v]), traits));
     for(const double coordinate : result.back())
@@ -155,7 +155,7 @@ double
 scale_points(std::vector<Space_vector>& points, const Connectivity& connectivity, const Loop& loop)
 {
   double extent = 0;
-  for(typename Connectivity::Index v = 0; v < points.size(); ++v)
+  for(Index v = 0; v < points.size(); ++v)
     if(connectivity.degree(v) > 0) // isolated vertices do not affect lengths
       for(const double coordinate : points[v])
         extent = (std::max)(extent, std::abs(coordinate));
@@ -166,101 +166,6 @@ scale_points(std::vector<Space_vector>& points, const Connectivity& connectivity
         coordinate = scale.reduce(coordinate);
   });
   return scale.unit();
-}
-
-// Does nothing, in place of `Sharp_corners`, if only lengths are required.
-struct No_corners
-{
-  template <typename Index>
-  void add(const Index /* h */, const Space_vector& /* way */)
-  {
-  }
-  void finish() {}
-  void merge(const No_corners& /* other */) {}
-};
-
-// Computes lengths from points. Passes the vector of each halfedge to `corners`, vertex by vertex.
-template <typename Connectivity, typename Corners>
-Edge_lengths straight_lengths(std::vector<Space_vector> points,
-                              const Connectivity& connectivity,
-                              const Loop& loop,
-                              Corners& corners)
-{
-  using Index = typename Connectivity::Index;
-
-  Edge_lengths result;
-  result.unit = scale_points(points, connectivity, loop);
-  result.of_halfedge.resize(connectivity.number_of_halfedges());
-  std::vector<Corners> shares(points.size() / Loop::SIZE_OF_BLOCK + 1, corners); // one per block
-  loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
-    Corners& share = shares[first / Loop::SIZE_OF_BLOCK];
-    const Connectivity& c = connectivity; // these three stay in registers
-    const Space_vector* const point = points.data();
-    double* const lengths = result.of_halfedge.data();
-    for(Index v = static_cast<Index>(first); v < beyond; ++v)
-    {
-      for(Index h = c.first_halfedge(v); h < c.beyond_halfedge(v); ++h)
-      {
-        const Space_vector way = difference(point[v], point[c.target(h)]);
-        lengths[h] = accurate_length(way);
-        share.add(h, way);
-      }
-      share.finish();
-    }
-  });
-  for(const Corners& share : shares)
-    corners.merge(share);
-  result.points = std::move(points);
-  return result;
-}
-
-// Twice the sum of all edge lengths bounds the length of any simple path, so distances do not
-// overflow if this sum does not.
-template <typename Connectivity>
-void check_sum(const Edge_lengths& lengths, const Connectivity& connectivity)
-{
-  const auto& l = lengths.of_halfedge; // contains each edge twice
-  if(!std::isinf(Scale::LARGEST_DISTANCE * lengths.unit * static_cast<double>(l.size())))
-    return;
-  const auto longest = std::max_element(l.begin(), l.end());
-  const std::string name =
-      name_of_edge(static_cast<typename Connectivity::Index>(longest - l.begin()), connectivity);
-  if(std::isinf(*longest * lengths.unit))
-    reject("the length of the " + name + " does not fit a double");
-  if(std::isinf(std::accumulate(l.begin(), l.end(), 0.) * lengths.unit))
-    reject("the sum of all edge lengths exceeds half of the largest double; the longest is the " +
-           name);
-}
-
-// Reads the edge lengths of a mesh. `vertices` and `halfedges` have the order of the connectivity.
-template <typename TriangleMesh,
-          typename Vertices,
-          typename Halfedges,
-          typename NamedParameters,
-          typename Connectivity,
-          typename Corners>
-Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
-                               const Vertices& vertices,
-                               const Halfedges& halfedges,
-                               const NamedParameters& np,
-                               const Connectivity& connectivity,
-                               Corners& corners)
-{
-  Edge_lengths result;
-  if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
-    result = given_lengths(tmesh, halfedges,
-                           parameters::get_parameter(np, internal_np::edge_length), connectivity);
-  else // not instantiated for meshes without points
-  {
-    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-    const Traits traits = parameters::choose_parameter<Traits>(
-        parameters::get_parameter(np, internal_np::geom_traits));
-    result =
-        straight_lengths(double_points(vertices, vertex_point_map(tmesh, np), traits, connectivity),
-                         connectivity, Loop::with_tag<Concurrency_tag<NamedParameters>>(), corners);
-  }
-  check_sum(result, connectivity);
-  return result;
 }
 
 /*
@@ -343,53 +248,34 @@ inline Thin_face thin_face(const Space_vector& p, const Space_vector& q, const S
 }
 
 /*
- * Collects candidates for thin faces while lengths are computed. The smallest angle of a thin face
- * is below 2.2 degrees.
+ * Collects the faces that may be thin, while lengths are computed: those with an angle that is
+ * almost as small as the smallest one of a thin face, 2.2 degrees.
  */
 class Sharp_corners
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
-  // Precondition: the connectivity of the triangulation is complete.
-  explicit Sharp_corners(const Intrinsic_triangulation& triangulation)
-    : m_triangulation(triangulation)
-  {
-  }
-
   // Adds the next halfedge, counterclockwise around a vertex, and its vector `way`.
-  void add(const Index h, const Space_vector& way)
+  void add(const Intrinsic_triangulation& triangulation, const Index h, const Space_vector& way)
   {
     const Side side{way, dot(way, way), h};
     if(m_is_first)
       m_first = side;
     else
-      add_corner(m_last, side);
+      add_corner(triangulation, m_last, side);
     m_last = side;
     m_is_first = false;
   }
 
   // Must be called after the last halfedge of a vertex.
-  void finish()
+  void finish(const Intrinsic_triangulation& triangulation)
   {
     if(!m_is_first)
-      add_corner(m_last, m_first);
+      add_corner(triangulation, m_last, m_first);
     m_is_first = true;
   }
 
-  // Adds the faces that `other` has collected at other vertices of the same triangulation.
-  void merge(const Sharp_corners& other)
-  {
-    m_faces.insert(m_faces.end(), other.m_faces.begin(), other.m_faces.end());
-  }
-
-  // Returns the first halfedge of each collected face, in increasing order.
-  std::vector<Index> faces() &&
-  {
-    std::sort(m_faces.begin(), m_faces.end());
-    m_faces.erase(std::unique(m_faces.begin(), m_faces.end()), m_faces.end());
-    return std::move(m_faces);
-  }
+  // Returns the first halfedges of the faces.
+  const std::vector<Index>& faces() const { return m_faces; }
 
 private:
   struct Side
@@ -399,7 +285,7 @@ private:
     Index halfedge;
   };
 
-  void add_corner(const Side& right, const Side& left)
+  void add_corner(const Intrinsic_triangulation& triangulation, const Side& right, const Side& left)
   {
     constexpr double squared_cosine = 1 - 1. / 256; // of 3.6 degrees: a margin for rounding
     constexpr double smallest = 0x1p-960;           // below it, products may underflow
@@ -407,26 +293,24 @@ private:
     const double product = right.squared_length * left.squared_length;
     const bool is_sharp =
         scalar_product > 0 && scalar_product * scalar_product > squared_cosine * product;
-    if((is_sharp || product < smallest) && !m_triangulation.is_border(right.halfedge))
-    {
-      const auto sides = m_triangulation.halfedges_of_face(right.halfedge);
-      m_faces.push_back(*std::min_element(sides.begin(), sides.end()));
-    }
+    if((is_sharp || product < smallest) && !triangulation.is_border(right.halfedge))
+      m_faces.push_back(triangulation.first_of_face(right.halfedge));
   }
 
-  const Intrinsic_triangulation& m_triangulation;
   std::vector<Index> m_faces;
   Side m_first{}, m_last{};
   bool m_is_first = true;
 };
 
 // Selects the thin faces among `faces`: those whose shapes cannot be computed accurately from
-// lengths. Faces are given by their first halfedges, in increasing order. `points` are the vertices
-// in the unit of the triangulation.
-inline Thin_faces thin_faces(const std::vector<Intrinsic_triangulation::Index>& faces,
+// lengths. Faces are given by their first halfedges. `points` are the vertices in the unit of the
+// triangulation.
+inline Thin_faces thin_faces(std::vector<Index> faces,
                              const std::vector<Space_vector>& points,
                              const Intrinsic_triangulation& triangulation)
 {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   Thin_faces result;
   for(const auto h : faces)
   {
@@ -438,6 +322,87 @@ inline Thin_faces thin_faces(const std::vector<Intrinsic_triangulation::Index>& 
                            points[triangulation.target(sides[1])]));
   }
   result.shrink_to_fit();
+  return result;
+}
+
+// Computes lengths from points, and, for an `Intrinsic_triangulation`, which faces may be thin.
+template <typename Connectivity>
+Edge_lengths straight_lengths(std::vector<Space_vector> points,
+                              const Connectivity& connectivity,
+                              const Loop& loop)
+{
+  Edge_lengths result;
+  result.unit = scale_points(points, connectivity, loop);
+  result.of_halfedge.resize(connectivity.number_of_halfedges());
+  constexpr bool finds_corners = std::is_same_v<Connectivity, Intrinsic_triangulation>;
+  std::vector<Sharp_corners> corners(points.size() / Loop::SIZE_OF_BLOCK + 1); // per block
+  loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
+    [[maybe_unused]] Sharp_corners& share = corners[first / Loop::SIZE_OF_BLOCK];
+    const Connectivity& c = connectivity; // these three stay in registers
+    const Space_vector* const point = points.data();
+    double* const lengths = result.of_halfedge.data();
+    for(Index v = static_cast<Index>(first); v < beyond; ++v)
+    {
+      for(Index h = c.first_halfedge(v); h < c.beyond_halfedge(v); ++h)
+      {
+        const Space_vector way = difference(point[v], point[c.target(h)]);
+        lengths[h] = accurate_length(way);
+        if constexpr(finds_corners)
+          share.add(c, h, way);
+      }
+      if constexpr(finds_corners)
+        share.finish(c);
+    }
+  });
+  for(const Sharp_corners& share : corners)
+    result.sharp_faces.insert(result.sharp_faces.end(), share.faces().begin(), share.faces().end());
+  result.points = std::move(points);
+  return result;
+}
+
+// Twice the sum of all edge lengths bounds the length of any simple path, so distances do not
+// overflow if this sum does not.
+template <typename Connectivity>
+void check_sum(const Edge_lengths& lengths, const Connectivity& connectivity)
+{
+  const auto& l = lengths.of_halfedge; // contains each edge twice
+  if(!std::isinf(Scale::LARGEST_DISTANCE * lengths.unit * static_cast<double>(l.size())))
+    return;
+  const auto longest = std::max_element(l.begin(), l.end());
+  const std::string name = name_of_edge(static_cast<Index>(longest - l.begin()), connectivity);
+  if(std::isinf(*longest * lengths.unit))
+    reject("the length of the " + name + " does not fit a double");
+  if(std::isinf(std::accumulate(l.begin(), l.end(), 0.) * lengths.unit))
+    reject("the sum of all edge lengths exceeds half of the largest double; the longest is the " +
+           name);
+}
+
+// Reads the edge lengths of a mesh. `vertices` and `halfedges` have the order of the connectivity.
+template <typename TriangleMesh,
+          typename Vertices,
+          typename Halfedges,
+          typename NamedParameters,
+          typename Connectivity>
+Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
+                               const Vertices& vertices,
+                               const Halfedges& halfedges,
+                               const NamedParameters& np,
+                               const Connectivity& connectivity)
+{
+  Edge_lengths result;
+  if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
+    result = given_lengths(tmesh, halfedges,
+                           parameters::get_parameter(np, internal_np::edge_length), connectivity);
+  else // not instantiated for meshes without points
+  {
+    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+    const Traits traits = parameters::choose_parameter<Traits>(
+        parameters::get_parameter(np, internal_np::geom_traits));
+    result =
+        straight_lengths(double_points(vertices, vertex_point_map(tmesh, np), traits, connectivity),
+                         connectivity, Loop::with_tag<Concurrency_tag<NamedParameters>>());
+  }
+  check_sum(result, connectivity);
   return result;
 }
 

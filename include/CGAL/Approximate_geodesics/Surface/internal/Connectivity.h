@@ -18,6 +18,9 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
+// The number of a vertex, a halfedge or a face.
+using Index = std::uint32_t;
+
 /*
  * For every halfedge, the rank of its opposite among the halfedges that start from its target.
  *
@@ -27,8 +30,6 @@ namespace CGAL::Approximate_geodesics::internal {
 class Opposite_ranks
 {
 public:
-  using Index = std::uint32_t;
-
   void resize(const std::size_t number_of_halfedges) { m_rank.resize(number_of_halfedges); }
 
   Index rank_of_opposite(const Index h) const
@@ -80,8 +81,6 @@ private:
  */
 struct Vertex_adjacency
 {
-  using Index = std::uint32_t;
-
   Index number_of_vertices() const { return static_cast<Index>(first_of_vertex.size() - 1); }
   Index number_of_halfedges() const { return first_of_vertex.back(); }
 

@@ -10,7 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
@@ -18,8 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -33,8 +30,6 @@ namespace CGAL::Approximate_geodesics::internal {
 class Edge_flips
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
   struct Halfedge
@@ -42,11 +37,11 @@ public:
     Index target, opposite;
     Index counterclockwise, clockwise; // among those that start from the same vertex
     double length;
-    double corner;       // at its source, the scalar product of the two sides of the face ...
-    double doubled_area; // ... to its left
-    Index hub;           // the hub that a flip took it from, if any: see `Balanced_fans`
-    bool is_border;
     bool is_new; // whether it was flipped, or starts from or ends at an added vertex
+    bool is_border = false;
+    Index hub = null_index;  // the hub that a flip took it from, if any: see `Balanced_fans`
+    double corner = 0;       // at its source, the scalar product of the two sides of the face ...
+    double doubled_area = 0; // ... to its left
   };
 
   // A face whose height is at most this part of its longest side is nearly degenerate: rounding
@@ -118,14 +113,13 @@ public:
     for(const Index side : {quad.left_side, quad.left_rim, quad.right_rim, quad.right_side})
       if(is_taken(side) && m_halfedges[side].hub != hub)
         return false;
-    const Index v = m_halfedges[h].target, left = m_halfedges[quad.left_rim].target,
-                right = m_halfedges[quad.right_side].target;
-    if(left == right || left == hub || right == hub || left == v || right == v || v == hub)
+    if(!has_distinct_corners(quad))
       return false;
-    const double sum = m_halfedges[h].doubled_area + m_halfedges[g].doubled_area;
-    return m_halfedges[h].doubled_area > 0 && m_halfedges[g].doubled_area > 0 &&
-           doubled_area_beyond(quad) >= -ROUNDING * sum &&
-           dot(left_of_source(quad), right_of_source(quad)) > 0;
+    const Diagonal other = other_diagonal(quad);
+    const double left_area = m_halfedges[h].doubled_area, right_area = m_halfedges[g].doubled_area;
+    return left_area > 0 && right_area > 0 &&
+           cross(other.left, other.right) >= -ROUNDING * (left_area + right_area) &&
+           dot(other.far_left, other.far_right) > 0;
   }
 
   // Flips `h`, which is taken from `hub`, unless that is null.
@@ -134,10 +128,9 @@ public:
   {
     const Index g = m_halfedges[h].opposite;
     const Quad quad = this->quad(h);
-    const Plane_vector left = left_of_target(quad), right = right_of_target(quad);
-    const Plane_vector far_left = left_of_source(quad), far_right = right_of_source(quad);
+    const auto [left, right, far_left, far_right] = other_diagonal(quad);
     const Plane_vector diagonal = left - right;
-    const double beyond = doubled_area_beyond(quad);
+    const double beyond = cross(left, right);
     const double area = m_halfedges[h].doubled_area + m_halfedges[g].doubled_area;
     const bool is_straight = beyond <= ROUNDING * area; // and may be bent by rounding only
     const Index ends[2] = {m_halfedges[quad.right_side].target, m_halfedges[quad.left_rim].target};
@@ -168,27 +161,23 @@ public:
     if(!(corner(q.left_side) * right_area + corner(q.right_rim) * left_area <
          -rounding * left_area * right_area))
       return false;
-    const Index left = m_halfedges[q.left_rim].target, right = m_halfedges[q.right_side].target;
-    const Index source = m_halfedges[g].target, target = m_halfedges[h].target;
-    if(left == right || left == source || right == source || left == target || right == target ||
-       source == target)
-      return false;
-    return !is_nearly_degenerate(h) && !is_nearly_degenerate(g) && has_sound_flip(q);
+    return has_distinct_corners(q) && !is_nearly_degenerate(h) && !is_nearly_degenerate(g) &&
+           has_sound_flip(q);
   }
 
   // How long the other diagonal is.
   double length_if_flipped(const Index h) const
   {
-    const Quad q = quad(h);
-    return internal::length(left_of_target(q) - right_of_target(q));
+    const Diagonal other = other_diagonal(quad(h));
+    return internal::length(other.left - other.right);
   }
 
   // Whether the face to the left of `h` is nearly degenerate.
   bool is_nearly_degenerate(const Index h) const
   {
     const std::array<Index, 3> sides = halfedges_of_face(h);
-    return !is_sound(m_halfedges[h].doubled_area, m_halfedges[sides[0]].length,
-                     m_halfedges[sides[1]].length, m_halfedges[sides[2]].length);
+    return !is_sound(m_halfedges[h].doubled_area, length(sides[0]), length(sides[1]),
+                     length(sides[2]));
   }
 
   // Whether a triangle with these sides and twice this area is not nearly degenerate.
@@ -220,7 +209,7 @@ public:
                                      position_of_apex(h, {0, 0}, {m_halfedges[h].length, 0})};
     const Index v = m_number_of_vertices++, first = number_of_halfedges();
     for(Index i = 0; i < 3; ++i)
-      add_spoke(v, first + 2 * i, sides[i], length(p - corners[i]));
+      add_spoke(v, first + 2 * i, sides[i], internal::length(p - corners[i]));
     for(Index i = 0; i < 3; ++i)
     {
       const Index out = first + 2 * i, next_out = first + 2 * ((i + 1) % 3);
@@ -250,19 +239,19 @@ private:
     Index right_rim;  // to its target
   };
 
+  // The ends of the edge that replaces another one, which lies along x.
+  struct Diagonal
+  {
+    Plane_vector left, right;         // seen from the target of the replaced edge
+    Plane_vector far_left, far_right; // seen from its source
+  };
+
   static Halfedge copy(const Intrinsic_triangulation& mesh, const Index v, const Index h)
   {
     const double length = mesh.length(h);
-    Halfedge result{mesh.target(h),
-                    mesh.opposite(h),
-                    mesh.counterclockwise(v, h),
-                    mesh.clockwise(v, h),
-                    length,
-                    0,
-                    0,
-                    null_index,
-                    mesh.is_border(h),
-                    false};
+    Halfedge result{mesh.target(h),       mesh.opposite(h), mesh.counterclockwise(v, h),
+                    mesh.clockwise(v, h), length,           false};
+    result.is_border = mesh.is_border(h);
     if(!result.is_border)
     {
       const Apex_position apex = apex_position(mesh, v, h);
@@ -278,52 +267,43 @@ private:
     return {h, left[1], left[2], right[1], right[2]};
   }
 
-  // The ends of the new edge, seen from the target and from the source of the old one, which lies
-  // along x.
-  Plane_vector left_of_target(const Quad& q) const { return layout(q, -corner(q.left_rim), 1); }
-  Plane_vector right_of_target(const Quad& q) const
+  bool has_distinct_corners(const Quad& q) const
   {
-    return layout(q, -corner(m_halfedges[q.diagonal].opposite), -1);
+    const Index target = m_halfedges[q.diagonal].target, left = m_halfedges[q.left_rim].target;
+    const Index source = m_halfedges[q.left_side].target, right = m_halfedges[q.right_side].target;
+    return left != right && left != source && right != source && left != target &&
+           right != target && source != target;
   }
-  Plane_vector left_of_source(const Quad& q) const { return layout(q, corner(q.diagonal), 1); }
-  Plane_vector right_of_source(const Quad& q) const { return layout(q, corner(q.right_side), -1); }
+
+  Diagonal other_diagonal(const Quad& q) const
+  {
+    const Halfedge &h = m_halfedges[q.diagonal], &g = m_halfedges[h.opposite];
+    const double height = h.doubled_area / h.length, depth = -g.doubled_area / h.length;
+    return {{-corner(q.left_rim) / h.length, height},
+            {-g.corner / h.length, depth},
+            {h.corner / h.length, height},
+            {corner(q.right_side) / h.length, depth}};
+  }
 
   double corner(const Index h) const { return m_halfedges[h].corner; }
-
-  Plane_vector layout(const Quad& quad, const double product, const double side) const
-  {
-    const Halfedge& h = m_halfedges[quad.diagonal];
-    const double area = side > 0 ? h.doubled_area : m_halfedges[h.opposite].doubled_area;
-    return {product / h.length, side * area / h.length};
-  }
+  double length(const Index h) const { return m_halfedges[h].length; }
 
   // Whether flipping the edge makes two faces that are not nearly degenerate.
   bool has_sound_flip(const Quad& q) const
   {
-    const Plane_vector left = left_of_target(q), right = right_of_target(q);
+    const auto [left, right, far_left, far_right] = other_diagonal(q);
     const double diagonal = internal::length(left - right);
-    return is_sound(cross(left, right), diagonal, m_halfedges[q.left_rim].length,
-                    m_halfedges[q.right_rim].length) &&
-           is_sound(cross(right_of_source(q), left_of_source(q)), diagonal,
-                    m_halfedges[q.left_side].length, m_halfedges[q.right_side].length);
-  }
-
-  // twice the area between the target and the new edge, negative if that passes on the other side
-  double doubled_area_beyond(const Quad& quad) const
-  {
-    return cross(left_of_target(quad), right_of_target(quad));
+    return is_sound(cross(left, right), diagonal, length(q.left_rim), length(q.right_rim)) &&
+           is_sound(cross(far_right, far_left), diagonal, length(q.left_side),
+                    length(q.right_side));
   }
 
   // Lengths of the new edge have to fit the two new faces, whatever was rounded.
-  double fitting_length(const Quad& quad, const double diagonal, const bool is_straight) const
+  double fitting_length(const Quad& q, const double diagonal, const bool is_straight) const
   {
-    const double left = m_halfedges[quad.left_rim].length,
-                 right = m_halfedges[quad.right_rim].length;
-    const double far_left = m_halfedges[quad.left_side].length,
-                 far_right = m_halfedges[quad.right_side].length;
-    if(is_straight)
-      return left + right;
-    return (std::max)(std::abs(far_left - far_right), (std::min)(diagonal, left + right));
+    const double longest = length(q.left_rim) + length(q.right_rim);
+    const double shortest = std::abs(length(q.left_side) - length(q.right_side));
+    return is_straight ? longest : (std::max)(shortest, (std::min)(diagonal, longest));
   }
 
   // Connects a new vertex to the source of `side`, in the face to its left: by `out`, and `out` + 1
@@ -332,8 +312,8 @@ private:
   {
     const Index corner = m_halfedges[m_halfedges[side].opposite].target;
     const Index beyond = m_halfedges[side].counterclockwise;
-    m_halfedges.push_back({corner, out + 1, out, out, length, 0, 0, null_index, false, true});
-    m_halfedges.push_back({v, out, beyond, side, length, 0, 0, null_index, false, true});
+    m_halfedges.push_back({corner, out + 1, out, out, length, true});
+    m_halfedges.push_back({v, out, beyond, side, length, true});
     m_halfedges[side].counterclockwise = out + 1;
     m_halfedges[beyond].clockwise = out + 1;
   }
@@ -349,8 +329,8 @@ private:
   void connect(const Index h, const Index clockwise, const Index target, const Index hub, double l)
   {
     const Index counterclockwise = m_halfedges[clockwise].counterclockwise;
-    m_halfedges[h] = {
-        target, m_halfedges[h].opposite, counterclockwise, clockwise, l, 0, 0, hub, false, true};
+    m_halfedges[h] = {target, m_halfedges[h].opposite, counterclockwise, clockwise, l, true, false,
+                      hub};
     m_halfedges[clockwise].counterclockwise = h;
     m_halfedges[counterclockwise].clockwise = h;
   }
@@ -368,122 +348,6 @@ private:
 
   Index m_number_of_vertices;
   std::vector<Halfedge> m_halfedges;
-};
-
-/*
- * The triangulation that flips of edges, and added vertices, have made of a mesh. The vertices of
- * the mesh come first, with their numbers.
- */
-class Flipped_triangulation
-{
-public:
-  using Index = Intrinsic_triangulation::Index;
-
-  Flipped_triangulation() = default;
-
-  Flipped_triangulation(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
-  {
-    copy_halfedges(flips);
-    copy(mesh, flips);
-    copy_thin_faces(mesh, flips);
-  }
-
-  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
-
-  // Whether a halfedge of the mesh is none of this triangulation.
-  bool is_lost(const Index h) const { return m_triangulation.is_flipped(m_number[h]); }
-
-  // The number here of a halfedge that is not lost, and that in the mesh of one that is not new.
-  Index number(const Index h) const { return m_number[h]; }
-  Index number_in_mesh(const Index h) const { return m_number_in_mesh[h]; }
-
-  std::size_t memory() const
-  {
-    return m_triangulation.memory() +
-           sizeof(Index) * (m_number.capacity() + m_number_in_mesh.capacity());
-  }
-
-private:
-  // Visits each halfedge once, as they are far more than fit into a cache.
-  void copy_halfedges(const Edge_flips& flips)
-  {
-    Intrinsic_triangulation& t = m_triangulation;
-    m_number.resize(flips.number_of_halfedges());
-    m_number_in_mesh.reserve(m_number.size());
-    t.m_target.reserve(m_number.size());
-    t.m_length.reserve(m_number.size());
-    t.m_first_halfedge.clear();
-    t.m_first_halfedge.reserve(flips.number_of_vertices() + 1);
-    for(const Index first : flips.first_halfedges())
-    {
-      t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
-      if(first == Intrinsic_triangulation::null_index)
-        continue; // an isolated vertex
-      Index h = first;
-      do
-      {
-        const Edge_flips::Halfedge& halfedge = flips[h];
-        m_number[h] = static_cast<Index>(m_number_in_mesh.size());
-        m_number_in_mesh.push_back(h);
-        t.m_target.push_back(halfedge.target);
-        t.m_length.push_back(halfedge.length);
-        t.m_is_border.push_back(halfedge.is_border);
-        t.m_is_flipped.push_back(halfedge.is_new);
-        h = halfedge.counterclockwise;
-      } while(h != first);
-    }
-    t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
-  }
-
-  void copy(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
-  {
-    Intrinsic_triangulation& t = m_triangulation;
-    t.m_opposite_rank.resize(m_number.size());
-    for(Index h = 0; h < m_number.size(); ++h)
-      t.m_opposite_rank.set(m_number[h],
-                            m_number[flips[h].opposite] - t.first_halfedge(flips[h].target));
-    t.m_vertex_of_index = mesh.m_vertex_of_index;
-    t.m_index_of_vertex = mesh.m_index_of_vertex;
-    for(Index v = mesh.number_of_vertices(); v < flips.number_of_vertices(); ++v)
-    {
-      t.m_index_of_vertex.push_back(static_cast<Index>(t.m_vertex_of_index.size()));
-      t.m_vertex_of_index.push_back(v);
-    }
-    t.m_number_of_faces =
-        mesh.m_number_of_faces + 2 * (flips.number_of_vertices() - mesh.number_of_vertices());
-    t.m_unit = mesh.m_unit;
-    t.m_lines_may_return = mesh.m_lines_may_return;
-  }
-
-  // New faces have shapes, even where those of the mesh are not known.
-  void copy_thin_faces(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
-  {
-    const Intrinsic_triangulation& t = m_triangulation;
-    Thin_faces result;
-    for(Index i = 0; i < t.number_of_halfedges(); ++i)
-    {
-      if(t.is_border(i))
-        continue;
-      const Thin_faces::Halfedges sides = t.halfedges_of_face(i);
-      if(i > sides[1] || i > sides[2] ||
-         !Thin_faces::is_thin(t.length(i), t.length(sides[1]), t.length(sides[2])))
-        continue;
-      const Thin_faces::Halfedges in_mesh{m_number_in_mesh[i], m_number_in_mesh[sides[1]],
-                                          m_number_in_mesh[sides[2]]};
-      const Edge_flips::Halfedge& h = flips[in_mesh[0]];
-      if(t.is_in_new_face(i))
-        result.add(sides, {{h.corner, flips[in_mesh[1]].corner, flips[in_mesh[2]].corner},
-                           h.doubled_area});
-      else if(const std::optional<Thin_face> face = mesh.thin_faces().find(in_mesh))
-        result.add(sides, *face);
-    }
-    result.shrink_to_fit();
-    m_triangulation.m_thin_faces = std::move(result);
-  }
-
-  Intrinsic_triangulation m_triangulation;
-  std::vector<Index> m_number;         // by that in the mesh
-  std::vector<Index> m_number_in_mesh; // per halfedge of the triangulation
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -43,7 +43,7 @@ public:
     double cost;
     Id next, previous; // counterclockwise and clockwise
     bool is_corner;
-    bool is_listed; // whether its sector has to be computed
+    bool has_changed; // whether its sector has to be computed
     Id next_corner, previous_corner;
     bool is_finite;          // whether the gauge is, in the sector
     bool is_bridge;          // whether the sector contains directions, which are redundant
@@ -57,7 +57,6 @@ public:
   void clear()
   {
     m_directions.clear();
-    m_changed.clear();
     m_some_corner = null_id;
   }
 
@@ -80,7 +79,7 @@ public:
     while(!m_directions[c].is_corner)
       c = m_directions[c].previous;
     const Id k = m_directions[c].next_corner;
-    list(c);
+    m_directions[c].has_changed = true;
     if(is_finite && !is_needless(c, m, k))
     {
       make_corner(m, c, k);
@@ -94,24 +93,19 @@ public:
   template <typename F>
   void update(F f)
   {
-    for(const Id c : m_changed)
-      compute_sector(c);
-    const std::size_t number = m_changed.size();
-    for(std::size_t i = 0; i < number; ++i)
-      if(const Id c = m_changed[i]; m_directions[c].is_corner)
+    for(Direction& d : m_directions)
+      if(d.has_changed && d.is_corner)
+        compute_sector(d);
+    for(Id c = 0; c < m_directions.size(); ++c)
+      if(Direction& d = m_directions[c];
+         d.is_corner && (d.has_changed || m_directions[d.previous_corner].has_changed ||
+                         m_directions[d.next_corner].has_changed))
       {
-        list(m_directions[c].previous_corner);
-        list(m_directions[c].next_corner);
+        estimate_errors(d);
+        f(c);
       }
-    for(const Id c : m_changed)
-    {
-      m_directions[c].is_listed = false;
-      if(!m_directions[c].is_corner)
-        continue;
-      estimate_errors(c);
-      f(c);
-    }
-    m_changed.clear();
+    for(Direction& d : m_directions)
+      d.has_changed = false;
   }
 
 private:
@@ -140,7 +134,7 @@ private:
     m_directions[m].previous_corner = previous;
     m_directions[previous].next_corner = m_directions[next].previous_corner = m;
     m_some_corner = m;
-    list(m);
+    m_directions[m].has_changed = true;
   }
 
   void remove_needless_neighbors(const Id m)
@@ -150,7 +144,7 @@ private:
       m_directions[j].is_corner = false;
       m_directions[i].next_corner = k;
       m_directions[k].previous_corner = i;
-      list(i);
+      m_directions[i].has_changed = true;
     };
     for(Id k; (k = m_directions[m].next_corner) != m_directions[m].previous_corner &&
               is_needless(m, k, m_directions[k].next_corner);)
@@ -173,20 +167,8 @@ private:
 
   // ----- sectors
 
-  // Marks the sector at a corner as changed.
-  void list(const Id c)
+  void compute_sector(Direction& s) const
   {
-    if(m_directions[c].is_listed)
-      return;
-    m_directions[c].is_listed = true;
-    m_changed.push_back(c);
-  }
-
-  void compute_sector(const Id c)
-  {
-    Direction& s = m_directions[c];
-    if(!s.is_corner)
-      return;
     const Direction& end = m_directions[s.next_corner];
     const double sine = cross(s.vector, end.vector);
     s.is_finite = sine > SMALLEST_SINE;
@@ -200,9 +182,8 @@ private:
   // on a bridge they are linear. For other costs, bridges imply nothing: costs beside and below
   // their ends may continue like the neighboring sectors. The estimate is the larger error of both
   // cases, so that it is valid in the first one. Next to infinite sectors, it is zero.
-  void estimate_errors(const Id c)
+  void estimate_errors(Direction& s) const
   {
-    Direction& s = m_directions[c];
     s.error_at_start = s.error_at_end = 0;
     if(!s.is_finite)
       return;
@@ -242,7 +223,6 @@ private:
   }
 
   std::vector<Direction> m_directions;
-  std::vector<Id> m_changed; // corners whose sectors are to be computed
   Id m_some_corner = null_id;
 };
 
@@ -390,7 +370,6 @@ private:
 class Face_gauges
 {
 public:
-  using Index = std::uint32_t;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // A sector of directions between two corners of the polygon, counterclockwise from `direction`.

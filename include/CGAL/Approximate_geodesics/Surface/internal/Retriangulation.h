@@ -33,8 +33,6 @@ namespace CGAL::Approximate_geodesics::internal {
 class Balanced_fans
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // Vertices with more neighbors than this are hubs.
   static constexpr Index LARGEST_DEGREE = 128;
 
@@ -150,8 +148,6 @@ private:
 class Refined_needles
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // Faces that are longer than their shortest side by more than this are needles.
   static constexpr double LARGEST_ASPECT = 10;
 
@@ -403,7 +399,7 @@ private:
  * Another triangulation of the surface of a mesh, in which straight lines cross fewer faces: with
  * refined needles, balanced fans, or both. Its first vertices are those of the mesh.
  */
-class Retriangulation : public Flipped_triangulation
+class Retriangulation
 {
 public:
   // Returns the retriangulation of `mesh`, if its faces need one.
@@ -425,7 +421,9 @@ public:
     if(refines_needles)
       m_positions = Refined_needles::refine(flips, most_flips);
     m_has_balanced_fans = Balanced_fans::balance(flips);
-    static_cast<Flipped_triangulation&>(*this) = Flipped_triangulation(mesh, flips);
+    copy_halfedges(flips);
+    copy(mesh, flips);
+    copy_thin_faces(mesh, flips);
   }
 
   // More than strips and fans of needles take, which is about one per halfedge.
@@ -433,6 +431,15 @@ public:
   {
     return std::size_t(32) * mesh.number_of_halfedges();
   }
+
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+
+  // Whether a halfedge of the mesh is none of this triangulation.
+  bool is_lost(const Index h) const { return m_triangulation.is_flipped(m_number[h]); }
+
+  // The number here of a halfedge that is not lost, and that in the mesh of one that is not new.
+  Index number(const Index h) const { return m_number[h]; }
+  Index number_in_mesh(const Index h) const { return m_number_in_mesh[h]; }
 
   bool has_balanced_fans() const { return m_has_balanced_fans; }
   bool has_refined_needles() const { return !m_positions.empty(); }
@@ -446,10 +453,92 @@ public:
 
   std::size_t memory() const
   {
-    return Flipped_triangulation::memory() + m_positions.capacity() * sizeof(Intrinsic_point);
+    return m_triangulation.memory() +
+           sizeof(Index) * (m_number.capacity() + m_number_in_mesh.capacity()) +
+           sizeof(Intrinsic_point) * m_positions.capacity();
   }
 
 private:
+  // Visits each halfedge once, as they are far more than fit into a cache.
+  void copy_halfedges(const Edge_flips& flips)
+  {
+    Intrinsic_triangulation& t = m_triangulation;
+    m_number.resize(flips.number_of_halfedges());
+    m_number_in_mesh.reserve(m_number.size());
+    t.m_target.reserve(m_number.size());
+    t.m_length.reserve(m_number.size());
+    t.m_first_halfedge.clear();
+    t.m_first_halfedge.reserve(flips.number_of_vertices() + 1);
+    for(const Index first : flips.first_halfedges())
+    {
+      t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
+      if(first == Intrinsic_triangulation::null_index)
+        continue; // an isolated vertex
+      Index h = first;
+      do
+      {
+        const Edge_flips::Halfedge& halfedge = flips[h];
+        m_number[h] = static_cast<Index>(m_number_in_mesh.size());
+        m_number_in_mesh.push_back(h);
+        t.m_target.push_back(halfedge.target);
+        t.m_length.push_back(halfedge.length);
+        t.m_is_border.push_back(halfedge.is_border);
+        t.m_is_flipped.push_back(halfedge.is_new);
+        h = halfedge.counterclockwise;
+      } while(h != first);
+    }
+    t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
+  }
+
+  void copy(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
+  {
+    Intrinsic_triangulation& t = m_triangulation;
+    t.m_opposite_rank.resize(m_number.size());
+    for(Index h = 0; h < m_number.size(); ++h)
+      t.m_opposite_rank.set(m_number[h],
+                            m_number[flips[h].opposite] - t.first_halfedge(flips[h].target));
+    t.m_vertex_of_index = mesh.m_vertex_of_index;
+    t.m_index_of_vertex = mesh.m_index_of_vertex;
+    for(Index v = mesh.number_of_vertices(); v < flips.number_of_vertices(); ++v)
+    {
+      t.m_index_of_vertex.push_back(static_cast<Index>(t.m_vertex_of_index.size()));
+      t.m_vertex_of_index.push_back(v);
+    }
+    t.m_number_of_faces =
+        mesh.m_number_of_faces + 2 * (flips.number_of_vertices() - mesh.number_of_vertices());
+    t.m_unit = mesh.m_unit;
+    t.m_lines_may_return = mesh.m_lines_may_return;
+  }
+
+  // New faces have shapes, even where those of the mesh are not known.
+  void copy_thin_faces(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
+  {
+    const Intrinsic_triangulation& t = m_triangulation;
+    Thin_faces result;
+    for(Index i = 0; i < t.number_of_halfedges(); ++i)
+    {
+      if(t.is_border(i))
+        continue;
+      const Thin_faces::Halfedges sides = t.halfedges_of_face(i);
+      if(i > sides[1] || i > sides[2] ||
+         !Thin_faces::is_thin(t.length(i), t.length(sides[1]), t.length(sides[2])))
+        continue;
+      const Thin_faces::Halfedges in_mesh{m_number_in_mesh[i], m_number_in_mesh[sides[1]],
+                                          m_number_in_mesh[sides[2]]};
+      const Edge_flips::Halfedge& h = flips[in_mesh[0]];
+      if(t.is_in_new_face(i))
+        result.add(sides, {{h.corner, flips[in_mesh[1]].corner, flips[in_mesh[2]].corner},
+                           h.doubled_area});
+      else if(const std::optional<Thin_face> face = mesh.thin_faces().find(in_mesh))
+        result.add(sides, *face);
+    }
+    result.shrink_to_fit();
+    m_triangulation.m_thin_faces = std::move(result);
+  }
+
+  Intrinsic_triangulation m_triangulation;
+  std::vector<Index> m_number;              // by that in the mesh
+  std::vector<Index> m_number_in_mesh;      // per halfedge of the triangulation
   Index m_number_of_vertices;               // of the mesh
   std::vector<Intrinsic_point> m_positions; // of added vertices
   bool m_has_balanced_fans = false;

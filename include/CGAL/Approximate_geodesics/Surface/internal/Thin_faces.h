@@ -38,7 +38,6 @@ struct Thin_face
 class Thin_faces
 {
 public:
-  using Index = std::uint32_t;
   using Halfedges = std::array<Index, 3>; // of a face, one after the other
 
   bool is_empty() const { return m_halfedge.empty(); }

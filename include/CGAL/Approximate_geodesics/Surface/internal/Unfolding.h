@@ -26,8 +26,6 @@ namespace CGAL::Approximate_geodesics::internal {
 // What is needed to lay out the face to the left of a halfedge next to the halfedge.
 struct Unfolded_face
 {
-  using Index = Intrinsic_triangulation::Index;
-
   Index apex;  // the third vertex, or null_index if the halfedge is a border halfedge
   Index left;  // the halfedge from the source to the apex, or null_index if there is no face beyond
   Index right; // likewise, the one from the apex to the target
@@ -51,7 +49,7 @@ struct Unfolded_face
 
 // Likewise the side from the apex to the target. `face` is the one to the left of `h`.
 inline Plane_vector right_side(const Intrinsic_triangulation& triangulation,
-                               const Intrinsic_triangulation::Index h,
+                               const Index h,
                                const Unfolded_face& face,
                                const Plane_vector edge)
 {
@@ -62,11 +60,11 @@ inline Plane_vector right_side(const Intrinsic_triangulation& triangulation,
   return {beyond * edge.x + face.across * edge.y, beyond * edge.y - face.across * edge.x};
 }
 
-// Writes the position of the apex, too.
+// Also writes the position of the apex, if asked for and if there is a face.
 inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
-                                   const Intrinsic_triangulation::Index source,
-                                   const Intrinsic_triangulation::Index h,
-                                   Apex_position& position)
+                                   const Index source,
+                                   const Index h,
+                                   Apex_position* const position = nullptr)
 {
   constexpr auto null_index = Intrinsic_triangulation::null_index;
   if(triangulation.is_border(h))
@@ -75,23 +73,17 @@ inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
   const auto left = triangulation.counterclockwise(source, h);
   const auto apex = triangulation.target(left);
   const auto right = triangulation.counterclockwise(apex, triangulation.opposite(left));
-  position =
+  const Apex_position p =
       apex_position(triangulation, h, triangulation.length(left), triangulation.length(right));
+  if(position != nullptr)
+    *position = p;
   return {apex,
           triangulation.is_border(left) ? null_index : left,
           triangulation.is_border(right) ? null_index : right,
           triangulation.is_flipped(h),
           triangulation.lines_may_return() || triangulation.is_in_new_face(h),
-          position.along,
-          position.across};
-}
-
-inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
-                                   const Intrinsic_triangulation::Index source,
-                                   const Intrinsic_triangulation::Index h)
-{
-  Apex_position position{0, 0, 0};
-  return unfolded_face(triangulation, source, h, position);
+          p.along,
+          p.across};
 }
 
 // The results of `unfold(triangulation, source, h)` for all halfedges.
@@ -100,7 +92,6 @@ template <typename Face, typename Unfold>
 std::vector<Face>
 unfold_all(const Intrinsic_triangulation& triangulation, const Loop& loop, Unfold unfold)
 {
-  using Index = Intrinsic_triangulation::Index;
   std::vector<Face> result(triangulation.number_of_halfedges());
   std::atomic<bool> is_any_suspicious(false);
   loop.run_blocks(
@@ -129,8 +120,6 @@ unfold_all(const Intrinsic_triangulation& triangulation, const Loop& loop, Unfol
 class Unfolding
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // Throws if a face violates the triangle inequality.
   explicit Unfolding(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
     : m_faces(unfold_all<Unfolded_face>(
@@ -154,8 +143,6 @@ private:
 class Unfolding_on_demand
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   explicit Unfolding_on_demand(const Intrinsic_triangulation& triangulation)
     : m_triangulation(triangulation)
   {
@@ -173,8 +160,6 @@ private:
 // A halfedge that straight lines from the origin meet, laid out between two points.
 struct Crossing
 {
-  using Index = Intrinsic_triangulation::Index;
-
   Index halfedge = Intrinsic_triangulation::null_index;
   Plane_vector source = {0, 0}, target = {0, 0};
 

@@ -44,7 +44,7 @@ inline double area_of_triangle(const double a, const double b, const double c)
 // inlined: most meshes have no thin faces, and a call keeps loops fast.
 BOOST_NOINLINE inline std::optional<Thin_face>
 find_thin_face(const Intrinsic_triangulation& triangulation,
-               const Intrinsic_triangulation::Index h,
+               const Index h,
                const double a,
                const double b,
                const double c)
@@ -58,7 +58,7 @@ find_thin_face(const Intrinsic_triangulation& triangulation,
 // order, if it is a thin one. Its corners are the source and the target of `h`, and the third
 // vertex.
 inline std::optional<Thin_face> thin_face(const Intrinsic_triangulation& triangulation,
-                                          const Intrinsic_triangulation::Index h,
+                                          const Index h,
                                           const double a,
                                           const double b,
                                           const double c)
@@ -86,7 +86,7 @@ struct Apex_position
 // `a` and `b` are the lengths of the sides at the source and at the target of `h`. The result is
 // zero if the halfedge is degenerate, or nearly so.
 inline Apex_position apex_position(const Intrinsic_triangulation& triangulation,
-                                   const Intrinsic_triangulation::Index h,
+                                   const Index h,
                                    const double a,
                                    const double b)
 {
@@ -105,9 +105,8 @@ inline Apex_position apex_position(const Intrinsic_triangulation& triangulation,
 }
 
 // \pre `h` starts from `source`, and is not a border halfedge.
-inline Apex_position apex_position(const Intrinsic_triangulation& triangulation,
-                                   const Intrinsic_triangulation::Index source,
-                                   const Intrinsic_triangulation::Index h)
+inline Apex_position
+apex_position(const Intrinsic_triangulation& triangulation, const Index source, const Index h)
 {
   return apex_position(triangulation, h,
                        triangulation.length(triangulation.counterclockwise(source, h)),
@@ -162,7 +161,7 @@ private:
 // The corner at the source of `h` in the face to its left. `a` and `b` are the lengths of the two
 // sides that meet there, in any order, and `c` is that of the opposite edge.
 inline Corner corner_of_face(const Intrinsic_triangulation& triangulation,
-                             const Intrinsic_triangulation::Index h,
+                             const Index h,
                              const double a,
                              const double b,
                              const double c)
@@ -172,29 +171,22 @@ inline Corner corner_of_face(const Intrinsic_triangulation& triangulation,
   return Corner(a, b, c);
 }
 
-// The angle between two sides of a triangle, as a unit vector. At an edge of length zero it is a
-// right angle, so that a line through the edge goes straight on.
-inline Plane_vector angle_between(const double a, const double b, const double opposite)
-{
-  if(!(a > 0 && b > 0))
-    return {0, 1};
-  return {1 - Corner(a, b, opposite).opening() / 2, 2 * (area_of_triangle(a, b, opposite) / a) / b};
-}
-
-// The same as `corner_of_face()`, as a unit vector.
+// The angle at the same corner, as a unit vector. At an edge of length zero it is a right angle, so
+// that a line through the edge goes straight on.
 inline Plane_vector corner_angle(const Intrinsic_triangulation& triangulation,
-                                 const Intrinsic_triangulation::Index h,
+                                 const Index h,
                                  const double a,
                                  const double b,
                                  const double opposite)
 {
   if(const std::optional<Thin_face> face = thin_face(triangulation, h, a, b, opposite))
     return {face->at_corner[0] / a / b, face->doubled_area / a / b};
-  return angle_between(a, b, opposite);
+  if(!(a > 0 && b > 0))
+    return {0, 1};
+  return {1 - Corner(a, b, opposite).opening() / 2, 2 * (area_of_triangle(a, b, opposite) / a) / b};
 }
 
-inline Plane_vector corner_angle(const Intrinsic_triangulation& triangulation,
-                                 const Intrinsic_triangulation::Index h)
+inline Plane_vector corner_angle(const Intrinsic_triangulation& triangulation, const Index h)
 {
   const auto g = triangulation.next(h);
   return corner_angle(triangulation, h, triangulation.length(h),
@@ -238,8 +230,8 @@ private:
 // `f` does, or at a border, or at an edge between them that cannot be crossed.
 template <typename F>
 bool for_each_corner(const Intrinsic_triangulation& triangulation,
-                     const Intrinsic_triangulation::Index first,
-                     const Intrinsic_triangulation::Index last,
+                     const Index first,
+                     const Index last,
                      F f)
 {
   const auto v = triangulation.source(first);
@@ -254,9 +246,8 @@ bool for_each_corner(const Intrinsic_triangulation& triangulation,
 }
 
 // The sum of these corners, or infinity if paths cannot cross all edges between them.
-inline double angle_of_fan(const Intrinsic_triangulation& triangulation,
-                           const Intrinsic_triangulation::Index first,
-                           const Intrinsic_triangulation::Index last)
+inline double
+angle_of_fan(const Intrinsic_triangulation& triangulation, const Index first, const Index last)
 {
   Angle_sum sum;
   const bool is_open = for_each_corner(triangulation, first, last, [&](const auto h) {
@@ -272,8 +263,6 @@ inline double angle_of_fan(const Intrinsic_triangulation& triangulation,
  */
 struct Face_point
 {
-  using Index = Intrinsic_triangulation::Index;
-
   Index halfedge;
   std::array<double, 3> weight; // of its source, its target, and the third vertex
 
@@ -378,10 +367,10 @@ distance(const Intrinsic_triangulation& triangulation, const Face_point& p, cons
 template <typename F>
 void for_each_face_point(const Intrinsic_triangulation& triangulation,
                          const Intrinsic_point& p,
-                         const Intrinsic_point::Index h,
+                         const Index h,
                          F f)
 {
-  Intrinsic_point::Index side = h;
+  Index side = h;
   for(int i = 0; i < 3; ++i, side = triangulation.next(side))
     if(p.is_vertex())
     {
@@ -397,22 +386,19 @@ void for_each_face_point(const Intrinsic_triangulation& triangulation,
 // A straight line through a face, or along an edge.
 struct Segment
 {
-  using Index = Intrinsic_triangulation::Index;
-
   Face_point from, to; // seen from halfedges of the same face
   double length = std::numeric_limits<double>::infinity();
 };
 
 // The shortest edge between two vertices.
-inline Segment shortest_edge(const Intrinsic_triangulation& triangulation,
-                             const Segment::Index v,
-                             const Segment::Index w)
+inline Segment
+shortest_edge(const Intrinsic_triangulation& triangulation, const Index v, const Index w)
 {
   Segment result{};
   if(v == w)
     result.length = 0;
-  const Segment::Index beyond = triangulation.beyond_halfedge(v);
-  for(Segment::Index h = triangulation.first_halfedge(v); h < beyond; ++h)
+  const Index beyond = triangulation.beyond_halfedge(v);
+  for(Index h = triangulation.first_halfedge(v); h < beyond; ++h)
     if(triangulation.target(h) == w && triangulation.length(h) < result.length)
       result = {Face_point::at_source(h), {h, {0, 1, 0}}, triangulation.length(h)};
   return result;
@@ -462,8 +448,6 @@ inline double length_of_segments(const Intrinsic_triangulation& triangulation,
 class Face_layout
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   Face_layout(const Intrinsic_triangulation& triangulation, const Index h)
     : m_triangulation(triangulation), m_halfedges(triangulation.halfedges_of_face(h))
   {

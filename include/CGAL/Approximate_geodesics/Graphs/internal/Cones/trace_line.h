@@ -37,7 +37,7 @@ class Line_in_mesh
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
 public:
-  Line_in_mesh(const Intrinsic_triangulation& mesh, const Flipped_triangulation& fans)
+  Line_in_mesh(const Intrinsic_triangulation& mesh, const Retriangulation& fans)
     : m_mesh(mesh), m_fans(fans)
   {
   }
@@ -138,14 +138,14 @@ private:
   }
 
   const Intrinsic_triangulation& m_mesh;
-  const Flipped_triangulation& m_fans;
+  const Retriangulation& m_fans;
 };
 
 // Does what `trace_arc()` does for a graph that was built on a triangulation with balanced fans:
 // calls `f(h, t)` for edges of the mesh.
 template <typename Visitor, typename F>
 double trace_arc_of_fans(const Intrinsic_triangulation& mesh,
-                         const Flipped_triangulation& fans,
+                         const Retriangulation& fans,
                          const Cone_rules& rules,
                          const Intrinsic_triangulation::Index source,
                          const Intrinsic_triangulation::Index target,

@@ -47,7 +47,7 @@ inline Face_step face_step(const Intrinsic_triangulation& triangulation,
                            const Intrinsic_triangulation::Index h)
 {
   Apex_position position{0, 0, 0};
-  const Unfolded_face face = unfolded_face(triangulation, source, h, position);
+  const Unfolded_face face = unfolded_face(triangulation, source, h, &position);
   return {face, position.beyond};
 }
 

@@ -32,8 +32,6 @@ namespace CGAL::Approximate_geodesics::internal {
 class Edge_costs
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   Edge_costs() = default;
 
   explicit Edge_costs(const Intrinsic_triangulation& triangulation)
@@ -92,7 +90,6 @@ private:
  */
 class Gauge_costs : public Steiner_view
 {
-  using Index = Intrinsic_triangulation::Index;
   using Node = Steiner_nodes::Node;
   using Face = Viewpoint::Face;
 
@@ -111,13 +108,6 @@ public:
   static double unit(const Intrinsic_triangulation& triangulation)
   {
     return triangulation.gauges().unit();
-  }
-
-  // Returns whether paths may enter the face to the left of `h`.
-  bool is_open(const Index h) const
-  {
-    const Face_gauges& gauges = m_triangulation.gauges();
-    return !m_triangulation.is_border(h) && !gauges.is_forbidden(gauges.face(h));
   }
 
   // Returns the cost per unit of length along `h`, or against its direction on its left side.

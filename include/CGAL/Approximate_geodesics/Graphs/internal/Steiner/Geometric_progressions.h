@@ -35,8 +35,6 @@ namespace CGAL::Approximate_geodesics::internal {
 class Face_shape
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // \pre `h` is not a border halfedge.
   Face_shape(const Intrinsic_triangulation& triangulation, const Index h)
     : m_first(triangulation.length(h)),
@@ -89,8 +87,6 @@ private:
 class Star
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // the smallest radius that is returned, relative to the longest edge at the vertex
   static constexpr double SMALLEST_RADIUS = 1e-9;
 
@@ -132,8 +128,7 @@ private:
 
 // Returns whether all faces around a vertex have the same weight, so that paths near it are
 // straight. Forbidden faces do not count.
-inline bool are_weights_uniform(const Intrinsic_triangulation& triangulation,
-                                const Intrinsic_triangulation::Index v)
+inline bool are_weights_uniform(const Intrinsic_triangulation& triangulation, const Index v)
 {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   if(triangulation.has_weights())
@@ -152,7 +147,6 @@ inline bool are_weights_uniform(const Intrinsic_triangulation& triangulation,
 class Gauge_shape
 {
 public:
-  using Index = Face_gauges::Index;
   using Sector = Face_gauges::Sector;
 
   Gauge_shape(const Face_gauges& gauges, const Index face)
@@ -306,7 +300,6 @@ private:
 class Measured_progressions
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
   using End = Geometric_progressions::End;
 
   // a face with an angle whose sine is smaller is thin

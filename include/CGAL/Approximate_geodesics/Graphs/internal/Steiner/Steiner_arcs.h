@@ -30,7 +30,6 @@ namespace CGAL::Approximate_geodesics::internal {
 template <typename Costs>
 class Steiner_arcs : Steiner_view
 {
-  using Index = Intrinsic_triangulation::Index;
   using Node = Index;
   using Face = Viewpoint::Face;
 
@@ -110,7 +109,7 @@ private:
   void expand_corner(const Node v, const Index h, F& f) const
   {
     expand_edge(h, true, f);
-    if(m_costs.is_open(h))
+    if(m_triangulation.is_open(h))
       m_costs.expand_corner(v, h, f);
   }
 
@@ -143,7 +142,8 @@ private:
   {
     const Index p = m_nodes.point(node), h = m_points.halfedge(p);
     const Index opposite = m_triangulation.opposite(h);
-    const bool has_right = m_points.edge(opposite) == m_points.edge(h) && m_costs.is_open(opposite);
+    const bool has_right =
+        m_points.edge(opposite) == m_points.edge(h) && m_triangulation.is_open(opposite);
     const Viewpoint left = viewpoint(p, h);
     if(left.cost_to_source < infinity)
       f(left.toward_source, left.cost_to_source);
@@ -153,7 +153,7 @@ private:
     const Node origin = labels.predecessor(node);
     if(origin == left.toward_source || origin == left.toward_target || origin == null_node)
     {
-      if(m_costs.is_open(h))
+      if(m_triangulation.is_open(h))
         m_costs.expand_face(left, m_triangulation.halfedges_of_face(h), labels, f);
       if(has_right)
         m_costs.expand_face(left.reversed(opposite), m_triangulation.halfedges_of_face(opposite),
@@ -172,7 +172,7 @@ private:
     const Face right_face =
         m_triangulation.halfedges_of_face(m_triangulation.opposite(left.halfedge));
     const bool comes_from_right = is_opposite(origin, right_face);
-    if(comes_from_right && m_costs.is_open(left.halfedge))
+    if(comes_from_right && m_triangulation.is_open(left.halfedge))
     {
       const Face left_face = m_triangulation.halfedges_of_face(left.halfedge);
       m_costs.expand_face(left, left_face, labels, f);
@@ -223,7 +223,6 @@ private:
 template <typename Costs>
 class Steiner_attachment : Steiner_view, public Lines_of_point<Costs>
 {
-  using Index = Intrinsic_triangulation::Index;
   using Node = Steiner_nodes::Node;
   using Lines = Lines_of_point<Costs>;
   using Lines::m_costs;
@@ -248,7 +247,7 @@ public:
       return;
     }
     m_point.for_each_face(m_triangulation, [&](const Index h) {
-      if(m_costs.is_open(h))
+      if(m_triangulation.is_open(h))
         expand_across_face(h, f);
     });
     if(m_point.is_on_edge())

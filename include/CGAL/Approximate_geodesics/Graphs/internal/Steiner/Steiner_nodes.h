@@ -52,7 +52,6 @@ bool has_more_points(const Intrinsic_triangulation& triangulation,
                      const Placement& placement,
                      const std::size_t limit)
 {
-  using Index = Intrinsic_triangulation::Index;
   double sum = 0;
   for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
     if(h < triangulation.opposite(h) && triangulation.is_crossable(h) &&
@@ -79,7 +78,6 @@ using Accepts_weaker_bound = decltype(std::declval<const Placement&>().accepts_w
 class Points_on_edges
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
   Points_on_edges() = default;
@@ -266,7 +264,6 @@ private:
 class Sectors
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
   static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
   Sectors() = default;
@@ -288,24 +285,20 @@ public:
   // on, counterclockwise, up to the next halfedge that is a barrier or at the border.
   Index first_halfedge(const Index sector) const { return m_first_halfedge[sector]; }
 
-  // Return the first sector of a vertex, and the one after the last. They are equal if it is not
+  // Returns the first sector of a vertex, and the one after the last. They are equal if it is not
   // divided.
-  Index first_sector(const Index v) const
+  std::pair<Index, Index> sectors(const Index v) const
   {
-    return static_cast<Index>(std::lower_bound(m_vertex.begin(), m_vertex.end(), v) -
-                              m_vertex.begin());
-  }
-  Index beyond_sector(const Index v) const
-  {
-    return static_cast<Index>(std::upper_bound(m_vertex.begin(), m_vertex.end(), v) -
-                              m_vertex.begin());
+    const auto [first, beyond] = std::equal_range(m_vertex.begin(), m_vertex.end(), v);
+    return {static_cast<Index>(first - m_vertex.begin()),
+            static_cast<Index>(beyond - m_vertex.begin())};
   }
 
   // Returns the sector of `v` with the face to the left of `h`, or null_index if `v` is not
   // divided. \pre `h` starts from `v`.
   Index sector(const Index v, const Index h) const
   {
-    const Index first = first_sector(v), beyond = beyond_sector(v);
+    const auto [first, beyond] = sectors(v);
     if(first == beyond)
       return null_index;
     const auto begin = m_first_halfedge.begin();
@@ -351,8 +344,7 @@ private:
 class Steiner_nodes
 {
 public:
-  using Node = Intrinsic_triangulation::Index;
-  using Index = Node;
+  using Node = Index;
 
   Steiner_nodes() = default;
 
@@ -412,14 +404,16 @@ public:
 
   bool is_divided(const Node v) const
   {
-    return !m_sectors.is_empty() && m_sectors.first_sector(v) != m_sectors.beyond_sector(v);
+    const auto [first, beyond] = m_sectors.sectors(v);
+    return first != beyond;
   }
 
   // Calls `f(node)` for the sectors of a divided vertex.
   template <typename F>
   void for_each_sector(const Node v, F f) const
   {
-    for(Index s = m_sectors.first_sector(v); s < m_sectors.beyond_sector(v); ++s)
+    const auto [first, beyond] = m_sectors.sectors(v);
+    for(Index s = first; s < beyond; ++s)
       f(node_of_sector(s));
   }
 
@@ -537,7 +531,6 @@ protected:
  */
 struct Viewpoint
 {
-  using Index = Intrinsic_triangulation::Index;
   using Node = Steiner_nodes::Node;
   using Face = std::array<Index, 3>; // its halfedges, from that of the viewpoint on
 

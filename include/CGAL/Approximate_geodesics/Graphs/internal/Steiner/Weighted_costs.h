@@ -34,8 +34,6 @@ namespace CGAL::Approximate_geodesics::internal {
 class Point_row
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // Points are nodes from `first_node` on. Their positions are as in `Points_on_edges`, or a null
   // pointer if they divide the edge into equal parts. The corner is at the first end of the edge or
   // at the second one.
@@ -175,8 +173,6 @@ struct Reached_point
  */
 class Rivals
 {
-  using Index = Point_row::Index;
-
 public:
   Rivals(const Reached_point& nearer,
          const Reached_point& farther,
@@ -252,12 +248,12 @@ private:
  * Returns the range of ranks of the points that `point` may reach at a lower cost than two other
  * points on the same side of the corner, one nearer to it and one farther from it.
  */
-inline std::pair<Point_row::Index, Point_row::Index> cell(const Point_row& row,
-                                                          const Corner& corner,
-                                                          const double weight,
-                                                          const Reached_point& point,
-                                                          const Reached_point& nearer,
-                                                          const Reached_point& farther)
+inline std::pair<Index, Index> cell(const Point_row& row,
+                                    const Corner& corner,
+                                    const double weight,
+                                    const Reached_point& point,
+                                    const Reached_point& nearer,
+                                    const Reached_point& farther)
 {
   const auto first = Rivals(nearer, point, row, corner, weight).end_of_nearer();
   return {first, (std::max)(first, Rivals(point, farther, row, corner, weight).start_of_farther())};
@@ -268,7 +264,6 @@ inline std::pair<Point_row::Index, Point_row::Index> cell(const Point_row& row,
  */
 class Weighted_costs : public Steiner_view, public Line_weights
 {
-  using Index = Intrinsic_triangulation::Index;
   using Node = Steiner_nodes::Node;
   using Row = Point_row;
   using Face = Viewpoint::Face;

@@ -1,0 +1,73 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_COMPILED_SEARCHES_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_COMPILED_SEARCHES_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Search/Geodesic_visitor_base.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/tags.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+// Returns a graph with a bound, which is `0` for an exact one.
+template <typename Graph, typename ConcurrencyTag>
+Graph graph_with_epsilon(Intrinsic_triangulation triangulation, const double epsilon)
+{
+  return Graph(std::move(triangulation),
+               parameters::epsilon(epsilon).concurrency_tag(ConcurrencyTag()));
+}
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+/*
+ * The target `Approximate_geodesics::compiled` instantiates what a query does once the mesh is
+ * read: these functions, and what they call, know neither the type of the mesh nor the named
+ * parameters. A program that links the target does not compile them again.
+ */
+#ifdef CGAL_APPROXIMATE_GEODESICS_COMPILED
+#ifndef CGAL_APPROXIMATE_GEODESICS_INSTANTIATION // empty where the library is compiled
+#define CGAL_APPROXIMATE_GEODESICS_INSTANTIATION extern
+#endif
+
+#define CGAL_APPROXIMATE_GEODESICS_SEARCH(GRAPH)                                                   \
+  CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template class Surface_search<GRAPH>;                   \
+  CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template void Surface_search<GRAPH>::run(               \
+      std::vector<Source_point>, const Stop_rule&, Geodesic_visitor_base&);
+
+#define CGAL_APPROXIMATE_GEODESICS_GRAPH(GRAPH)                                                    \
+  CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template GRAPH                                          \
+  internal::graph_with_epsilon<GRAPH, Sequential_tag>(Intrinsic_triangulation, double);
+
+namespace CGAL::Approximate_geodesics {
+
+CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template internal::Edge_lengths
+internal::straight_lengths(std::vector<Space_vector>, const Intrinsic_triangulation&, const Loop&);
+CGAL_APPROXIMATE_GEODESICS_GRAPH(Lazy_discrete_geodesic_graph)
+CGAL_APPROXIMATE_GEODESICS_GRAPH(Saddle_vertex_graph)
+CGAL_APPROXIMATE_GEODESICS_SEARCH(Edge_graph)
+CGAL_APPROXIMATE_GEODESICS_SEARCH(Lazy_discrete_geodesic_graph)
+CGAL_APPROXIMATE_GEODESICS_SEARCH(Saddle_vertex_graph)
+
+} // namespace CGAL::Approximate_geodesics
+
+#undef CGAL_APPROXIMATE_GEODESICS_SEARCH
+#undef CGAL_APPROXIMATE_GEODESICS_GRAPH
+#endif // CGAL_APPROXIMATE_GEODESICS_COMPILED
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_COMPILED_SEARCHES_H
