@@ -9,18 +9,313 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
+
+namespace internal {
+
+/*
+ * The arcs of a Steiner graph, which are computed from its nodes on the fly. `Costs` is
+ * `Weighted_costs` or `Gauge_costs`: it determines the costs of arcs, and which arcs across a face
+ * are enumerated.
+ */
+template <typename Costs>
+class Steiner_arcs : Steiner_view
+{
+  using Node = Index;
+  using Face = Viewpoint::Face;
+
+public:
+  explicit Steiner_arcs(const Costs& costs) : Steiner_view(costs), m_costs(costs) {}
+
+  // Calls `f(target, cost)` for the arcs that start from `node` and may be part of a cheapest path
+  // that arrives there as `labels` says.
+  template <typename Labels, typename F>
+  void for_each(const Node node, const Labels& labels, F& f) const
+  {
+    if(m_nodes.is_point(node))
+      expand_point(node, labels, f);
+    else if(m_nodes.is_sector(node))
+      expand_sector(node, f);
+    else if(!m_nodes.is_divided(node))
+      expand_vertex(node, f);
+    else if(labels.predecessor(node) == null_node) // a path may start there, but not go through
+      m_nodes.for_each_sector(node, [&](const Node sector) { f(sector, 0.); });
+  }
+
+  // Returns a summary of the costs of arcs along edges, as if points divided every edge into equal
+  // parts.
+  Arc_lengths along_edges() const
+  {
+    Arc_length_summary result;
+    m_points.for_each_first_halfedge([&](const Index h, const Index e) {
+      for(int i = 0; i < (Costs::are_symmetric ? 1 : 2); ++i)
+      {
+        const double cost_per_length = m_costs.along(h, i == 0);
+        if(cost_per_length == infinity)
+          continue;
+        const double cost = cost_per_length * m_triangulation.length(h);
+        const std::size_t number = m_points.number_of_points(e) + std::size_t(1);
+        result.add(cost / double(number), cost, cost, number);
+      }
+    });
+    return result.result();
+  }
+
+private:
+  static constexpr Node null_node = Intrinsic_triangulation::null_index;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // ----- arcs from vertices
+
+  template <typename F>
+  void expand_sector(const Node node, F& f) const
+  {
+    const Index sector = m_nodes.sector(node);
+    const Node v = m_nodes.sectors().vertex(sector);
+    f(v, 0.);
+    Index h = m_nodes.sectors().first_halfedge(sector);
+    do
+    {
+      expand_corner(v, h, f);
+      h = m_triangulation.counterclockwise(v, h);
+    } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
+    // the side of a barrier that belongs to the sector
+    expand_edge(m_triangulation.opposite(h), false, f);
+  }
+
+  template <typename F>
+  void expand_vertex(const Node v, F& f) const
+  {
+    const Index beyond = m_triangulation.beyond_halfedge(v);
+    for(Index h = m_triangulation.first_halfedge(v); h < beyond; ++h)
+    {
+      expand_corner(v, h, f);
+      if(m_triangulation.is_barrier(h)) // with arcs on both sides
+        expand_edge(m_triangulation.opposite(h), false, f);
+    }
+  }
+
+  // Enumerates the arcs from the source `v` of `h` along it and across the face to its left.
+  template <typename F>
+  void expand_corner(const Node v, const Index h, F& f) const
+  {
+    expand_edge(h, true, f);
+    if(m_triangulation.is_open(h))
+      m_costs.expand_corner(v, h, f);
+  }
+
+  // Enumerates the arc along the edge of `h`, or along its left side, from its source or target.
+  template <typename F>
+  void expand_edge(const Index h, const bool starts_at_source, F& f) const
+  {
+    const double cost = m_costs.along(h, starts_at_source);
+    if(cost == infinity)
+      return;
+    const Index e = m_points.edge(h);
+    const Index first = m_points.first_point(e), beyond = m_points.beyond_point(e);
+    const double length = m_triangulation.length(h);
+    if(first == beyond)
+      f(starts_at_source ? m_nodes.at_target(m_triangulation, h)
+                         : m_nodes.at_source(m_triangulation, h),
+        cost * length);
+    else if(starts_at_source == m_points.is_first(h))
+      f(m_nodes.node_of_point(first), cost * (length * m_points.part_before(e, first)));
+    else
+      f(m_nodes.node_of_point(beyond - 1), cost * (length * m_points.part_behind(e, beyond - 1)));
+  }
+
+  // ----- arcs from points on edges
+
+  // A path that arrives along the edge continues into both faces, any other path only into the face
+  // that it does not come from.
+  template <typename Labels, typename F>
+  void expand_point(const Node node, const Labels& labels, F& f) const
+  {
+    const Index p = m_nodes.point(node), h = m_points.halfedge(p);
+    const Index opposite = m_triangulation.opposite(h);
+    const bool has_right =
+        m_points.edge(opposite) == m_points.edge(h) && m_triangulation.is_open(opposite);
+    const Viewpoint left = viewpoint(p, h);
+    if(left.cost_to_source < infinity)
+      f(left.toward_source, left.cost_to_source);
+    if(left.cost_to_target < infinity)
+      f(left.toward_target, left.cost_to_target);
+
+    const Node origin = labels.predecessor(node);
+    if(origin == left.toward_source || origin == left.toward_target || origin == null_node)
+    {
+      if(m_triangulation.is_open(h))
+        m_costs.expand_face(left, m_triangulation.halfedges_of_face(h), labels, f);
+      if(has_right)
+        m_costs.expand_face(left.reversed(opposite), m_triangulation.halfedges_of_face(opposite),
+                            labels, f);
+    }
+    else if(has_right)
+      expand_crossed_edge(left, origin, labels, f);
+  }
+
+  // Enumerates the arcs from a viewpoint between two faces, one of which the path has crossed from
+  // `origin`.
+  template <typename Labels, typename F>
+  void
+  expand_crossed_edge(const Viewpoint& left, const Node origin, const Labels& labels, F& f) const
+  {
+    const Face right_face =
+        m_triangulation.halfedges_of_face(m_triangulation.opposite(left.halfedge));
+    const bool comes_from_right = is_opposite(origin, right_face);
+    if(comes_from_right && m_triangulation.is_open(left.halfedge))
+    {
+      const Face left_face = m_triangulation.halfedges_of_face(left.halfedge);
+      m_costs.expand_face(left, left_face, labels, f);
+      if(is_opposite(origin, left_face)) // two faces can have several edges in common
+        m_costs.expand_face(left.reversed(right_face[0]), right_face, labels, f);
+    }
+    else if(!comes_from_right)
+      m_costs.expand_face(left.reversed(right_face[0]), right_face, labels, f);
+  }
+
+  // Returns the viewpoint of `p`, on the edge whose first halfedge is `h`.
+  Viewpoint viewpoint(const Index p, const Index h) const
+  {
+    const Index e = m_points.edge(h);
+    const double length = m_triangulation.length(h), there = m_costs.along(h, true);
+    const double back = Costs::are_symmetric ? there : m_costs.along(h, false);
+    const double from_source = length * m_points.part_before(e, p);
+    const double from_target = length * m_points.part_behind(e, p);
+    const bool is_first = p == m_points.first_point(e), is_last = p + 1 == m_points.beyond_point(e);
+    const Node node = m_nodes.node_of_point(p);
+    return {h,
+            node,
+            from_source,
+            from_target,
+            is_first ? m_nodes.at_source(m_triangulation, h) : node - 1,
+            is_last ? m_nodes.at_target(m_triangulation, h) : node + 1,
+            back * (is_first ? from_source : length * m_points.part_between(e, p - 1)),
+            there * (is_last ? from_target : length * m_points.part_between(e, p))};
+  }
+
+  // Returns whether a node is on the second or third edge of a face, or at their common vertex.
+  bool is_opposite(const Node node, const Face& face) const
+  {
+    if(!m_nodes.is_point(node))
+      return node == m_nodes.at_corner(m_triangulation.target(face[1]), face[2]);
+    const Index e = m_points.edge(m_points.halfedge(m_nodes.point(node)));
+    return e == m_points.edge(face[1]) || e == m_points.edge(face[2]);
+  }
+
+  const Costs m_costs;
+};
+
+/*
+ * The straight lines between a point of the surface and the nodes of a Steiner graph in the same
+ * face, and other points there. Costs are those of leaving the point, or of arriving at it if
+ * `Costs` are those of the opposite directions.
+ */
+template <typename Costs>
+class Steiner_attachment : Steiner_view, public Lines_of_point<Costs>
+{
+  using Node = Steiner_nodes::Node;
+  using Lines = Lines_of_point<Costs>;
+  using Lines::m_costs;
+  using Lines::m_point;
+
+public:
+  Steiner_attachment(const Costs& costs, const Intrinsic_point& point)
+    : Steiner_view(costs), Lines(Steiner_view::m_triangulation, costs, point)
+  {
+  }
+
+  // Calls `f(node, cost)` for the lines to nodes. If the point is a vertex, these are its own
+  // nodes.
+  template <typename F>
+  void for_each_node(F f) const
+  {
+    if(m_point.is_vertex())
+    {
+      f(m_point.vertex, 0.);
+      if(m_nodes.is_divided(m_point.vertex))
+        m_nodes.for_each_sector(m_point.vertex, [&](const Node sector) { f(sector, 0.); });
+      return;
+    }
+    m_point.for_each_face(m_triangulation, [&](const Index h) {
+      if(m_triangulation.is_open(h))
+        expand_across_face(h, f);
+    });
+    if(m_point.is_on_edge())
+    {
+      expand_along_edge(m_point.halfedge, m_point.t, f);
+      expand_along_edge(m_triangulation.opposite(m_point.halfedge), 1 - m_point.t, f);
+    }
+  }
+
+private:
+  // Enumerates the lines to the corners of the face to the left of `h`, and to the nodes on those
+  // of its sides that the point is not on.
+  template <typename F>
+  void expand_across_face(const Index h, F& f) const
+  {
+    const auto corner = m_costs.corners(h);
+    const auto halfedges = m_triangulation.halfedges_of_face(h);
+    for_each_face_point(m_triangulation, m_point, h, [&](const Face_point& p) {
+      const Plane_vector position = p.seen_from(m_triangulation, h).position(corner);
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const Index side = halfedges[i];
+        const Plane_vector start = corner[i], end = corner[(i + 1) % 3];
+        offer(m_nodes.at_corner(m_triangulation.source(side), side),
+              m_costs.across(h, start - position), f);
+        if(!m_point.is_on_edge_of(side, m_triangulation))
+          for_each_node_on_edge(side, [&](const Node node, const double part) {
+            offer(node, m_costs.across(h, start + part * (end - start) - position), f);
+          });
+      }
+    });
+  }
+
+  // Enumerates the lines from the point at the part `t` of `h` to all nodes of the edge, or of its
+  // left side.
+  template <typename F>
+  void expand_along_edge(const Index h, const double t, F& f) const
+  {
+    const double length = m_triangulation.length(h);
+    const auto offer_at = [&](const Node node, const double part) {
+      const double cost = m_costs.along(h, part >= t);
+      if(cost < std::numeric_limits<double>::infinity())
+        f(node, cost * length * std::abs(part - t));
+    };
+    offer_at(m_nodes.at_source(m_triangulation, h), 0);
+    offer_at(m_nodes.at_target(m_triangulation, h), 1);
+    for_each_node_on_edge(h, offer_at);
+  }
+
+  // Calls `f(node, part)` for the points at a part of `h`, or of its left side.
+  template <typename F>
+  void for_each_node_on_edge(const Index h, F f) const
+  {
+    const Index e = m_points.edge(h);
+    for(Index p = m_points.first_point(e); p < m_points.beyond_point(e); ++p)
+      f(m_nodes.node_of_point(p),
+        m_points.is_first(h) ? m_points.part_before(e, p) : m_points.part_behind(e, p));
+  }
+
+  using Steiner_view::m_triangulation;
+};
+
+} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsGraphs

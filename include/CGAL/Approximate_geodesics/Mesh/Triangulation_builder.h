@@ -17,7 +17,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Connectivity.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 

@@ -10,9 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Connectivity.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 

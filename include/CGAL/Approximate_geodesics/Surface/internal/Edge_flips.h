@@ -22,10 +22,10 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * A copy of a triangulation, in which edges can be flipped: the two faces at an edge are laid out
- * in the plane, and their other diagonal takes its place. So the surface and its vertices stay what
- * they are. Halfedges keep their numbers, those that were flipped with other ends. Vertices can be
- * added inside faces; their numbers, and those of their halfedges, follow the others.
+ * A copy of a triangulation in which edges can be flipped: the two faces at an edge are laid out in
+ * the plane, and the edge is replaced by their other diagonal. The surface does not change. Flipped
+ * halfedges keep their numbers. Vertices can be added inside faces; their numbers, and those of
+ * their halfedges, follow the others.
  */
 class Edge_flips
 {
@@ -73,7 +73,7 @@ public:
 
   bool is_border(const Index h) const { return m_halfedges[h].is_border; }
 
-  // Where the third vertex of the face to the left of `h` is, if `h` is laid out.
+  // Returns the position of the third vertex of the face to the left of `h`, if `h` is laid out.
   Plane_vector
   position_of_apex(const Index h, const Plane_vector source, const Plane_vector target) const
   {
@@ -85,7 +85,7 @@ public:
             source.y + along * edge.y + across * edge.x};
   }
 
-  // Whether `h` is no halfedge of the mesh.
+  // Returns whether `h` is not a halfedge of the mesh.
   bool is_flipped(const Index h) const { return m_halfedges[h].is_new; }
 
   // Whether a flip took `h` from a hub.
@@ -101,9 +101,9 @@ public:
     return {h, second, next(second)};
   }
 
-  // Whether `h`, which starts from `hub`, can be flipped: its target then lies beyond the new edge
-  // or on it, and the angle between the edges to the new one's ends is acute. Edges taken from
-  // another hub are not touched, so that there are always others between those of two hubs.
+  // Returns whether `h`, which starts from `hub`, can be flipped: its target then lies beyond the
+  // new edge or on it, and the angle at the hub between the ends of the new edge is acute. Edges
+  // taken from another hub are not flipped, so that other edges separate those of two hubs.
   bool can_flip(const Index hub, const Index h) const
   {
     const Index g = m_halfedges[h].opposite;
@@ -148,8 +148,8 @@ public:
              cross(far_right, far_left));
   }
 
-  // Whether the other diagonal makes the smallest angle of the two faces larger, can be drawn, and
-  // neither the faces nor the new ones are nearly degenerate.
+  // Returns whether the edge is not locally Delaunay, can be flipped, and neither the two faces nor
+  // the new ones are nearly degenerate.
   bool is_worse_than_flipped(const Index h) const
   {
     const Index g = m_halfedges[h].opposite;
@@ -165,7 +165,7 @@ public:
            has_sound_flip(q);
   }
 
-  // How long the other diagonal is.
+  // Returns the length of the other diagonal.
   double length_if_flipped(const Index h) const
   {
     const Diagonal other = other_diagonal(quad(h));
@@ -187,8 +187,8 @@ public:
     return doubled_area > SMALLEST_HEIGHT * longest * longest;
   }
 
-  // For each vertex a halfedge that starts from it, or null if it is isolated: the first one of the
-  // mesh that is left, or else any.
+  // Returns for each vertex a halfedge that starts from it, or null if it is isolated: the first
+  // one that is not flipped, if any.
   std::vector<Index> first_halfedges() const
   {
     std::vector<Index> result(m_number_of_vertices, null_index);
@@ -226,7 +226,7 @@ public:
   }
 
 private:
-  // What coordinates of vertices may be wrong by, as a part of the distance from the hub.
+  // A bound of the errors of coordinates, relative to the distance from the hub.
   static constexpr double ROUNDING = 16 * std::numeric_limits<double>::epsilon();
 
   // The sides of the two faces at an edge, counterclockwise around both of them.
@@ -298,7 +298,7 @@ private:
                     length(q.right_side));
   }
 
-  // Lengths of the new edge have to fit the two new faces, whatever was rounded.
+  // Returns a length of the new edge for which both new faces satisfy the triangle inequality.
   double fitting_length(const Quad& q, const double diagonal, const bool is_straight) const
   {
     const double longest = length(q.left_rim) + length(q.right_rim);

@@ -12,7 +12,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Edge_flips.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
 
 #include <algorithm>
 #include <array>
@@ -24,11 +24,11 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * Flips edges of hubs, vertices with very many neighbors, every other one at a time, until hubs
- * have few neighbors. So their faces, which were a fan, become a balanced tree, and a straight line
- * crosses few of them.
+ * Flips every other edge of a hub, a vertex with very many neighbors, in rounds, until the hub has
+ * few neighbors. Its fan of faces becomes a balanced tree, of which a straight line crosses few
+ * faces.
  *
- * Edges stay where the hub's neighbors turn inwards, as those can be connected to nothing else.
+ * Edges to reflex neighbors stay, as these have no other visible vertex.
  */
 class Balanced_fans
 {
@@ -106,7 +106,7 @@ private:
     }
   }
 
-  // The side of a new face at the hub has got another neighbor.
+  // Marks the edge of the hub at a side of a new face.
   void note_change(const Index hub, const Index side, std::vector<Index>& changed)
   {
     const Index h = m_flips[side].target == hub ? m_flips[side].opposite : side;
@@ -172,8 +172,8 @@ public:
     return sum > most_faces * mesh.number_of_halfedges();
   }
 
-  // Refines the needles of a mesh, as a copy of which `flips` was made. Stops after so many flips,
-  // if rounding should let there be no end of them. Returns where the added vertices are.
+  // Refines the needles of the mesh that `flips` is a copy of. The number of flips is limited, in
+  // case rounding errors make them cycle. Returns the positions of the added vertices.
   static std::vector<Intrinsic_point> refine(Edge_flips& flips, const std::size_t most_flips)
   {
     Refined_needles needles(flips, most_flips);
@@ -190,8 +190,7 @@ private:
   static constexpr double SMALLEST_GAP = 0.65, WIDTH_OF_COVER = 1.25, LARGEST_PART = 0.6;
 
   // Edges no farther from a new vertex than this, in its heights, are flipped at once. The others
-  // wait for the vertices that are added beside it: else, its faces would take in most of a strip,
-  // only to lose that again.
+  // are flipped after the vertices beside it are added, as most of these flips would be undone.
   static constexpr double WIDTH_OF_FLIPS = 1.05, LARGEST_GAIN = 0.9;
 
   // A needle of the mesh, laid out: its short side starts from the origin and lies along x.
@@ -366,8 +365,8 @@ private:
     return true;
   }
 
-  // Notes the vertices around a new one, from which `h` starts, that are closer than this: in
-  // needles at their short sides there is no room.
+  // Marks the neighbors of a new vertex, the source of `h`, that are closer than this: there is no
+  // room for another vertex in needles whose short side is there.
   void cover(const Index h, const double distance)
   {
     Index g = h;
@@ -426,7 +425,7 @@ public:
     copy_thin_faces(mesh, flips);
   }
 
-  // More than strips and fans of needles take, which is about one per halfedge.
+  // More than strips and fans of needles need, which is about one per halfedge.
   static std::size_t most_flips(const Intrinsic_triangulation& mesh)
   {
     return std::size_t(32) * mesh.number_of_halfedges();
@@ -434,17 +433,17 @@ public:
 
   const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
 
-  // Whether a halfedge of the mesh is none of this triangulation.
+  // Returns whether a halfedge of the mesh was flipped.
   bool is_lost(const Index h) const { return m_triangulation.is_flipped(m_number[h]); }
 
-  // The number here of a halfedge that is not lost, and that in the mesh of one that is not new.
+  // Convert the numbers of halfedges that are in both triangulations.
   Index number(const Index h) const { return m_number[h]; }
   Index number_in_mesh(const Index h) const { return m_number_in_mesh[h]; }
 
   bool has_balanced_fans() const { return m_has_balanced_fans; }
   bool has_refined_needles() const { return !m_positions.empty(); }
 
-  // Where a vertex is in the mesh.
+  // Returns the position of a vertex in the mesh.
   Intrinsic_point position(const Index v) const
   {
     return v < m_number_of_vertices ? Intrinsic_point::at_vertex(v)
@@ -459,7 +458,7 @@ public:
   }
 
 private:
-  // Visits each halfedge once, as they are far more than fit into a cache.
+  // Visits each halfedge once, as the arrays are larger than a cache.
   void copy_halfedges(const Edge_flips& flips)
   {
     Intrinsic_triangulation& t = m_triangulation;
@@ -510,7 +509,7 @@ private:
     t.m_lines_may_return = mesh.m_lines_may_return;
   }
 
-  // New faces have shapes, even where those of the mesh are not known.
+  // The shapes of new faces are known, even if those of the mesh are not.
   void copy_thin_faces(const Intrinsic_triangulation& mesh, const Edge_flips& flips)
   {
     const Intrinsic_triangulation& t = m_triangulation;

@@ -23,11 +23,11 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// What is needed to lay out the face to the left of a halfedge next to the halfedge.
+// The data for laying out the face to the left of a halfedge that is laid out.
 struct Unfolded_face
 {
   Index apex;  // the third vertex, or null_index if the halfedge is a border halfedge
-  Index left;  // the halfedge from the source to the apex, or null_index if there is no face beyond
+  Index left;  // the halfedge from the source to the apex, or null_index if it is a border halfedge
   Index right; // likewise, the one from the apex to the target
   bool is_flipped;      // whether the halfedge is not one of the mesh
   bool may_return;      // whether a shortest path may return to the face

@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Thin_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
 #include <CGAL/assertions.h>
 
 #include <boost/config.hpp>

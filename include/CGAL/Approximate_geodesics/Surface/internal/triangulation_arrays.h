@@ -3,23 +3,122 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_THIN_FACES_H
-#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_THIN_FACES_H
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_TRIANGULATION_ARRAYS_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_TRIANGULATION_ARRAYS_H
 
 #include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
+// The number of a vertex, a halfedge or a face.
+using Index = std::uint32_t;
+
 /*
- * What says all of the shape of a face, where the lengths of its sides do not: to be divided by two
- * of these.
+ * For every halfedge, the rank of its opposite among the halfedges that start from its target.
+ *
+ * Almost all ranks fit one byte: that is 6 bytes per vertex, where the numbers of opposite
+ * halfedges would take 24. Larger ranks, at vertices of high degree, are in a hash table.
+ */
+class Opposite_ranks
+{
+public:
+  void resize(const std::size_t number_of_halfedges) { m_rank.resize(number_of_halfedges); }
+
+  Index rank_of_opposite(const Index h) const
+  {
+    return m_rank[h] == LARGE ? m_large_rank.find(h)->second : m_rank[h];
+  }
+
+  void set(const Index h, const Index rank)
+  {
+    if(rank < LARGE)
+      m_rank[h] = static_cast<std::uint8_t>(rank);
+    else
+    {
+      m_rank[h] = LARGE;
+      m_large_rank[h] = rank;
+    }
+  }
+
+  // Copies the ranks of `number` halfedges of `other`, starting at `first`, to those starting at
+  // `h`.
+  void copy(const Opposite_ranks& other, const Index first, const Index number, const Index h)
+  {
+    if(other.m_large_rank.empty())
+      std::copy_n(other.m_rank.data() + first, number, m_rank.data() + h);
+    else
+      for(Index i = 0; i < number; ++i)
+        set(h + i, other.rank_of_opposite(first + i));
+  }
+
+  void prefetch(const Index h) const { internal::prefetch(m_rank.data(), h); }
+
+  std::size_t memory() const
+  {
+    constexpr std::size_t bytes_per_node = sizeof(void*) + 2 * sizeof(Index) + 2 * sizeof(void*);
+    return m_rank.capacity() + m_large_rank.size() * bytes_per_node;
+  }
+
+private:
+  static constexpr std::uint8_t LARGE = 255;
+
+  std::vector<std::uint8_t> m_rank;
+  std::unordered_map<Index, Index> m_large_rank;
+};
+
+/*
+ * The vertex adjacency of a mesh: what a search along edges requires of an
+ * `Intrinsic_triangulation`, under the same names and with halfedges grouped in the same way.
+ * Vertices have the indices of the mesh.
+ */
+struct Vertex_adjacency
+{
+  Index number_of_vertices() const { return static_cast<Index>(first_of_vertex.size() - 1); }
+  Index number_of_halfedges() const { return first_of_vertex.back(); }
+
+  Index first_halfedge(const Index v) const { return first_of_vertex[v]; }
+  Index beyond_halfedge(const Index v) const { return first_of_vertex[v + 1]; }
+  Index degree(const Index v) const { return beyond_halfedge(v) - first_halfedge(v); }
+
+  Index target(const Index h) const { return target_of_halfedge[h]; }
+
+  // Run time is logarithmic.
+  Index source(const Index h) const
+  {
+    const auto beyond = std::upper_bound(first_of_vertex.begin(), first_of_vertex.end(), h);
+    return static_cast<Index>(beyond - first_of_vertex.begin()) - 1;
+  }
+
+  // the index of a vertex in the mesh
+  static Index index(const Index v) { return v; }
+
+  std::vector<Index> first_of_vertex; // prefix sums of the degrees
+  std::vector<Index> target_of_halfedge;
+};
+
+// The connectivity of a mesh: the same arrays as in an `Intrinsic_triangulation`.
+struct Connectivity : Vertex_adjacency
+{
+  bool has_border() const { return 3 * number_of_faces < number_of_halfedges(); }
+
+  Opposite_ranks opposite_rank;
+  std::vector<bool> is_border; // per halfedge, or empty if there is no border
+  std::size_t number_of_faces = 0;
+};
+
+/*
+ * The shape of a face that rounded lengths do not determine. Divided by the lengths of two sides,
+ * the numbers are the cosines of the angles, and a sine.
  */
 struct Thin_face
 {
@@ -33,7 +132,7 @@ struct Thin_face
  * as small as the rounding errors of its sides, or smaller; and at the short edge of a needle, the
  * angles depend on the difference of the two long ones.
  *
- * A face takes 36 bytes, and if there is one, 128 halfedges take 4 more, to find it.
+ * A face takes 36 bytes. If there is any, an index takes 4 bytes per 128 halfedges.
  */
 class Thin_faces
 {
@@ -42,8 +141,8 @@ public:
 
   bool is_empty() const { return m_halfedge.empty(); }
 
-  // Whether the shape of a triangle with these sides is to be known better than they tell it. They
-  // have relative errors of about 3 * 2^-53. Where this is false, those of the height, and of the
+  // Returns whether sides of these lengths, with relative errors of about 3 * 2^-53, do not
+  // determine the shape of a triangle. If they do, the relative errors of the height, and of the
   // position of a corner seen from another one, are below 1e-12.
   static bool is_thin(const double a, const double b, const double c)
   {
@@ -69,8 +168,8 @@ public:
     m_has_extreme_needles = m_has_extreme_needles || is_extreme_needle(face);
   }
 
-  // Whether there are needles so long that the ends of their short sides, where they are laid out
-  // far from the origin, say too little of the directions of these sides.
+  // Returns whether there are needles so long that the direction of a short side is lost to
+  // rounding when its ends are laid out far from the origin.
   bool has_extreme_needles() const { return m_has_extreme_needles; }
 
   void shrink_to_fit()
@@ -80,7 +179,7 @@ public:
     m_face.shrink_to_fit();
   }
 
-  // The shape of the face with these halfedges, whose corners are their sources, if it is there.
+  // Returns the shape of the face with these halfedges, whose corners are their sources, if stored.
   std::optional<Thin_face> find(const Halfedges& halfedges) const
   {
     const auto first = std::min_element(halfedges.begin(), halfedges.end());
@@ -128,4 +227,4 @@ private:
 
 } // namespace CGAL::Approximate_geodesics::internal
 
-#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_THIN_FACES_H
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_TRIANGULATION_ARRAYS_H
