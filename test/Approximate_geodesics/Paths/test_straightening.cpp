@@ -74,6 +74,66 @@ TEST(Path_straightener, unfolds_tetrahedra)
   EXPECT_NEAR(path.length, 2 * height / 3, 1e-12);
 }
 
+// A path that turns around a vertex more than once, where the angle there is 360 degrees, or less.
+TEST(Path_straightener, unwinds_paths_around_a_vertex)
+{
+  constexpr std::size_t degree = 6;
+  for(const double height : {0., 1.})
+  {
+    Soup soup{{Point(0, 0, height)}, {}};
+    for(std::size_t i = 0; i < degree; ++i)
+    {
+      const double a = 2 * pi * static_cast<double>(i) / degree;
+      soup.points.push_back(Point(std::cos(a), std::sin(a), 0));
+      soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % degree});
+    }
+    const Surface surface(to_mesh(soup));
+    const double side = std::sqrt(1 + height * height);
+    const double corner = 2 * std::asin(0.5 / side); // at the vertex, in a face
+    for(const std::size_t number_of_faces : {7u, 8u, 9u, 13u, 14u, 15u, 20u})
+      for(const bool is_clockwise : {false, true})
+      {
+        std::vector<Intrinsic_point> points;
+        for(std::size_t i = 0; i <= number_of_faces; ++i)
+        {
+          const std::size_t j = i % degree;
+          points.push_back(Intrinsic_point::on_edge(
+              surface.halfedge(0, 1 + (is_clockwise ? (degree - j) % degree : j)), 0.5));
+        }
+        const std::size_t turn = number_of_faces % degree;
+        const double angle = corner * static_cast<double>((std::min)(turn, degree - turn));
+        EXPECT_NEAR(surface.shortened(points).length, side * std::sin(angle / 2), 1e-12)
+            << number_of_faces << " faces";
+      }
+  }
+}
+
+// The shortest path around a cylinder from a vertex back to it.
+TEST(Path_straightener, keeps_loops_that_are_the_whole_path)
+{
+  constexpr std::size_t size = 8;
+  Soup soup;
+  for(std::size_t i = 0; i < 3 * size; ++i)
+  {
+    const double a = 2 * pi * static_cast<double>(i % size) / size;
+    soup.points.push_back(Point(std::cos(a), std::sin(a), static_cast<double>(i / size)));
+  }
+  for(std::size_t i = 0; i < 2 * size; ++i)
+  {
+    const std::size_t j = i + 1 - (i % size == size - 1 ? size : 0);
+    soup.triangles.push_back({i, j, i + size});
+    soup.triangles.push_back({j, j + size, i + size});
+  }
+  const Surface surface(to_mesh(soup));
+  std::vector<Intrinsic_point> points;
+  for(std::size_t i = 0; i <= size; ++i)
+    points.push_back(surface.place(size + i % size));
+  const Path path = surface.shortened(points);
+  EXPECT_NEAR(path.length, 2 * size * std::sin(pi / size), 1e-12);
+  EXPECT_TRUE(path.points.back().is_vertex() &&
+              path.points.back().vertex == path.points.front().vertex);
+}
+
 TEST(Path_straightener, unrolls_cylinders)
 {
   const std::size_t columns = 25, rows = 9;
