@@ -26,7 +26,6 @@
 #include <limits>
 #include <queue>
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -44,51 +43,47 @@ void check_number_of_points(const Integer number)
       reject("the number of points is " + std::to_string(number) + "; it must not be negative");
 }
 
-/*
- * Finds the farthest of the candidates, whose distances decrease over time. Keys are updated lazily
- * when an entry gets to the top: a stored distance is an upper bound. Among equal distances, the
- * first candidate is found.
- */
-template <typename Distance>
-class Farthest_first
+// Chooses candidates, which have the nodes `node(i)`, and calls `add(i)` for each of them. Returns
+// the covering radius. Keys of the queue are updated lazily when an entry gets to the top:
+// distances decrease over time, so a stored distance is an upper bound.
+template <typename Graph, typename NodeOf, typename F>
+double sample_farthest(const Graph& graph,
+                       const std::vector<Intrinsic_point>& sources,
+                       const std::size_t number_of_candidates,
+                       const std::size_t number_of_points,
+                       const NodeOf& node,
+                       F add)
 {
-public:
-  // `distance(i)` returns the distance of candidate `i`.
-  Farthest_first(const std::size_t number_of_candidates, const Distance& distance)
-    : m_distance(distance)
-  {
-    for(std::size_t i = 0; i < number_of_candidates; ++i)
-      m_queue.emplace(std::numeric_limits<double>::infinity(), ~i);
-  }
+  Propagation<Graph> search(graph);
+  std::vector<Seed> seeds;
+  for(const Intrinsic_point& source : sources)
+    seeds.push_back({source.vertex});
+  search.run(seeds);
 
-  // Returns the distance and the number; the distance `0` if there are no candidates.
-  std::pair<double, std::size_t> find()
-  {
-    while(!m_queue.empty())
+  using Entry = std::pair<double, std::size_t>; // with `~i`: among equal distances, the first one
+  std::priority_queue<Entry> queue;
+  for(std::size_t i = 0; i < number_of_candidates; ++i)
+    queue.emplace(std::numeric_limits<double>::infinity(), ~i);
+  const auto find_farthest = [&] {
+    while(!queue.empty())
     {
-      const auto [key, complement] = m_queue.top();
-      const double distance = m_distance(~complement);
-      if(distance == key)
-        return {distance, ~complement};
-      m_queue.pop();
-      m_queue.emplace(distance, complement);
+      const Entry top = queue.top();
+      const double distance = search.distance(node(~top.second));
+      if(distance == top.first)
+        return top;
+      queue.pop();
+      queue.emplace(distance, top.second);
     }
-    return {0, 0};
+    return Entry(0, 0);
+  };
+  Entry farthest = find_farthest();
+  for(std::size_t i = 0; i < number_of_points && farthest.first > 0; ++i)
+  {
+    search.run_further({{node(~farthest.second)}});
+    add(~farthest.second);
+    farthest = find_farthest();
   }
-
-private:
-  const Distance& m_distance;
-  std::priority_queue<std::pair<double, std::size_t>> m_queue; // numbers in descending order
-};
-
-// Converts a vertex or a range of vertices to seeds.
-template <typename MeshTranslation, typename Sources>
-std::vector<Seed> seeds(const MeshTranslation& translation, const Sources& sources)
-{
-  std::vector<Seed> result;
-  for(const Intrinsic_point& point : intrinsic_points(translation, sources, "source"))
-    result.push_back({point.vertex});
-  return result;
+  return farthest.first;
 }
 
 } // namespace internal
@@ -172,22 +167,12 @@ farthest_point_sampling(const TriangleMesh& tmesh,
   return internal::with_graph<Discrete_geodesic_graph>(tmesh, np, [&](const auto& graph) {
     const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
                                        graph.triangulation());
-    Propagation<std::decay_t<decltype(graph)>> search(graph);
-    search.run(internal::seeds(translation, sources));
-
     const std::vector<vertex_descriptor> candidates(vertices(tmesh).begin(), vertices(tmesh).end());
-    const auto distance_of = [&](const std::size_t i) {
-      return search.distance(translation.node(candidates[i]));
-    };
-    internal::Farthest_first farthest_first(candidates.size(), distance_of);
-    auto [distance, number] = farthest_first.find();
-    for(Integer i = 0; i < number_of_points && distance > 0; ++i)
-    {
-      search.run_further({{translation.node(candidates[number])}});
-      *points++ = candidates[number];
-      std::tie(distance, number) = farthest_first.find();
-    }
-    return distance;
+    return internal::sample_farthest(
+        graph, internal::intrinsic_points(translation, sources, "source"), candidates.size(),
+        static_cast<std::size_t>(number_of_points),
+        [&](const std::size_t i) { return translation.node(candidates[i]); },
+        [&](const std::size_t i) { *points++ = candidates[i]; });
   });
 }
 

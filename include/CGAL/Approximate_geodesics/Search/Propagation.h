@@ -28,42 +28,41 @@ namespace CGAL::Approximate_geodesics {
 /*
  * The algorithm
  *
- * Dijkstra's algorithm [1] labels each node with the length of the shortest path to it found so
- * far, and takes nodes out of a priority queue, smallest label first, to expand them: it looks at
- * all arcs from the node, and lowers the labels of their ends where the path along the arc is
- * shorter. This search does the same in batches. The queue hands out several entries with small
- * keys at a time, in any order [2], and three loops work through them (Batch_relaxation.h):
+ * Dijkstra's algorithm [1] labels each node with the length of the shortest path found so far, and
+ * extracts nodes from a priority queue, smallest label first. It expands each of them: it relaxes
+ * all arcs from the node, that is, it lowers the labels of their targets where the path along the
+ * arc is shorter. This search works in batches. The queue returns several entries with small keys
+ * at a time, in any order [2], and three loops process them (`Batch_relaxation.h`):
  *
  * 1. Prefetch the arcs of the nodes, and skip stale entries: their nodes have smaller labels by
- *    now, and were or will be expanded with those.
- * 2. Look at the arcs of these nodes. Write the path along each arc to the end of a list of
- *    candidates; the end moves on only if the path is shorter than the label says.
- * 3. Go through the candidates, and lower labels and enter nodes into the queue. A candidate may
- *    have become useless by an earlier one, but few are.
+ *    now, and were or will be expanded with these.
+ * 2. Scan the arcs of these nodes. The path along each arc is written to the end of a list of
+ *    candidates; the end advances only if the path is shorter than the label.
+ * 3. Process the candidates: lower labels, and push nodes to the queue. An earlier candidate may
+ *    have made a later one useless, but few are.
  *
- * Whether an entry is stale and whether an arc shortens a path cannot be predicted on a mesh. In
- * the usual single loop, a processor spends most of its time on wrong predictions; the first two of
- * these loops have no branch that depends on a label.
+ * Whether an entry is stale, and whether an arc shortens a path, is unpredictable on a mesh. In a
+ * single loop, a processor spends most of its time on mispredicted branches; the first two of these
+ * loops have no branch that depends on a label.
  *
- * The second loop belongs to the graph's `Run`, if it has one: it may look at the arcs of several
- * nodes together, or with several threads, for which it may ask for larger batches.
+ * The second loop is a member function of the graph's `Run`, if it has one, which may process
+ * several nodes together or in parallel, and may request larger batches.
  *
- * A node whose label falls after it was expanded is entered again, so that any order leads to the
- * same labels: the smallest sum of arc lengths from a source, over all paths, added up in the order
- * of the path. Rounding is monotone, so they are the same to the last bit. A good order saves
- * repeated expansions.
+ * A node whose label decreases after its expansion is pushed again. So any order leads to the same
+ * labels: the smallest sum of arc lengths from a source, over all paths, summed in the order of the
+ * path. Rounding is monotone, so labels are bitwise identical. A good order saves repeated
+ * expansions.
  *
- * A label is final when it is smaller than all keys that are in the queue or will be, which the
- * queue knows. Between the first and the second loop, a watch may tell a visitor of nodes that have
- * become final, and may end the run: at targets, or if the visitor wishes. Then labels that are not
- * final are taken back.
+ * A label is final when it is smaller than all present and future keys of the queue, which the
+ * queue determines. Between the first and the second loop, a watch may report final nodes to a
+ * visitor, and may stop the run, at targets or on request of the visitor. Labels that are not final
+ * are then reset.
  *
- * Some graphs find their arcs with the help of upper bounds of all distances. Their `Run` asks for
- * a first search, of another graph, which finds these bounds; and if there is a goal, how far the
- * second one has to go.
+ * Some graphs need upper bounds of all distances to find their arcs. Their `Run` requests a search
+ * of another graph, which finds these bounds and, if there is a goal, a limit for the second one.
  *
  * With a heuristic, this is the A* algorithm [3]: the key of a node is its label plus a lower bound
- * of the distance from there to the goal.
+ * on the distance from there to the goal.
  *
  * [1] E. W. Dijkstra. A note on two problems in connexion with graphs. 1959.
  * [2] E. V. Denardo, B. L. Fox. Shortest-route methods: 1. Reaching, pruning, and buckets. 1979.
@@ -350,7 +349,6 @@ private:
   template <typename G, typename Heuristic>
   using Relaxation = internal::Batch_relaxation<G, Queue, Heuristic>;
 
-  // The algorithm.
   template <typename Watch, typename Heuristic>
   void propagate(const Stop_rule& stop, Watch watch, const Heuristic& heuristic)
   {
@@ -370,14 +368,14 @@ private:
     watch.finish();
   }
 
-  // What the graph's run may do before a search.
+  // The interface for `start()` of the graph's `Run`, before a search.
   template <typename Heuristic>
   struct Start
   {
-    // the largest label that is of interest, in units of the graph
+    // The largest label of the search, in units of the graph.
     double limit() const { return search.largest_label(stop); }
 
-    // a lower bound of the distance to the goal, for as long as the search lasts
+    // A lower bound on the distance to the goal, valid during the search; empty without heuristic.
     std::function<double(Node)> heuristic() const
     {
       if constexpr(internal::is_heuristic<Heuristic>)
@@ -386,9 +384,9 @@ private:
         return {};
     }
 
-    // Searches another graph of the same nodes and unit, until the goal is met, and calls
-    // `f(node, label)` for all nodes that this labels. Finds how far the goal can be. Then takes
-    // the labels back.
+    // Searches another graph with the same nodes and unit until the goal is final, and calls
+    // `f(node, label)` for all labeled nodes. Limits the labels of the search by the distance of
+    // the goal. Then resets the labels.
     template <typename OtherGraph, typename F>
     void find_upper_bounds(const OtherGraph& graph, F f)
     {
@@ -398,7 +396,7 @@ private:
       label_nodes(graph);
       search.m_limit = search.goal(stop, to_goal).distance() * (1 + slack);
       for(std::size_t i = size_of_order; i < labels.order().size(); ++i)
-        if(const Node node = labels.order()[i]; labels.is_reached(node)) // or it occurs twice
+        if(const Node node = labels.order()[i]; labels.is_reached(node)) // first occurrence
         {
           f(node, labels.distance(node));
           labels.discard(node);
@@ -407,7 +405,7 @@ private:
       search.m_queue.clear();
     }
 
-    // Appends all nodes that get labels to the order.
+    // Appends all labeled nodes to the order.
     template <typename OtherGraph>
     void label_nodes(const OtherGraph& graph)
     {
@@ -431,7 +429,8 @@ private:
     const Heuristic& to_goal;
   };
 
-  // What the graph's run may do after a search, or what seemed to be all of it.
+  // The interface for `finish()` of the graph's `Run`, when the queue is empty. If labels are
+  // lowered, the search continues.
   struct End
   {
     const Labels& labels() const { return search.m_labels; }
@@ -447,7 +446,7 @@ private:
     void enter()
     {
       if(!lowered.empty())
-        search.m_queue.clear(); // it went past these nodes
+        search.m_queue.clear(); // its lower bound of keys exceeds theirs
       for(const Node node : lowered)
         search.m_queue.push(node, search.m_labels.distance(node));
     }
@@ -457,9 +456,9 @@ private:
     std::vector<Node> lowered;
   };
 
-  // What is still in the queue, or was extracted last, is not final, and is taken back. After A*,
-  // nothing but the goal is asked for, and nodes on the path to it may still be in the queue, as
-  // their keys were rounded up; so everything stays.
+  // Resets the labels that are not final: those of nodes in the queue and in the last batch. After
+  // A*, all labels stay: only the goal may be queried, and nodes on the path to it may still be in
+  // the queue, as their keys were rounded up.
   template <typename Heuristic>
   void end_early(const std::size_t size_of_batch)
   {
@@ -487,14 +486,14 @@ private:
     m_run.discard(node);
   }
 
-  // Whether upper bounds say that the goal can be reached, and it was not.
+  // Whether the goal was not reached although it has an upper bound.
   bool has_lost_goal(const Stop_rule& stop) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return m_limit < infinity && goal(stop, internal::No_heuristic()).distance() == infinity;
   }
 
-  // in units of the graph
+  // In units of the graph.
   double largest_label(const Stop_rule& stop) const
   {
     return (std::min)(m_limit, to_graph_unit(stop.maximum_distance));
@@ -523,7 +522,7 @@ private:
           internal::Watch(m_labels, goal(stop, heuristic), visitor, m_graph->unit(), m_counts),
           heuristic);
       count_all();
-      m_sources.forget_all(); // a visitor may have asked, too early
+      m_sources.forget_all(); // a visitor may have queried them before they were final
     }
     catch(...)
     {

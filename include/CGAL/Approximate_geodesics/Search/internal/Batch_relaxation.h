@@ -28,8 +28,8 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * What a run shall find out before it ends: the distances of nodes, and of points given by the arcs
- * that lead to them.
+ * The targets of a run, which may stop when their distances are final: nodes, and points given by
+ * the arcs that lead to them.
  */
 template <typename Queue, typename Heuristic>
 class Goal
@@ -52,7 +52,7 @@ public:
   {
   }
 
-  // whether there are any
+  // Whether there are any targets.
   bool is_given() const { return m_is_given; }
 
   bool is_final(const Node node) const
@@ -60,8 +60,8 @@ public:
     return is_final_key(m_labels.distance(node) + m_heuristic(node));
   }
 
-  // Whether all these distances are final. Looks at one target at a time, so that many of them cost
-  // no more than few.
+  // Whether all distances are final. Checks one target at a time, so that the cost does not depend
+  // on the number of targets.
   bool is_met()
   {
     while(!m_targets.empty() && is_final(m_targets.back()))
@@ -71,8 +71,7 @@ public:
     return m_is_given && m_targets.empty() && m_points.empty();
   }
 
-  // How far the farthest of the targets and points is that are not known to be final; infinity if
-  // there are none.
+  // The largest distance of the targets that are not known to be final; infinity if there are none.
   double distance() const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -93,7 +92,7 @@ private:
     return result;
   }
 
-  // Whether all nodes on the shortest path to where these arcs lead are final.
+  // Whether all nodes on the shortest path to the target of these arcs are final.
   bool is_final(const Arcs& arcs) const { return is_final_key(shortest(arcs)); }
 
   // Whether a node with such a key is final, and so are the nodes before it on its path, whose keys
@@ -112,7 +111,7 @@ private:
   bool m_is_given;
 };
 
-// Sorts a part of the order by distance, with each node once. Returns where it ends then.
+// Sorts a part of the order by distance, and removes repeated nodes. Returns its new end.
 inline std::size_t sort_order(Labels& labels, const std::size_t first, const std::size_t end)
 {
   auto& order = labels.order();
@@ -134,25 +133,25 @@ constexpr bool is_idle_visitor = std::is_same_v<std::decay_t<Visitor>, Geodesic_
 template <typename Visitor>
 using Is_told_of_nodes = std::bool_constant<std::decay_t<Visitor>::is_told_of_nodes>;
 
-// Whether a visitor is told of nodes, which have to be sorted for that.
+// Whether a visitor is notified of settled nodes, which requires sorting them.
 template <typename Visitor>
 constexpr bool is_told_of_nodes =
     !is_idle_visitor<Visitor> &&
     boost::detected_or_t<std::true_type, Is_told_of_nodes, Visitor>::value;
 
 /*
- * Follows a run, between the loops that work through a batch of entries: tells the visitor of nodes
- * as soon as they are final, and ends the run when its goal is met or the visitor ends it.
+ * Monitors a run, once per batch of entries: notifies the visitor of nodes as soon as they are
+ * final, and stops the run when the goal is met or on request of the visitor.
  *
- * The nodes expanded since the last time become final all at once: as soon as the queue goes on to
- * larger keys. So it is enough to ask for the first of them.
+ * The nodes expanded since the last notification become final together, when the queue advances to
+ * larger keys. So checking the first of them is sufficient.
  */
 template <typename Goal, typename Visitor>
 class Watch
 {
 public:
-  // Distances that the visitor is told are in units of the graph times `unit`. The order is sorted,
-  // with each node once, if it is to be counted.
+  // `unit` converts labels to distances for the visitor. If `counts` is set, the order is sorted,
+  // and each node occurs once.
   Watch(Labels& labels, Goal goal, Visitor& visitor, const double unit, const bool counts)
     : m_labels(labels),
       m_goal(std::move(goal)),
@@ -163,8 +162,8 @@ public:
   {
   }
 
-  // To be called after so many nodes were appended to the order. Returns whether these shall be
-  // expanded, or else the run ends.
+  // Must be called after `number_appended` nodes were appended to the order. Returns whether to
+  // expand these; otherwise the run stops.
   bool go_further(const std::size_t number_appended)
   {
     if(!m_is_needed)
@@ -176,11 +175,11 @@ public:
     return !m_goal.is_met() && m_visitor.go_further();
   }
 
-  // To be called when the queue is empty.
+  // Must be called when the queue is empty.
   void finish() { settle(m_labels.order().size()); }
 
 private:
-  // The nodes of the order up to `end` are final.
+  // Settles the nodes of the order up to `end`.
   void settle(const std::size_t end)
   {
     [[maybe_unused]] std::size_t i = m_number_final;
@@ -203,7 +202,7 @@ private:
   std::size_t m_number_final = 0;
 };
 
-// A path that ends with an arc just looked at, and what a graph wants to know of it.
+// A path that ends with a scanned arc, and the graph's data about it.
 template <typename Payload>
 struct Candidate : Payload
 {
@@ -213,8 +212,8 @@ struct Candidate : Payload
 };
 
 /*
- * The paths along arcs that are shorter than labels say. All are written down, and one that does
- * not lower the label of its end is overwritten by the next one: no branch depends on a distance.
+ * The paths along arcs that are shorter than the labels of their targets. All paths are written,
+ * and the next one overwrites one that does not lower a label: no branch depends on a distance.
  * Memory is kept when the list is cleared.
  */
 template <typename Payload>
@@ -228,7 +227,7 @@ public:
   std::size_t size() const { return m_size; }
   const Candidate& operator[](const std::size_t i) const { return m_memory[i]; }
 
-  // the number of arcs looked at, if they are counted
+  // The number of scanned arcs, if they are counted.
   std::size_t number_of_arcs() const { return m_number_of_arcs; }
 
   // Removes all candidates. `distances` are the labels, which must not change before the next call.
@@ -239,10 +238,13 @@ public:
     m_size = m_number_of_arcs = 0;
   }
 
-  // Makes room for so many arcs.
-  void make_room(const std::size_t number) { reserve(number + 1); } // one is written in vain
+  // Reserves memory for `number` more arcs.
+  void make_room(const std::size_t number)
+  {
+    reserve(number + 1);
+  } // a rejected one is written, too
 
-  // Appends an arc, if it is one, of a node with this label.
+  // Appends an arc of a node with this label, unless `is_arc` is false.
   void append(const bool is_arc,
               const Node node,
               const double label,
@@ -266,7 +268,7 @@ public:
     append(is_arc, node, label, target, length);
   }
 
-  // Appends the arcs that a graph reports of these nodes.
+  // Appends the arcs that a graph reports for these nodes.
   template <typename Graph, typename Labels>
   void append_arcs(const Graph& graph,
                    const Node* const nodes,
@@ -279,8 +281,8 @@ public:
       append_counted_arcs<0>(graph, nodes, number, labels);
   }
 
-  // Calls `append(i, candidates)` for all `i` below `number`, by the threads of a loop, and appends
-  // what they append in the order of `i`. So the result does not depend on the number of threads.
+  // Calls `append(i, candidates)` for all `i` below `number`, in parallel, and appends the results
+  // in the order of `i`. So they do not depend on the number of threads.
   template <typename Loop, typename F>
   void append_in_parallel(const Loop& loop, const std::size_t number, const F& append)
   {
@@ -289,7 +291,7 @@ public:
     for(Candidate_list& list : m_lists)
       list.start(m_distances, m_counts);
     loop.run(number, [&](const std::size_t i, const std::size_t thread) {
-      Candidate_list list = std::move(m_lists[thread]); // away from where others write
+      Candidate_list list = std::move(m_lists[thread]); // avoids false sharing
       const std::size_t first = list.size();
       append(i, list);
       m_turns[i] = {thread, first, list.size()};
@@ -310,7 +312,7 @@ public:
   }
 
 private:
-  // what was found in a turn, and where it is
+  // The candidates of an iteration of a parallel loop, and the thread whose list has them.
   struct Turn
   {
     std::size_t thread;
@@ -357,7 +359,7 @@ private:
     Candidate*& end;
   };
 
-  // Not inline: beside the calls of a watch, this loop would lack registers.
+  // Not inline: inlined beside the calls of a watch, this loop would spill registers.
   template <std::size_t COUNT, typename Graph, typename Labels>
   BOOST_NOINLINE void append_counted_arcs(const Graph& graph,
                                           const Node* const nodes,
@@ -375,7 +377,7 @@ private:
     }
   }
 
-  // The most arcs of a node if the graph knows that, or one.
+  // The maximum degree if the graph has one, else 1.
   template <typename Graph>
   static std::size_t largest_degree([[maybe_unused]] const Graph& graph)
   {
@@ -393,7 +395,7 @@ private:
     candidate.predecessor = predecessor;
   }
 
-  // Returns where the next candidates go.
+  // Returns the position of the next candidate.
   Candidate* reserve(const std::size_t room)
   {
     if(m_memory.size() < m_size + room)
@@ -401,7 +403,7 @@ private:
     return m_memory.data() + m_size;
   }
 
-  // Makes room for one more, which may move those that are there.
+  // Reserves memory for one more candidate, which may move the others.
   Candidate* with_room_at(const Candidate* const end)
   {
     m_size = static_cast<std::size_t>(end - m_memory.data());
@@ -420,12 +422,12 @@ private:
   std::size_t m_number_of_arcs = 0;
   const double* m_distances = nullptr;
   bool m_counts = false;
-  std::vector<Candidate_list> m_lists; // by thread, so that memory stays in its cache
+  std::vector<Candidate_list> m_lists; // by thread, for locality
   std::vector<Turn> m_turns;
 };
 
-// Whether nodes are expanded again too often, which a rounded heuristic can cause: beside it, very
-// short arcs vanish, so that keys no longer order their nodes.
+// Whether nodes are expanded too often. A rounded heuristic can cause this: sums with it absorb
+// very short arcs, so that keys do not order their nodes.
 inline bool reopens_too_often(const Labels& labels)
 {
   constexpr std::size_t most_expansions_per_node = 3;
@@ -433,9 +435,8 @@ inline bool reopens_too_often(const Labels& labels)
 }
 
 /*
- * The three loops that a search works through a batch of entries in. They are described where the
- * algorithm is, in `Propagation.h`. In the first and the second one, no branch depends on a
- * distance.
+ * The three loops that process a batch of entries. `Propagation.h` describes the algorithm. In the
+ * first and the second one, no branch depends on a distance.
  */
 template <typename Graph, typename Queue, typename Heuristic>
 class Batch_relaxation
@@ -446,8 +447,8 @@ public:
   using Run = Run_of<Graph>;
   using Candidates = Candidate_list<typename Run::Payload>;
 
-  // `candidates` is memory to work in, and `limit` the largest distance, in units of the graph.
-  // Counts if there are statistics.
+  // `candidates` is a workspace, and `limit` the largest distance, in units of the graph. Counts if
+  // `statistics` is not null.
   Batch_relaxation(const Graph& graph,
                    Run& run,
                    Queue& queue,
@@ -467,7 +468,8 @@ public:
   {
   }
 
-  // Expands nodes until the queue is empty, or too often. Returns whether the watch let it.
+  // Expands nodes until the queue is empty, or nodes are expanded too often. Returns false if the
+  // watch stopped it.
   template <typename Watch>
   bool run(Watch& watch, const bool reports_progress = true)
   {
@@ -498,7 +500,7 @@ public:
     return true;
   }
 
-  // the number of nodes that the first loop has appended
+  // The number of nodes that the first loop appended.
   std::size_t size() const { return m_size; }
 
 private:
@@ -518,7 +520,7 @@ private:
     return m_queue.extract_min();
   }
 
-  // The first loop: appends the nodes of a batch to the order, but for those of stale entries.
+  // The first loop: appends the nodes of a batch to the order, except for those of stale entries.
   template <typename Batch>
   void extract(const Batch& batch)
   {
@@ -547,7 +549,7 @@ private:
     }
   }
 
-  // The second loop: looks at the arcs of these nodes, and writes down those that lower a label.
+  // The second loop: scans the arcs of these nodes, and lists those that lower a label.
   void find_candidates()
   {
     m_candidates.start(m_labels.distances(), m_statistics != nullptr);
@@ -556,8 +558,8 @@ private:
                  static_cast<const Labels&>(m_labels), m_candidates);
   }
 
-  // The third loop: lowers the labels of the ends of candidates, and enters these nodes. Returns
-  // their number.
+  // The third loop: lowers the labels of the candidates' nodes, and pushes these. Returns their
+  // number.
   std::size_t lower_labels()
   {
     std::size_t number = 0;
@@ -566,7 +568,7 @@ private:
     for(std::size_t i = 0; i < size; ++i)
     {
       const auto c = m_candidates[i];
-      // still, after the earlier ones
+      // earlier candidates may have lowered the label
       if(c.distance < distances[c.node] && c.distance <= m_limit)
       {
         m_labels.set(c.node, c.distance, c.predecessor);
@@ -585,8 +587,7 @@ private:
     m_statistics->improvements += number_lowered;
   }
 
-  // Along an arc, a consistent heuristic falls by no more than the length of the arc, but for
-  // rounding; and keys must not fall.
+  // Keys must not decrease. With a consistent heuristic, they do so by rounding only.
   double key(const Node node, const double distance) const
   {
     if constexpr(is_heuristic<Heuristic>)

@@ -232,26 +232,17 @@ public:
   {
     const std::size_t number_of_vertices = triangulation().number_of_vertices();
     visitor.set_parts_done(0, (std::min)(number, number_of_vertices));
-    Propagation<Graph> search(m_graph);
-    std::vector<Seed> seeds;
-    for(const Intrinsic_point& p : sources)
-      seeds.push_back({p.vertex});
-    search.run(seeds);
-    const auto distance = [&](const std::size_t i) {
-      return search.distance(triangulation().vertex(i));
-    };
-    Farthest_first farthest_first(number_of_vertices);
-    auto farthest = farthest_first.find(distance);
-    for(std::size_t i = 0; i < number && farthest.distance > 0; ++i)
-    {
-      visitor.check();
-      search.run_further({{triangulation().vertex(farthest.number)}});
-      vertices.push_back(static_cast<std::int64_t>(farthest.number));
-      farthest = farthest_first.find(distance);
-      visitor.set_parts_done(i + 1, (std::min)(number, number_of_vertices));
-    }
+    std::size_t number_done = 0;
+    const double result = sample_farthest(
+        m_graph, sources, number_of_vertices, number,
+        [&](const std::size_t i) { return triangulation().vertex(i); },
+        [&](const std::size_t i) {
+          visitor.check();
+          vertices.push_back(static_cast<std::int64_t>(i));
+          visitor.set_parts_done(++number_done, (std::min)(number, number_of_vertices));
+        });
     visitor.finish();
-    return farthest.distance;
+    return result;
   }
 
   void save([[maybe_unused]] std::ostream& out) const override
