@@ -82,8 +82,8 @@ public:
    *
    * \throws std::invalid_argument if the triangulation has no directional costs, if there are
    *         points and a face violates the triangle inequality, or as the placement does.
-   * \throws std::length_error if more than `maximum_number_of_points` points are needed; the
-   * message tells how many, and on which edge most of them are. Also if there are more than
+   * \throws std::length_error if more than `maximum_number_of_points` points are needed; it says
+   *         how many, and on which edge most of them are. Also if there are more than
    *         \f$2^{32} - 1\f$ nodes.
    *
    * Run time and memory are \cgalBigO{n} for `n` nodes.
