@@ -10,14 +10,22 @@ Lengths are in the unit of the vertices. Input that cannot be right raises `Valu
 message that names the vertex or the face.
 """
 
-import importlib.metadata as _metadata
-
-from ._costs import DirectionalCost, DriftTime, HikingTime, OneWay, TensorCost, WalkingEnergy
+from ._costs import (
+    CostFunction,
+    DirectionalCost,
+    DriftTime,
+    HikingTime,
+    OneWay,
+    TensorCost,
+    WalkingEnergy,
+)
 from ._drop_ins import compute_gdist, local_gdist_matrix
 from ._files import read_mesh
+from ._native import version as __version__
 from ._solver import Solver
 
 __all__ = [
+    "CostFunction",
     "DirectionalCost",
     "DriftTime",
     "HikingTime",
@@ -29,7 +37,3 @@ __all__ = [
     "local_gdist_matrix",
     "read_mesh",
 ]
-try:
-    __version__ = _metadata.version("approximate-geodesics")
-except _metadata.PackageNotFoundError:  # in a build folder, which has no metadata
-    __version__ = "unknown"

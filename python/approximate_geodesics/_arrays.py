@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Iterable, Optional, Tuple
+from typing import Any, Callable, Iterable, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +13,8 @@ Integers = npt.NDArray[np.int64]
 
 _LARGEST = int(np.iinfo(np.int64).max)
 
-#: Numbers of vertices; or numbers of faces, and barycentric coordinates in them.
+#: Numbers of vertices, (k,); or pairs of the vertices of edges, (k, 2), and parameters along them,
+#: (k,); or numbers of faces, (k,), and barycentric coordinates in them, (k, 3).
 Points = Tuple[Integers, Optional[Floats]]
 
 
@@ -65,14 +66,21 @@ def points(values: Any, name: str) -> tuple[Points, bool]:
     """The points, and whether it is one, and not a sequence of them."""
     if _is_point_of_face(values):
         return _points_of_faces([values], name), True
-    if isinstance(values, tuple) and list(map(_number_of_dimensions, values)) == [1, 2]:
+    if _is_point_on_edge(values):
+        return _points_on_edges([values], name), True
+    dimensions = list(map(_number_of_dimensions, values)) if isinstance(values, tuple) else []
+    if dimensions == [1, 2]:
         return _arrays_of_faces(values, name), False
+    if dimensions == [2, 1]:
+        return _arrays_of_edges(values, name), False
     if isinstance(values, (str, bytes)):
         raise ValueError(f"the {name} {values!r} is not a point")
     if isinstance(values, Iterable) and not isinstance(values, (np.ndarray, list, tuple)):
         values = list(values)  # as that of a range
-    if _has_point_of_face(values):
+    if _has_any(values, _is_point_of_face):
         return _points_of_faces(values, name), False
+    if _has_any(values, _is_point_on_edge):
+        return _points_on_edges(values, name), False
     if _number_of_dimensions(values) == 0:
         return (np.array([_vertex(values, name)], dtype=np.int64), None), True
     vertices = integers(values, f"the {name} vertices", (-1,))
@@ -195,6 +203,41 @@ def _barycentric(coordinates: Floats, name: str) -> Floats:
     return result
 
 
-def _has_point_of_face(values: Any) -> bool:
-    """Whether there is any in a sequence. Arrays have none, and need not be looked through."""
-    return isinstance(values, (tuple, list)) and any(map(_is_point_of_face, values))
+def _is_point_on_edge(value: Any) -> bool:
+    """Whether it is a pair of vertices, and a parameter."""
+    return (
+        isinstance(value, (tuple, list))
+        and len(value) == 2
+        and _is_scalar(value[1])
+        and not _is_scalar(value[0])
+        and len(value[0]) == 2
+        and all(map(_is_scalar, value[0]))
+    )
+
+
+def _points_on_edges(values: Any, name: str) -> Points:
+    for number, value in enumerate(values):
+        if not _is_point_on_edge(value):
+            raise ValueError(f"{name} {number} is not two vertices and a parameter, as others are")
+    return _arrays_of_edges(([v[0] for v in values], [v[1] for v in values]), name)
+
+
+def _arrays_of_edges(values: Any, name: str) -> Points:
+    ends = integers(values[0], f"the {name} edges", (-1, 2)).astype(np.int64, copy=False)
+    parameters = numbers(values[1], f"the {name} parameters", (-1,))
+    if len(ends) != len(parameters):
+        raise ValueError(
+            f"there are {len(ends)} {name} edges, and parameters of {len(parameters)} points"
+        )
+    wrong = np.flatnonzero(~((parameters >= 0) & (parameters <= 1)))  # also what is no number
+    if len(wrong) > 0:
+        raise ValueError(
+            f"{name} {wrong[0]} has the parameter {parameters[wrong[0]]}; it must be from 0, at the "
+            "first vertex of the edge, to 1, at the second one"
+        )
+    return ends, parameters
+
+
+def _has_any(values: Any, is_one: Callable[[Any], bool]) -> bool:
+    """Whether any in a sequence is one. Arrays have none, and need not be looked through."""
+    return isinstance(values, (tuple, list)) and any(map(is_one, values))

@@ -9,6 +9,12 @@ _Progress = Optional[Callable[[int, int], object]]
 
 def read_mesh(file: str) -> Tuple[_Floats, npt.NDArray[np.int32]]: ...
 
+version: str
+
+class Locator:
+    def __init__(self, solver: Solver) -> None: ...
+    def locate(self, points: _Floats) -> Tuple[_Integers, _Floats, _Floats]: ...
+
 class Solver:
     def __init__(
         self,
@@ -36,8 +42,9 @@ class Solver:
         maximum_distance: float,
         direction_to_source: bool,
         wants_nearest: bool,
+        wants_predecessors: bool,
         progress: _Progress,
-    ) -> Tuple[_Floats, _Integers]: ...
+    ) -> Tuple[_Floats, _Integers, _Integers]: ...
     def path(
         self,
         elements: _Integers,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import operator
 import os
 from typing import Any, Callable, Iterator, Literal, Optional, Sequence, TypeVar, Union, overload
@@ -9,11 +10,12 @@ from typing import Any, Callable, Iterator, Literal, Optional, Sequence, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _files, _native
-from ._costs import NAMES, DirectionalCost
+from . import _arrays, _files, _meshes, _native
+from ._costs import NAMES, CostFunction, DirectionalCost
 
 File = Union[str, "os.PathLike[str]"]
 Progress = Callable[[int, int], object]
+CostFunctionLike = Callable[[_arrays.Integers, _arrays.Floats], npt.ArrayLike]
 Self = TypeVar("Self", bound="Solver")
 
 
@@ -36,9 +38,10 @@ class Solver:
     face_weights : (m,) array of float, optional
         Cost of a unit of length in each face: not negative; infinity forbids a face. "Distance" and
         "length" mean costs then.
-    costs : DirectionalCost, optional
+    costs : DirectionalCost or callable, optional
         Cost of a unit of length in each face and direction: a `HikingTime`, `WalkingEnergy`,
-        `DriftTime`, `OneWay` or `TensorCost`; not with face weights.
+        `DriftTime`, `OneWay` or `TensorCost`, or a function of your own for `CostFunction`; not
+        with face weights.
     accept_weaker_bound : bool
         Whether meshes are accepted that the bound cannot be kept on, because of their faces or of
         forbidden directions. `error_bound` tells what is left of it.
@@ -60,9 +63,11 @@ class Solver:
     Arrays of `float64` and of `int32` or `int64` that are contiguous are read where they are; others
     are converted. The solver has a mesh of its own afterwards, and does not change.
 
-    A *point* is the number of a vertex, or a pair of the number of a face and its three barycentric
-    coordinates. *Points* are a sequence of points of one kind, or a pair of an array of faces,
-    (k,), and an array of barycentric coordinates, (k, 3).
+    A *point* is the number of a vertex; a pair of two vertices and a parameter along the edge
+    between them, 0 at the first and 1 at the second one; or a pair of the number of a face and
+    three barycentric coordinates. *Points* are a sequence of points of one kind, or a pair of
+    arrays: of edges, (k, 2), and parameters, (k,), or of faces, (k,), and barycentric coordinates,
+    (k, 3). `locate` returns such points for points in space.
 
     Several threads can call all methods at the same time; all that takes long releases the
     interpreter's lock. Ctrl-C ends searches, matrices and constructions, and the solver can be used
@@ -80,7 +85,7 @@ class Solver:
         *,
         threads: Optional[int] = None,
         face_weights: Optional[npt.ArrayLike] = None,
-        costs: Optional[DirectionalCost] = None,
+        costs: Union[DirectionalCost, CostFunctionLike, None] = None,
         accept_weaker_bound: bool = False,
         maximum_number_of_points: Optional[int] = None,
         barriers: Optional[npt.ArrayLike] = None,
@@ -98,7 +103,7 @@ class Solver:
             corners,
             _bound(epsilon),
             weights,
-            _native_costs(costs, len(corners)),
+            _native_costs(costs, coordinates, corners),
             accept_weaker_bound,
             _limit_of_points(maximum_number_of_points),
             ends,
@@ -111,9 +116,79 @@ class Solver:
         cls: type[Self], file: File, epsilon: Optional[float] = None, **options: Any
     ) -> Self:
         """Make a solver of the mesh in a file, which `read_mesh` reads. Options are as above."""
-        from ._files import read_mesh
+        return cls(*_files.read_mesh(file), epsilon, **options)
 
-        return cls(*read_mesh(file), epsilon, **options)
+    @classmethod
+    def from_trimesh(
+        cls: type[Self], mesh: Any, epsilon: Optional[float] = None, **options: Any
+    ) -> Self:
+        """Make a solver of a `trimesh.Trimesh`."""
+        return cls(*_meshes.of_trimesh(mesh), epsilon, **options)
+
+    @classmethod
+    def from_meshio(
+        cls: type[Self], mesh: Any, epsilon: Optional[float] = None, **options: Any
+    ) -> Self:
+        """Make a solver of the triangles of a `meshio.Mesh`, which must have no other faces."""
+        return cls(*_meshes.of_meshio(mesh), epsilon, **options)
+
+    @classmethod
+    def from_pyvista(
+        cls: type[Self], mesh: Any, epsilon: Optional[float] = None, **options: Any
+    ) -> Self:
+        """Make a solver of a `pyvista.PolyData` or a `vtkPolyData` of triangles."""
+        return cls(*_meshes.of_vtk(mesh), epsilon, **options)
+
+    @classmethod
+    def from_open3d(
+        cls: type[Self], mesh: Any, epsilon: Optional[float] = None, **options: Any
+    ) -> Self:
+        """Make a solver of an `open3d.geometry.TriangleMesh`, or one of `open3d.t.geometry`."""
+        return cls(*_meshes.of_open3d(mesh), epsilon, **options)
+
+    # Points in space
+
+    @overload
+    def locate(
+        self, points: npt.ArrayLike, *, return_distance: Literal[False] = False
+    ) -> tuple[Any, _arrays.Floats]: ...
+
+    @overload
+    def locate(
+        self, points: npt.ArrayLike, *, return_distance: Literal[True]
+    ) -> tuple[tuple[Any, _arrays.Floats], Any]: ...
+
+    def locate(self, points: npt.ArrayLike, *, return_distance: bool = False) -> Any:
+        """The nearest points of the surface to points in space, as sources and targets can be.
+
+        Parameters
+        ----------
+        points : (k, 3) array of float, or three numbers
+        return_distance : bool
+            Whether distances in space are returned, too.
+
+        Returns
+        -------
+        points
+            A pair of faces, (k,) int64, and barycentric coordinates, (k, 3) float64; or, of three
+            numbers, a pair of a face and three barycentric coordinates.
+        (k,) array of float64, or float
+            The distance of each point from the surface; if wanted.
+
+        The first call builds a tree of the faces, of about 200 bytes each, which is kept. Coordinates
+        of at most 1e-10 become zero, so that points on edges and vertices are there exactly.
+        """
+        is_one = np.ndim(points) == 1
+        places = _arrays.numbers(points, "points", (3,) if is_one else (-1, 3))
+        faces, coordinates, distances = self._locator.locate(places.reshape(-1, 3))
+        if is_one:
+            result, distance = (int(faces[0]), coordinates[0]), float(distances[0])
+            return (result, distance) if return_distance else result
+        return ((faces, coordinates), distances) if return_distance else (faces, coordinates)
+
+    @functools.cached_property
+    def _locator(self) -> _native.Locator:
+        return _native.Locator(self._solver)
 
     # Distances and paths
 
@@ -123,6 +198,7 @@ class Solver:
         sources: Any,
         *,
         return_nearest: Literal[False] = False,
+        return_predecessors: Literal[False] = False,
         max_distance: Optional[float] = None,
         direction_to_source: bool = False,
         progress: Optional[Progress] = None,
@@ -134,16 +210,42 @@ class Solver:
         sources: Any,
         *,
         return_nearest: Literal[True],
+        return_predecessors: Literal[False] = False,
         max_distance: Optional[float] = None,
         direction_to_source: bool = False,
         progress: Optional[Progress] = None,
     ) -> tuple[_arrays.Floats, _arrays.Integers]: ...
+
+    @overload
+    def distances(
+        self,
+        sources: Any,
+        *,
+        return_nearest: Literal[False] = False,
+        return_predecessors: Literal[True],
+        max_distance: Optional[float] = None,
+        direction_to_source: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> tuple[_arrays.Floats, _arrays.Integers]: ...
+
+    @overload
+    def distances(
+        self,
+        sources: Any,
+        *,
+        return_nearest: Literal[True],
+        return_predecessors: Literal[True],
+        max_distance: Optional[float] = None,
+        direction_to_source: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> tuple[_arrays.Floats, _arrays.Integers, _arrays.Integers]: ...
 
     def distances(
         self,
         sources: Any,
         *,
         return_nearest: bool = False,
+        return_predecessors: bool = False,
         max_distance: Optional[float] = None,
         direction_to_source: bool = False,
         progress: Optional[Progress] = None,
@@ -155,6 +257,8 @@ class Solver:
         sources : point or points
         return_nearest : bool
             Whether the nearest sources are returned, too.
+        return_predecessors : bool
+            Whether the vertices before each one on its path are returned, too.
         max_distance : float, optional
             Vertices that are farther are not reached; the run ends there.
         direction_to_source : bool
@@ -168,17 +272,23 @@ class Solver:
             Infinity for vertices that no source reaches.
         (n,) array of int64
             The position of the nearest source among the sources, or -1; if wanted.
+        (n,) array of int64
+            The last vertex before each one on a shortest path from its source; the vertex itself if
+            there is none, as for sources, or -1 if it is not reached; if wanted. Across faces, the
+            two need not share an edge.
         """
         (elements, coordinates), _ = _arrays.points(sources, "source")
-        result, nearest = self._solver.distances(
+        result, nearest, predecessors = self._solver.distances(
             elements,
             coordinates,
             _distance(max_distance),
             direction_to_source,
             return_nearest,
+            return_predecessors,
             _checked(progress),
         )
-        return (result, nearest) if return_nearest else result
+        more = ([nearest] if return_nearest else []) + ([predecessors] if return_predecessors else [])
+        return (result, *more) if more else result
 
     @overload
     def path(
@@ -523,7 +633,8 @@ class Solver:
 
     def _attributes(self) -> dict[str, Any]:
         """Those that a derived class has added."""
-        return {name: value for name, value in self.__dict__.items() if name != "_solver"}
+        own = ("_solver", "_locator")
+        return {name: value for name, value in self.__dict__.items() if name not in own}
 
     def _values(self, values: npt.ArrayLike) -> _arrays.Floats:
         if isinstance(values, np.ma.MaskedArray):  # what is masked has no value
@@ -532,13 +643,20 @@ class Solver:
 
 
 def _native_costs(
-    costs: Optional[DirectionalCost], number_of_faces: int
+    costs: Union[DirectionalCost, CostFunctionLike, None],
+    vertices: _arrays.Floats,
+    faces: npt.NDArray[Any],
 ) -> Optional[tuple[int, list[float], _arrays.Floats]]:
     if costs is None:
         return None
     if not isinstance(costs, DirectionalCost):
-        raise TypeError(f"costs are of type {type(costs).__name__}; they must be a DirectionalCost")
-    return costs._native(number_of_faces)
+        if not callable(costs):
+            raise TypeError(
+                f"costs are of type {type(costs).__name__}; they must be a DirectionalCost, or a "
+                "function of faces and directions"
+            )
+        costs = CostFunction(costs)
+    return costs._native(vertices, faces)
 
 
 def _checked(progress: Optional[Progress]) -> Optional[Progress]:

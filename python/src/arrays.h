@@ -53,14 +53,18 @@ inline Array<double> moved_points(std::vector<double> coordinates)
   return moved(std::move(coordinates), {rows, 3});
 }
 
-// Converts vertices, or faces and barycentric coordinates, to points.
+// Converts vertices; pairs of the vertices of edges, and parameters on them; or faces, and
+// barycentric coordinates in them.
 inline std::vector<AG::Solver_point> points(const Array<std::int64_t>& elements,
                                             const std::optional<Array<double>>& coordinates)
 {
   std::vector<AG::Solver_point> result;
-  result.reserve(static_cast<std::size_t>(elements.size()));
-  for(py::ssize_t i = 0; i < elements.size(); ++i)
-    if(coordinates)
+  result.reserve(static_cast<std::size_t>(elements.shape(0)));
+  for(py::ssize_t i = 0; i < elements.shape(0); ++i)
+    if(elements.ndim() == 2)
+      result.push_back(
+          AG::Solver_point::on_edge(elements.at(i, 0), elements.at(i, 1), coordinates->at(i)));
+    else if(coordinates)
       result.push_back(AG::Solver_point::in_face(
           elements.at(i), {coordinates->at(i, 0), coordinates->at(i, 1), coordinates->at(i, 2)}));
     else

@@ -8,6 +8,7 @@
 
 #include "arrays.h"
 #include "files.h"
+#include "locations.h"
 #include "matrices.h"
 #include "running.h"
 
@@ -90,19 +91,21 @@ py::tuple distances(const AG::Solver& solver,
                     const double maximum_distance,
                     const bool direction_to_source,
                     const bool wants_nearest,
+                    const bool wants_predecessors,
                     const py::object& progress)
 {
   const auto sources = points(elements, coordinates);
   const auto size = static_cast<py::ssize_t>(solver.number_of_vertices());
   Array<double> result(size);
-  Numbers nearest(wants_nearest ? size : 0);
+  Numbers nearest(wants_nearest ? size : 0), predecessors(wants_predecessors ? size : 0);
   double* const data = result.mutable_data();
   std::int64_t* const nearest_data = wants_nearest ? nearest.mutable_data() : nullptr;
+  std::int64_t* const predecessor_data = wants_predecessors ? predecessors.mutable_data() : nullptr;
   run(progress, [&](const AG::Solver_watch& watch) {
-    solver.find_distances(sources, data, nearest_data, {maximum_distance, direction_to_source},
-                          watch);
+    solver.find_distances(sources, data, nearest_data, predecessor_data,
+                          {maximum_distance, direction_to_source}, watch);
   });
-  return py::make_tuple(result, nearest);
+  return py::make_tuple(result, nearest, predecessors);
 }
 
 py::tuple path(const AG::Solver& solver,
@@ -251,6 +254,13 @@ PYBIND11_MODULE(_native, module)
 
   py::register_local_exception_translator(&python::translate);
   module.def("read_mesh", &python::read_mesh);
+
+  module.attr("version") = APPROXIMATE_GEODESICS_VERSION;
+
+  py::class_<python::Locator>(module, "Locator")
+      .def(py::init([](const Solver& s) { return std::make_unique<python::Locator>(s.mesh()); }),
+           py::keep_alive<1, 2>())
+      .def("locate", &python::Locator::locate);
 
   py::class_<Solver> solver(module, "Solver");
   python::add_constructor<std::int32_t>(solver);

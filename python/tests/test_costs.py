@@ -112,6 +112,7 @@ def test_tensors():
         (ag.DriftTime(everywhere((0.5, 0.1, 0)), 2), {"epsilon": 0.2}),
         (ag.OneWay(everywhere((1, 1, 0)), 1, -0.5), {"barriers": FACES[:1, :2]}),
         (ag.TensorCost(everywhere((1, 0, 0, 2, 0, 1))), {"epsilon": 0.2, "threads": 1}),
+        (ag.CostFunction(lambda faces, ways: 2 + ways[:, 0]), {"epsilon": 0.2}),
     ],
     ids=lambda value: type(value).__name__,
 )
@@ -176,3 +177,109 @@ def test_what_costs_look_like():
     assert repr(ag.OneWay(np.ones((2, 3)))) == "OneWay(<ways of 2 faces>, 1, 0)"
     solver = ag.Solver(VERTICES, FACES, 0.5, costs=ag.HikingTime())
     assert repr(solver).endswith("epsilon=0.5, with hiking time>")
+
+
+class Recorded:
+    """A cost function that keeps what it was called with."""
+
+    def __init__(self, function):
+        self.function, self.calls = function, []
+
+    def __call__(self, faces, directions):
+        self.calls.append((faces, directions))
+        return self.function(faces, directions)
+
+
+def test_cost_functions_are_called_once_with_arrays():
+    vertices = slope(0.3)
+    function = Recorded(lambda faces, directions: np.ones(len(faces)))
+    ag.Solver(vertices, FACES, 0.1, costs=function)
+    ((faces, directions),) = function.calls
+    assert faces.shape == (len(directions),) and faces.dtype == np.int64
+    np.testing.assert_array_equal(np.unique(faces), np.arange(SIZE))
+    np.testing.assert_allclose(np.linalg.norm(directions, axis=1), 1)
+    corners = vertices[FACES]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    np.testing.assert_allclose(np.sum(directions * normals[faces], axis=1), 0, atol=1e-12)
+    for side in range(3):
+        way = corners[:, (side + 1) % 3] - corners[:, side]
+        cosines = np.sum(directions * way[faces], axis=1) / np.linalg.norm(way, axis=1)[faces]
+        assert np.all(np.isclose(cosines, 1).reshape(SIZE, -1).any(axis=1))
+        assert np.all(np.isclose(cosines, -1).reshape(SIZE, -1).any(axis=1))
+
+
+def test_own_costs_are_those_of_the_same_ready_ones():
+    def tobler(faces, directions):
+        x, y, z = directions.T
+        run = np.hypot(x, y)
+        return 0.6 * run * np.exp(3.5 * np.abs(z / run + 0.05))
+
+    vertices = VERTICES.copy()
+    vertices[:, 2] = 0.1 * np.sin(vertices[:, 0]) * vertices[:, 1]
+    own = ag.Solver(vertices, FACES, 0.1, costs=ag.CostFunction(tobler, 64))
+    ready = ag.Solver(vertices, FACES, 0.1, costs=ag.HikingTime())
+    np.testing.assert_allclose(own.distances(0), ready.distances(0), rtol=0.02)
+    along_edges = [ag.Solver(vertices, FACES, costs=c) for c in (tobler, ag.HikingTime())]
+    np.testing.assert_allclose(*(solver.distances(0) for solver in along_edges), rtol=0.01)
+    to_first = own.distances(0, direction_to_source=True)
+    np.testing.assert_allclose(to_first, own.distance_matrix(range(81), [0])[:, 0], rtol=1e-6)
+
+
+def test_own_costs_are_exact_along_sides():
+    solver = ag.Solver(VERTICES, FACES, costs=lambda faces, ways: 3 + ways[:, 0])
+    np.testing.assert_allclose(solver.distances(0)[1:9], 4 * np.arange(1, 9), rtol=1e-6)
+    np.testing.assert_allclose(solver.distances(8)[:8], 2 * np.arange(8, 0, -1), rtol=1e-6)
+    weights = np.arange(1.0, SIZE + 1)
+    own = ag.Solver(VERTICES, FACES, 0.1, costs=lambda faces, ways: weights[faces])
+    by_faces = ag.Solver(VERTICES, FACES, 0.1, face_weights=weights)
+    np.testing.assert_allclose(own.distances(0), by_faces.distances(0), rtol=0.1)
+    np.testing.assert_allclose(own.error_bound, 0.1)
+
+
+def test_own_costs_may_forbid_directions():
+    solver = ag.Solver(
+        VERTICES, FACES, costs=lambda faces, ways: np.where(ways[:, 0] > -1e-9, 2, np.inf)
+    )
+    assert solver.distances(0)[8] == pytest.approx(16)
+    assert np.isinf(solver.distances(8)[0])
+
+
+@pytest.mark.parametrize("scale", [1e-160, 1, 1e150])
+def test_own_costs_on_faces_without_area(scale):
+    vertices = np.array([[0, 0, 0], [2, 0, 0], [1, 0, 0], [1, 3, 0], [5, 5, 5]]) * scale
+    solver = ag.Solver(vertices, [(0, 2, 1), (0, 1, 3)], costs=lambda f, w: np.full(len(f), 2.0))
+    assert solver.distances(0)[1] == pytest.approx(4 * scale)
+    same = np.zeros((3, 3))
+    assert ag.Solver(same, [(0, 1, 2)], costs=lambda f, w: np.ones(len(f))).distances(0)[1] == 0
+
+
+def test_own_costs_of_an_empty_mesh():
+    solver = ag.Solver(np.empty((0, 3)), np.empty((0, 3), int), costs=lambda f, w: np.ones(len(f)))
+    assert solver.number_of_faces == 0
+
+
+@pytest.mark.parametrize(
+    "function, message",
+    [
+        (lambda f, w: np.where(f == 5, -1, 1), r"face 5 has the cost -1.0 in the direction \("),
+        (lambda f, w: np.where(f == 5, np.nan, 1), "face 5 has the cost nan"),
+        (lambda f, w: 1.0, r"costs must have the shape \(\d+,\), and have \(\)"),
+        (lambda f, w: ["a"] * len(f), "costs must be real numbers"),
+    ],
+)
+def test_own_costs_that_cannot_be_right(function, message):
+    with pytest.raises(ValueError, match=message):
+        ag.Solver(VERTICES, FACES, 0.5, costs=function)
+
+
+def test_cost_functions_that_cannot_be_right():
+    with pytest.raises(TypeError, match="cost function is 5; it must be callable"):
+        ag.CostFunction(5)
+    with pytest.raises(ValueError, match="number_of_directions is 3; it must be from 4"):
+        ag.CostFunction(print, 3)
+    with pytest.raises(ZeroDivisionError):  # of the function itself
+        ag.Solver(VERTICES, FACES, costs=lambda f, w: 1 // 0)
+    wrong = np.append(FACES, [(0, 1, 999)], axis=0)
+    with pytest.raises(ValueError, match="face 128 has vertex 999"):
+        ag.Solver(VERTICES, wrong, costs=lambda f, w: np.ones(len(f)))
+    assert "with a cost function" in repr(ag.Solver(VERTICES, FACES, costs=lambda f, w: f + 1.0))

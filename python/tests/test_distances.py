@@ -132,3 +132,34 @@ def test_repeated_searches_give_the_same(ball):
 
 def test_no_sources_reach_nothing(ball):
     assert np.all(np.isinf(ag.Solver(*ball).distances([])))
+
+
+@pytest.mark.parametrize("epsilon", [None, 0.1, 0])
+def test_predecessors_lead_back_to_the_sources(ball, epsilon):
+    solver, sources = ag.Solver(*ball, epsilon=epsilon), [5, 100]
+    distances, nearest, before = solver.distances(
+        sources, return_nearest=True, return_predecessors=True
+    )
+    np.testing.assert_array_equal(before[sources], sources)
+    moves = np.flatnonzero(before != np.arange(len(before)))
+    assert len(moves) == len(before) - 2
+    assert np.all(distances[before[moves]] < distances[moves])
+    np.testing.assert_array_equal(nearest[before], nearest)
+    ways = np.linalg.norm(ball[0][before] - ball[0], axis=1)
+    assert np.all(distances[before] + ways <= distances * (1 + 1e-6))
+    if epsilon is None:  # along edges
+        edges = {tuple(edge) for i in range(3) for edge in np.roll(ball[1], i, axis=1)[:, :2]}
+        assert all((v, before[v]) in edges for v in moves)
+    np.testing.assert_array_equal(solver.distances(sources, return_predecessors=True)[0], distances)
+
+
+def test_predecessors_with_weights_are_vertices():
+    vertices, faces = grid(6)
+    solver = ag.Solver(vertices, faces, 0.1, face_weights=np.arange(1.0, len(faces) + 1))
+    distances, before = solver.distances(14, return_predecessors=True, max_distance=30)
+    assert before[14] == 14
+    np.testing.assert_array_equal(before == -1, np.isinf(distances))
+    reached = np.flatnonzero(before >= 0)
+    assert np.all(distances[before[reached]] <= distances[reached])
+    from_face, alone = solver.distances((3, (0.2, 0.3, 0.5)), return_predecessors=True)
+    assert np.all(alone >= 0) and np.any(alone == np.arange(36))

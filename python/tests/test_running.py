@@ -56,6 +56,13 @@ def test_an_interrupt_ends_exact_searches_amid_a_row():
     assert solver.distances(0, max_distance=0.1)[0] == 0
 
 
+def test_an_interrupt_ends_the_location_of_points(solver):
+    points = np.random.default_rng(2).normal(size=(2000000, 3))
+    expected = solver.locate(points[0])
+    assert interrupt_after(0.3, lambda: solver.locate(points)) < 5  # all take half a minute
+    np.testing.assert_array_equal(solver.locate(points[0])[1], expected[1])
+
+
 def interrupt_after(seconds, call):
     """How long it takes an interrupt to end a call."""
     sent = []

@@ -18,6 +18,11 @@ class Named(ag.Solver):
 def check(solver: ag.Solver, values: Floats) -> None:
     assert_type(solver.distances(0), Floats)
     assert_type(solver.distances([0, 1], return_nearest=True), tuple[Floats, Integers])
+    assert_type(solver.distances(0, return_predecessors=True), tuple[Floats, Integers])
+    assert_type(
+        solver.distances(0, return_nearest=True, return_predecessors=True),
+        tuple[Floats, Integers, Integers],
+    )
     assert_type(solver.path(0, 1), Floats)
     assert_type(solver.path(0, 1, return_length=True), tuple[Floats, float])
     assert_type(solver.farthest_points(5), Integers)
@@ -26,3 +31,4 @@ def check(solver: ag.Solver, values: Floats) -> None:
     assert_type(solver.isolines(values, [0.5, 1]), list[list[Floats]])
     assert_type(Named.load("file"), Named)
     assert_type(Named.from_file("file"), Named)
+    assert_type(Named.from_trimesh(values, 0.1), Named)

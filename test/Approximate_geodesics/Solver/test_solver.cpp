@@ -222,7 +222,7 @@ TEST(Solver, finds_distances_to_sources)
   for(std::size_t i = 0; i < size; ++i)
   {
     Values row(size);
-    solver.find_distances({all[i]}, row.data(), nullptr, {1e9, true});
+    solver.find_distances({all[i]}, row.data(), nullptr, nullptr, {1e9, true});
     for(std::size_t j = 0; j < size; ++j)
     {
       EXPECT_EQ(row[j], back[i * size + j]);
@@ -451,7 +451,8 @@ TEST(Solver, tells_that_all_is_done)
     number = n;
   };
   Values result(solver.number_of_vertices());
-  solver.find_distances({Solver_point::at_vertex(0)}, result.data(), nullptr, {1e9}, watch);
+  solver.find_distances({Solver_point::at_vertex(0)}, result.data(), nullptr, nullptr, {1e9},
+                        watch);
   EXPECT_EQ(done, solver.number_of_vertices());
   EXPECT_EQ(number, solver.number_of_vertices());
 }

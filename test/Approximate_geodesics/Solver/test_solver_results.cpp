@@ -66,7 +66,7 @@ TEST_F(Solver_results, tell_the_nearest_sources)
   m_solver.find_distances(m_sources, all.data(), nearest.data());
   AG::Solver_search_options options;
   options.maximum_distance = 0.5;
-  m_solver.find_distances(m_sources, near.data(), nearest_of_near.data(), options);
+  m_solver.find_distances(m_sources, near.data(), nearest_of_near.data(), nullptr, options);
   std::size_t number_of_near = 0;
   for(std::size_t i = 0; i < m_sources.size(); ++i)
   {

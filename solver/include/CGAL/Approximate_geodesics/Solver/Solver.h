@@ -218,6 +218,10 @@ public:
       coordinates = write(m_mesh.point(v), coordinates);
   }
 
+  /// returns the mesh, in which vertices and faces have their array indices, for functions of
+  /// \cgal.
+  const Surface_mesh<Simple_cartesian<double>::Point_3>& mesh() const { return m_mesh; }
+
   /// writes the vertices of the faces, three each.
   void write_corners(std::int64_t* corners) const
   {
@@ -238,12 +242,16 @@ public:
    * \param distances receives one number per vertex, infinity if it is not reached
    * \param nearest_sources if not null, receives the position of the nearest source of each vertex,
    *        or `-1` if it is not reached
+   * \param predecessors if not null, receives the previous vertex on a shortest path from the
+   *        nearest source to each vertex: the vertex itself if there is none, or `-1` if it is not
+   *        reached
    * \param options the range and the direction of the search
    * \param watch is called during the run
    */
   void find_distances(const std::vector<Solver_point>& sources,
                       double* const distances,
                       std::int64_t* const nearest_sources = nullptr,
+                      std::int64_t* const predecessors = nullptr,
                       const Solver_search_options& options = Solver_search_options(),
                       const Solver_watch& watch = Solver_watch()) const
   {
@@ -253,7 +261,12 @@ public:
       seeds.push_back({p});
     m_graph->in_direction(options.direction_to_source)
         .find_distances(std::move(seeds), options.maximum_distance, distances, nearest_sources,
-                        visitor);
+                        predecessors, visitor);
+    if(predecessors != nullptr)
+      for(std::size_t v = 0; v < number_of_vertices(); ++v)
+        if(predecessors[v] >= 0)
+          predecessors[v] =
+              m_translation->vertex(static_cast<Intrinsic_triangulation::Index>(predecessors[v]));
   }
 
   /*!
@@ -336,7 +349,7 @@ public:
   {
     std::vector<double> distances(number_of_vertices());
     std::vector<std::int64_t> nearest(number_of_vertices());
-    find_distances(sources, distances.data(), nearest.data(), options, watch);
+    find_distances(sources, distances.data(), nearest.data(), nullptr, options, watch);
     for(const auto f : m_mesh.faces())
     {
       std::array<internal::Corner_source, 3> corners;
@@ -465,17 +478,27 @@ private:
                                   const std::optional<std::size_t> number = std::nullopt) const
   {
     const std::string name = number ? kind + ' ' + std::to_string(*number) : kind;
-    const auto check = [&](const std::string& element, const std::size_t size) {
-      if(static_cast<std::uint64_t>(p.element) >= size) // also negative ones
-        internal::reject(name + " is " + element + ' ' + std::to_string(p.element) +
+    const auto check = [&](const std::string& what, const std::int64_t i, const std::size_t size) {
+      if(static_cast<std::uint64_t>(i) >= size) // also negative ones
+        internal::reject(name + " is " + what + ' ' + std::to_string(i) +
                          "; they are numbered from 0, and there are " + std::to_string(size));
-      return static_cast<Mesh::size_type>(p.element);
+      return static_cast<Mesh::size_type>(i);
     };
-    if(p.is_vertex)
+    if(p.kind == Solver_point::VERTEX)
       return m_translation->intrinsic_point(
-          Mesh::Vertex_index(check("vertex", number_of_vertices())));
-    return m_translation->intrinsic_point(Mesh::Face_index(check("face", number_of_faces())),
-                                          p.coordinates);
+          Mesh::Vertex_index(check("vertex", p.element, number_of_vertices())));
+    if(p.kind == Solver_point::FACE)
+      return m_translation->intrinsic_point(
+          Mesh::Face_index(check("face", p.element, number_of_faces())), p.coordinates);
+    const auto end = [&](const std::int64_t v) {
+      return Mesh::Vertex_index(check("on an edge of vertex", v, number_of_vertices()));
+    };
+    const auto h = m_mesh.halfedge(end(p.element), end(p.second_vertex));
+    if(h == Mesh::null_halfedge())
+      internal::reject(name + " is not on an edge: no face has both vertex " +
+                       std::to_string(p.element) + " and vertex " +
+                       std::to_string(p.second_vertex));
+    return m_translation->intrinsic_point(h, p.coordinates[1]);
   }
 
   // Computed on demand: only path searches use positions.

@@ -23,23 +23,40 @@ namespace CGAL::Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * A point of a `Solver`: a vertex, or a point of a face.
+ * A point of a `Solver`: a vertex, a point on an edge, or a point of a face.
  */
 struct Solver_point
 {
+  /// the kinds of points.
+  enum Kind : std::uint8_t
+  {
+    VERTEX, ///< a vertex
+    EDGE,   ///< a point on an edge
+    FACE    ///< a point of a face
+  };
+
   /// returns the point at a vertex.
-  static Solver_point at_vertex(const std::int64_t vertex) { return {vertex, true, {}}; }
+  static Solver_point at_vertex(const std::int64_t vertex) { return {VERTEX, vertex, 0, {}}; }
+
+  /// returns the point on the edge between two vertices at the parameter `t`: `0` is the first one,
+  /// `1` is the second one.
+  static Solver_point
+  on_edge(const std::int64_t first_vertex, const std::int64_t second_vertex, const double t)
+  {
+    return {EDGE, first_vertex, second_vertex, {1 - t, t, 0}};
+  }
 
   /// returns the point of a face with the given barycentric coordinates: the weights of its
   /// vertices, in their order in the array of faces. They are not negative, and their sum is `1`.
   static Solver_point in_face(const std::int64_t face, const std::array<double, 3>& coordinates)
   {
-    return {face, false, coordinates};
+    return {FACE, face, 0, coordinates};
   }
 
-  std::int64_t element;              ///< the number of the vertex or of the face
-  bool is_vertex;                    ///< whether it is a vertex
-  std::array<double, 3> coordinates; ///< barycentric coordinates in the face
+  Kind kind;                         ///< what it is
+  std::int64_t element;              ///< the number of the vertex, the face or the first vertex
+  std::int64_t second_vertex;        ///< the second vertex of the edge
+  std::array<double, 3> coordinates; ///< barycentric coordinates on the edge or in the face
 };
 
 /*!
@@ -73,8 +90,8 @@ struct Solver_interrupted : std::runtime_error
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
- * A directional cost: one of the predefined cost functions with its parameters and arrays. Unlike
- * arbitrary functions, it can be saved by a `Solver`.
+ * A directional cost: one of the predefined cost functions with its parameters and arrays, or
+ * samples of another one. Unlike arbitrary functions, it can be saved by a `Solver`.
  *
  * The constructor of `Solver` checks parameters and arrays.
  */
@@ -87,7 +104,8 @@ struct Solver_cost
     WALKING_ENERGY, ///< `Walking_energy`
     DRIFT_TIME,     ///< `Drift_time`
     ONE_WAY,        ///< `One_way`
-    TENSOR_COST     ///< `Tensor_cost`
+    TENSOR_COST,    ///< `Tensor_cost`
+    SAMPLED_COST    ///< any cost function, sampled in several directions per face
   };
 
   /// returns `Hiking_time`, with a factor for speeds.
@@ -117,9 +135,19 @@ struct Solver_cost
     return {TENSOR_COST, {}, std::move(tensors)};
   }
 
+  /// returns a cost function that was sampled in the same number of directions in each face, and is
+  /// linear between neighboring directions. The samples of a face are two orthogonal unit vectors
+  /// in its plane, three numbers each, and, for each direction, its angle from the first vector to
+  /// the second one and its cost. The angles increase from \f$-\pi\f$ to \f$\pi\f$.
+  static Solver_cost sampled_cost(std::vector<double> samples,
+                                  const std::size_t number_of_directions)
+  {
+    return {SAMPLED_COST, {static_cast<double>(number_of_directions)}, std::move(samples)};
+  }
+
   Model model;                    ///< the cost function
   std::vector<double> parameters; ///< the numerical arguments of its constructor
-  std::vector<double> of_faces;   ///< three or six numbers per face, or none
+  std::vector<double> of_faces;   ///< the same number of numbers for each face, or none
 };
 
 /*!

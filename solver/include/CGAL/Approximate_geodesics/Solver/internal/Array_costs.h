@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_mesh.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Sampled_cost.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -38,16 +39,31 @@ using Face_vector = Simple_cartesian<double>::Vector_3;
 // A type-erased cost function of a face index and a direction.
 using Cost_function = std::function<double(std::size_t, const Face_vector&)>;
 
+inline std::size_t numbers_per_face(const Solver_cost& cost)
+{
+  switch(cost.model)
+  {
+  case Solver_cost::DRIFT_TIME:
+  case Solver_cost::ONE_WAY:
+    return 3;
+  case Solver_cost::TENSOR_COST:
+    return 6;
+  case Solver_cost::SAMPLED_COST:
+    return Sampled_cost::numbers_per_face(Sampled_cost::number_of_directions(cost));
+  default:
+    return 0;
+  }
+}
+
 inline void check_numbers_of_faces(const Solver_cost& cost, const std::size_t number_of_faces)
 {
-  const std::size_t per_face =
-      cost.model == Solver_cost::TENSOR_COST                                        ? 6
-      : cost.model == Solver_cost::DRIFT_TIME || cost.model == Solver_cost::ONE_WAY ? 3
-                                                                                    : 0;
+  const std::size_t per_face = numbers_per_face(cost);
   if(cost.of_faces.size() != per_face * number_of_faces)
     reject("the costs have " + std::to_string(cost.of_faces.size()) + " numbers for " +
            std::to_string(number_of_faces) + " faces; there must be " + std::to_string(per_face) +
            " per face");
+  if(cost.model == Solver_cost::SAMPLED_COST)
+    return; // it checks them itself: costs may be infinite
   for(std::size_t i = 0; i < cost.of_faces.size(); ++i)
     if(!std::isfinite(cost.of_faces[i]))
       reject("face " + std::to_string(i / per_face) + " has the number " +
@@ -86,6 +102,8 @@ inline Cost_function ready_function(const Solver_cost& cost)
     return One_way(vectors, parameter(0), parameter(1));
   case Solver_cost::TENSOR_COST:
     return Tensor_cost(tensors);
+  case Solver_cost::SAMPLED_COST:
+    return Sampled_cost(cost);
   }
   reject("unknown cost model " + std::to_string(int(cost.model)));
 }

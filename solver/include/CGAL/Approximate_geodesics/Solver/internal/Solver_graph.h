@@ -117,12 +117,13 @@ public:
     return m_reversed == nullptr ? *this : *m_reversed;
   }
 
-  // Writes the distance of each vertex, by its index in the mesh, and, if `nearest_sources` is not
-  // null, the position of its nearest source, or -1.
+  // Writes the distance of each vertex, by its index in the mesh. Pointers that are not null also
+  // receive the position of its nearest source, and the node of the vertex before it, or -1.
   virtual void find_distances(std::vector<Source_point> sources,
                               double maximum_distance,
                               double* distances,
                               std::int64_t* nearest_sources,
+                              std::int64_t* predecessors,
                               Solver_visitor& visitor) const = 0;
 
   // Returns the path from the target to the source. It has no points if the target is not reached.

@@ -21,6 +21,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/tree_path.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -178,6 +179,7 @@ public:
                       const double maximum_distance,
                       double* const distances,
                       std::int64_t* const nearest_sources,
+                      std::int64_t* const predecessors,
                       Solver_visitor& visitor) const override
   {
     const auto search = m_workspaces.borrow();
@@ -187,10 +189,11 @@ public:
     const auto& labels = search->search();
     for(Index i = 0; i < triangulation().number_of_vertices(); ++i)
       distances[i] = labels.distance(triangulation().vertex(i));
-    if(nearest_sources == nullptr)
-      return;
-    for(Index i = 0; i < triangulation().number_of_vertices(); ++i)
-      nearest_sources[i] = static_cast<std::int64_t>(labels.source(triangulation().vertex(i)));
+    if(nearest_sources != nullptr)
+      for(Index i = 0; i < triangulation().number_of_vertices(); ++i)
+        nearest_sources[i] = static_cast<std::int64_t>(labels.source(triangulation().vertex(i)));
+    if(predecessors != nullptr)
+      write_predecessors(labels, predecessors);
   }
 
   // Uses A* search with straight-line distances.
@@ -252,6 +255,21 @@ public:
   }
 
 private:
+  template <typename Labels>
+  void write_predecessors(const Labels& labels, std::int64_t* const predecessors) const
+  {
+    Vertex_predecessors<Labels> node_before(labels);
+    for(Index i = 0; i < triangulation().number_of_vertices(); ++i)
+    {
+      const auto node = triangulation().vertex(i);
+      predecessors[i] = -1;
+      if(!labels.is_reached(node))
+        continue;
+      const auto before = node_before(node);
+      predecessors[i] = static_cast<std::int64_t>(before == Labels::null_node ? node : before);
+    }
+  }
+
   std::size_t own_memory() const override
   {
     return m_graph.memory() + m_workspaces.sum([](const Search& s) { return s.search().memory(); });
