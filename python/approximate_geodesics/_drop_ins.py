@@ -50,14 +50,19 @@ def compute_gdist(
     distances = solver.distances(sources, max_distance=max_distance)
     if target_indices is None:
         return distances
-    targets = _arrays.integers(target_indices, "target_indices", (-1,))
-    wrong = np.flatnonzero((targets < 0) | (targets >= len(distances)))
+    result: _arrays.Floats = distances[vertices_of_mesh(target_indices, len(distances))]
+    return result
+
+
+def vertices_of_mesh(targets: npt.ArrayLike, number_of_vertices: int) -> npt.NDArray[Any]:
+    """Targets that are vertices of a mesh."""
+    result = _arrays.integers(targets, "target_indices", (-1,))
+    wrong = np.flatnonzero((result < 0) | (result >= number_of_vertices))
     if len(wrong) > 0:
         raise ValueError(
-            f"target {wrong[0]} is vertex {targets[wrong[0]]}; they are numbered from 0, "
-            f"and there are {len(distances)}"
+            f"target {wrong[0]} is vertex {result[wrong[0]]}; they are numbered from 0, "
+            f"and there are {number_of_vertices}"
         )
-    result: _arrays.Floats = distances[targets]
     return result
 
 

@@ -6,6 +6,7 @@ import scipy.sparse
 
 import approximate_geodesics as ag
 import approximate_geodesics.potpourri3d as pp3d
+import approximate_geodesics.pygeodesic as geodesic
 from meshes import great_circles, grid, sphere
 
 VERTICES, FACES = sphere(3)
@@ -122,3 +123,49 @@ def test_local_matrices_are_symmetric():
         flat, triangles = grid(20)
         matrix = ag.local_gdist_matrix(flat @ turn.T, triangles, 5, epsilon=epsilon)
         assert abs(matrix - matrix.T).nnz == 0 and matrix.has_sorted_indices
+
+
+def test_names_are_those_of_pygeodesic():
+    algorithm = geodesic.PyGeodesicAlgorithmExact(VERTICES, FACES)
+    length, path = algorithm.geodesicDistance(14, 300)
+    np.testing.assert_array_equal(path[[0, -1]], VERTICES[[300, 14]])  # from the target
+    assert length == pytest.approx(EXACT.distances(14)[300])
+    assert np.linalg.norm(np.diff(path, axis=0), axis=1).sum() == pytest.approx(length)
+    distances, best_source = algorithm.geodesicDistances()
+    np.testing.assert_array_equal(distances, EXACT.distances(0))
+    assert distances.dtype == np.float64 and best_source.dtype == np.int32
+    assert not best_source.any()
+    sources, targets = np.array([3, 500]), [7, 500, 7]
+    distances, best_source = algorithm.geodesicDistances(sources, targets)
+    expected, nearest = EXACT.distances(sources, return_nearest=True)
+    np.testing.assert_array_equal(distances, expected[targets])
+    np.testing.assert_array_equal(best_source, nearest[targets])
+    near = algorithm.geodesicDistances([3], max_distance=0.3)
+    np.testing.assert_array_equal(np.isinf(near[0]), EXACT.distances(3) > 0.3)
+    np.testing.assert_array_equal(near[1] == -1, np.isinf(near[0]))
+
+
+def test_errors_of_pygeodesic_are_exceptions():
+    algorithm = geodesic.PyGeodesicAlgorithmExact(VERTICES, FACES)
+    for call, message in [
+        (lambda: geodesic.PyGeodesicAlgorithmExact(VERTICES, FACES + 1), "has vertex 642"),
+        (lambda: algorithm.geodesicDistance(0, 642), "target is vertex 642"),
+        (lambda: algorithm.geodesicDistances([642]), "source 0 is vertex 642"),
+        (lambda: algorithm.geodesicDistances(None, [-1]), "target 0 is vertex -1"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            call()
+
+
+def test_files_of_pygeodesic_are_read(tmp_path):
+    file = tmp_path / "mesh.txt"
+    file.write_text("4 2\n0 0 0\n1 0 0\n1 1e0 0\n0\t1 0\n0 1 2\n0 2 3\n")
+    points, faces = geodesic.read_mesh_from_file(file)
+    np.testing.assert_array_equal(points, [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    np.testing.assert_array_equal(faces, [[0, 1, 2], [0, 2, 3]])
+    for contents in ("", "4 2\n0 0 0\n", "a b", "1 1\n0 0 0\n0 0 0.5\n", "-1 0"):
+        file.write_text(contents)
+        with pytest.raises(ValueError, match="mesh.txt has no mesh"):
+            geodesic.read_mesh_from_file(file)
+    with pytest.raises(FileNotFoundError):
+        geodesic.read_mesh_from_file(tmp_path / "none.txt")
