@@ -1,7 +1,9 @@
 """Builds the module by CMake, which knows where CGAL is; and source distributions, to which the
-headers are added, as they lie outside this folder."""
+headers are added, as they lie outside this folder. Version and description are those of the library's
+CMakeLists.txt; license, authors and keywords those of its CITATION.cff."""
 
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -27,7 +29,7 @@ class BuildByCMake(build_ext):
             ],
             check=True,
         )
-        subprocess.run(["cmake", "--build", build], check=True)
+        subprocess.run(["cmake", "--build", build, "--parallel", "2"], check=True)
 
 
 class SdistWithLibrary(sdist):
@@ -36,12 +38,27 @@ class SdistWithLibrary(sdist):
         base = pathlib.Path(base_dir)
         for name in ("include", "compiled", "matrix_files", "solver", "cmake"):
             shutil.copytree(LIBRARY / name, base / IN_SDIST / name)
-        shutil.copy(LIBRARY / "CMakeLists.txt", base / IN_SDIST)
+        for name in ("CMakeLists.txt", "CITATION.cff"):
+            shutil.copy(LIBRARY / name, base / IN_SDIST)
         (base / "LICENSE").unlink()  # it may be a link
         shutil.copy(SOURCE / "LICENSE", base)
 
 
+def metadata():
+    project = (LIBRARY / "CMakeLists.txt").read_text(encoding="utf-8")
+    citation = (LIBRARY / "CITATION.cff").read_text(encoding="utf-8")
+    keywords = re.search(r"^keywords:\n((?:  - .*\n)+)", citation, re.M)[1]
+    return {
+        "version": re.search(r"^project\([^)]* VERSION (\S+)", project, re.M)[1],
+        "description": re.search(r'^project\([^)]* DESCRIPTION "([^"]*)"', project, re.M)[1],
+        "license": re.search(r"^license: (.*)", citation, re.M)[1],
+        "author": ", ".join(re.findall(r"^  - name: (.*)", citation, re.M)),
+        "keywords": re.findall(r"- (.*)", keywords),
+    }
+
+
 setup(
+    **metadata(),
     ext_modules=[Extension("approximate_geodesics._native", sources=[])],
     cmdclass={"build_ext": BuildByCMake, "sdist": SdistWithLibrary},
 )

@@ -11,8 +11,8 @@ required_conan_version = ">=2.0"
 class ApproximateGeodesicsConan(ConanFile):
     name = "approximate-geodesics"
     version = "@VERSION@"
-    description = "Geodesic distances and paths on triangle meshes, within an error bound, with CGAL"
-    license = "GPL-3.0-or-later"
+    description = "@DESCRIPTION@"
+    license = "@LICENSE@"
     homepage = "@HOMEPAGE@"
     url = "@HOMEPAGE@"
     topics = ("cgal", "geodesic", "geometry", "mesh", "shortest-path")

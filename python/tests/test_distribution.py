@@ -23,6 +23,8 @@ def test_metadata_tell_license_and_authors():
     metadata = distribution().metadata
     assert metadata["License"] == "GPL-3.0-or-later"
     assert metadata["Author"] == "The Approximate Geodesics authors"
+    assert metadata["Summary"].startswith("Geodesic distances and paths on triangle meshes")
+    assert "geodesic distance" in metadata["Keywords"].split(",")
     assert any("GPLv3+" in classifier for classifier in metadata.get_all("Classifier"))
 
 
