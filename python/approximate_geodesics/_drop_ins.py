@@ -54,6 +54,37 @@ def compute_gdist(
     return result
 
 
+def oriented(faces: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """The faces, turned where neighbors traverse their edge in the same direction.
+
+    gdist and pygeodesic accept such meshes, which `Solver` refuses. Surfaces with one side stay as
+    they are, and are refused then.
+    """
+    sides = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    low, high = sides.min(axis=1), sides.max(axis=1)
+    order = np.lexsort([high, low])
+    is_pair = (np.diff(low[order]) == 0) & (np.diff(high[order]) == 0)
+    first, second = order[:-1][is_pair], order[1:][is_pair]
+    turns = sides[first, 0] == sides[second, 0]
+    if not np.any(turns):
+        return faces
+    neighbors: list[list[tuple[int, bool]]] = [[] for _ in faces]
+    for a, b, turn in zip(*np.stack([first, second]) % len(faces), turns):
+        neighbors[a].append((b, turn))
+        neighbors[b].append((a, turn))
+    is_turned: list[Optional[bool]] = [None] * len(faces)
+    for start in range(len(faces)):
+        if is_turned[start] is None:
+            is_turned[start], front = False, [start]
+            while front:
+                face = front.pop()
+                for other, turn in neighbors[face]:
+                    if is_turned[other] is None:
+                        is_turned[other] = bool(is_turned[face]) != bool(turn)
+                        front.append(other)
+    return np.where(np.array(is_turned, dtype=bool)[:, None], faces[:, ::-1], faces)
+
+
 def vertices_of_mesh(targets: npt.ArrayLike, number_of_vertices: int) -> npt.NDArray[Any]:
     """Targets that are vertices of a mesh."""
     result = _arrays.integers(targets, "target_indices", (-1,))
@@ -123,7 +154,7 @@ def _from_zero(
 ) -> npt.NDArray[Any]:
     result = _arrays.integers(triangles, "triangles", (-1, 3))
     if not is_one_indexed:
-        return result
+        return oriented(result)
     wrong = np.flatnonzero(np.any((result < 1) | (result > number_of_vertices), axis=1))
     if len(wrong) > 0:
         vertices = [v for v in result[wrong[0]].tolist() if not 1 <= v <= number_of_vertices]
@@ -131,4 +162,4 @@ def _from_zero(
             f"face {wrong[0]} has vertex {vertices[0]}; the vertices are numbered from 1, and there "
             f"are {number_of_vertices}"
         )
-    return result - 1
+    return oriented(result - 1)

@@ -5,7 +5,8 @@
 >>> distances, best_source = algorithm.geodesicDistances([0, 7])
 
 Distances are exact, as there. What cannot be right raises `ValueError`, where pygeodesic prints a
-message and returns `None`. Vertices without faces are accepted.
+message and returns `None`. Vertices without faces are accepted, and so are faces whose orientations
+differ, as there.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _arrays
-from ._drop_ins import vertices_of_mesh
+from ._drop_ins import oriented, vertices_of_mesh
 from ._solver import Solver
 
 __all__ = ["PyGeodesicAlgorithmExact", "read_mesh_from_file"]
@@ -39,19 +40,21 @@ class PyGeodesicAlgorithmExact:
     def __init__(
         self, points: npt.ArrayLike, faces: npt.ArrayLike, *, epsilon: Optional[float] = 0
     ) -> None:
-        self._solver = Solver(points, faces, epsilon)
+        self._solver = Solver(points, oriented(_arrays.integers(faces, "faces", (-1, 3))), epsilon)
 
     def geodesicDistance(
         self, sourceIndex: int, targetIndex: int
     ) -> tuple[float, npt.NDArray[np.float64]]:
         """The distance of two vertices, and the points of the path, from the target to the source.
 
+        Points that differ by rounding, as where a path goes through a vertex, are one.
+
         Returns a float, and a (k, 3) array of float64. Without a path, these are infinity and a
         (0, 3) array.
         """
         ends = [int(sourceIndex), int(targetIndex)]
         points, length = self._solver.path(*ends, return_length=True)
-        return length, points[::-1].copy()
+        return length, _distinct(points[::-1], 1e-12 * length)
 
     def geodesicDistances(
         self,
@@ -86,6 +89,17 @@ class PyGeodesicAlgorithmExact:
             targets = vertices_of_mesh(target_indices, len(distances))
             distances, nearest = distances[targets], nearest[targets]
         return distances, nearest.astype(np.int32)
+
+
+def _distinct(points: npt.NDArray[np.float64], tolerance: float) -> npt.NDArray[np.float64]:
+    """The points that are farther from the one before. Both ends are kept."""
+    is_kept = np.ones(len(points), dtype=bool)
+    is_kept[1:] = np.linalg.norm(np.diff(points, axis=0), axis=1) > tolerance
+    if len(points) > 1 and not is_kept[-1]:
+        is_kept[1:-1][np.flatnonzero(is_kept[1:-1])[-1:]] = False  # in place of the end
+        is_kept[-1] = True
+    result: npt.NDArray[np.float64] = points[is_kept]
+    return result
 
 
 def read_mesh_from_file(

@@ -145,6 +145,21 @@ def test_names_are_those_of_pygeodesic():
     np.testing.assert_array_equal(near[1] == -1, np.isinf(near[0]))
 
 
+def test_paths_of_pygeodesic_have_each_point_once():
+    vertices, faces = grid(9)
+    algorithm = geodesic.PyGeodesicAlgorithmExact(vertices * 0.1, faces[:, [1, 2, 0]])
+    for target in (80, 72, 40, 8, 1, 0):
+        length, path = algorithm.geodesicDistance(0, target)
+        steps = np.linalg.norm(np.diff(path, axis=0), axis=1)
+        assert np.all(steps > 1e-9) and steps.sum() == pytest.approx(length)
+        np.testing.assert_array_equal(path[[0, -1]], 0.1 * vertices[[target, 0]])
+    same = geodesic.PyGeodesicAlgorithmExact(np.zeros((3, 3)), [(0, 1, 2)])
+    assert same.geodesicDistance(0, 1)[1].shape == (2, 3)
+    far = geodesic.PyGeodesicAlgorithmExact(np.eye(3).repeat(2, axis=0), [(0, 2, 4), (1, 5, 3)])
+    length, path = far.geodesicDistance(0, 1)
+    assert np.isinf(length) and path.shape == (0, 3)
+
+
 def test_errors_of_pygeodesic_are_exceptions():
     algorithm = geodesic.PyGeodesicAlgorithmExact(VERTICES, FACES)
     for call, message in [
@@ -169,3 +184,22 @@ def test_files_of_pygeodesic_are_read(tmp_path):
             geodesic.read_mesh_from_file(file)
     with pytest.raises(FileNotFoundError):
         geodesic.read_mesh_from_file(tmp_path / "none.txt")
+
+
+def test_faces_of_drop_ins_may_have_any_orientation():
+    two = np.concatenate([FACES, FACES + len(VERTICES)])
+    vertices = np.concatenate([VERTICES, VERTICES + 5])
+    turned = two.copy()
+    turned[::3] = turned[::3, ::-1]
+    with pytest.raises(ValueError, match="same orientation"):
+        ag.Solver(vertices, turned)
+    algorithm = geodesic.PyGeodesicAlgorithmExact(vertices, turned)
+    expected = ag.Solver(vertices, two, 0).distances([7, 800])
+    np.testing.assert_allclose(algorithm.geodesicDistances([7, 800])[0], expected, rtol=1e-12)
+    np.testing.assert_allclose(
+        ag.compute_gdist(vertices, turned, [7, 800]), expected, rtol=1e-12
+    )
+    one_side = [(0, 1, 2), (1, 3, 2), (2, 3, 4), (3, 0, 4), (4, 0, 1)]  # a Moebius strip
+    corners = np.random.default_rng(1).normal(size=(5, 3))
+    with pytest.raises(ValueError, match="same orientation"):
+        geodesic.PyGeodesicAlgorithmExact(corners, one_side)
