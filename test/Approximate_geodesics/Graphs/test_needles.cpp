@@ -342,7 +342,9 @@ TEST(Needles, have_no_lines_of_other_lengths)
   const auto expect_none = [&](const AG::Intrinsic_point& a, const AG::Intrinsic_point& b) {
     const double length = 0.9 * mesh.length(0);
     const auto trace = [&] {
-      AG::internal::trace_segment(mesh, a, b, length, 0, [](Node, double) {});
+      AG::internal::Line_in_mesh line(mesh, a, b, length, 0);
+      line.find();
+      line.for_each_crossing([](Node, double) {});
     };
     expect_message<std::invalid_argument>(trace, "an arc of length");
   };
@@ -352,6 +354,32 @@ TEST(Needles, have_no_lines_of_other_lengths)
   expect_none(start, end);
   expect_none(start, beside);
   expect_none(beside, end);
+}
+
+// A search of all that is within reach would find them as well, but crosses a strip of needles.
+TEST(Needles, have_arcs_that_are_found_by_their_direction)
+{
+  for(const Needle_mesh& m : needle_meshes())
+  {
+    SCOPED_TRACE(m.name);
+    const Triangulation mesh(to_mesh(m.soup));
+    const Retriangulation needles = *Retriangulation::make(mesh);
+    const Triangulation& t = needles.triangulation();
+    const AG::internal::Unfolding unfolding(t);
+    const AG::internal::Cone_expansion<AG::internal::Unfolding> expansion(
+        t, unfolding, AG::internal::Cone_rules(0.1));
+    std::size_t number = 0, number_found = 0;
+    for(Node v = 0; v < t.number_of_vertices(); v += 7)
+      expansion.expand(v, [&](const AG::internal::Straight_arc& arc) {
+        AG::internal::Line_in_mesh line(mesh, needles.position(v), needles.position(arc.target),
+                                        arc.length, 0);
+        if(!line.is_found())
+          line.find(needles, v, arc);
+        ++number;
+        number_found += line.is_found() ? 1 : 0;
+      });
+    EXPECT_GE(static_cast<double>(number_found), 0.999 * static_cast<double>(number));
+  }
 }
 
 // The points of a path, in space, are as far apart as its length says.

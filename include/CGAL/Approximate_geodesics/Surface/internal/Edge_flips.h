@@ -44,6 +44,14 @@ public:
     double doubled_area = 0; // ... to its left
   };
 
+  // A halfedge that starts from an added vertex, and its direction: the angle to it, in the face of
+  // the mesh that the vertex is in.
+  struct Signpost
+  {
+    Index halfedge;
+    double angle;
+  };
+
   // A face whose height is at most this part of its longest side is nearly degenerate: rounding
   // errors of flips would change distances.
   static constexpr double SMALLEST_HEIGHT = 0x1p-14;
@@ -200,8 +208,9 @@ public:
   }
 
   // Adds a vertex in the face to the left of `h`, at `p` where `h` starts from the origin and lies
-  // along x. Returns a halfedge that starts from it.
-  Index insert(const Index h, const Plane_vector p)
+  // along x, which is in `direction` in the face of the mesh. Returns a halfedge that starts from
+  // it.
+  Index insert(const Index h, const Plane_vector p, const Plane_vector direction)
   {
     const std::array<Index, 3> sides = halfedges_of_face(h);
     const Plane_vector corners[3] = {{0, 0},
@@ -222,8 +231,12 @@ public:
       set_face(halfedges_of_face(sides[i]),
                {dot(b - a, p - a), dot(a - b, p - b), dot(a - p, b - p)}, cross(b - a, p - a));
     }
+    m_signposts.push_back({first, angle_of(turned_left(-1 * p, direction))});
     return first;
   }
+
+  // Those of the added vertices.
+  const std::vector<Signpost>& signposts() const { return m_signposts; }
 
 private:
   // A bound of the errors of coordinates, relative to the distance from the hub.
@@ -321,6 +334,15 @@ private:
   void remove(const Index h)
   {
     const Halfedge& old = m_halfedges[h];
+    const std::size_t number_of_others = m_number_of_vertices - m_signposts.size();
+    const Index v = source(h);
+    if(v >= number_of_others && m_signposts[v - number_of_others].halfedge == h)
+    {
+      Signpost& signpost = m_signposts[v - number_of_others];
+      const Halfedge& clockwise = m_halfedges[old.clockwise];
+      signpost = {old.clockwise,
+                  signpost.angle - angle_of({clockwise.corner, clockwise.doubled_area})};
+    }
     m_halfedges[old.clockwise].counterclockwise = old.counterclockwise;
     m_halfedges[old.counterclockwise].clockwise = old.clockwise;
   }
@@ -348,6 +370,7 @@ private:
 
   Index m_number_of_vertices;
   std::vector<Halfedge> m_halfedges;
+  std::vector<Signpost> m_signposts; // of the added vertices, which are the last ones
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

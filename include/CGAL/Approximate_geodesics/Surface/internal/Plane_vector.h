@@ -37,6 +37,9 @@ inline double cross(const Plane_vector a, const Plane_vector b) { return a.x * b
 
 inline double length(const Plane_vector a) { return std::sqrt(dot(a, a)); }
 
+// from the x axis, between -pi and pi
+inline double angle_of(const Plane_vector a) { return std::atan2(a.y, a.x); }
+
 // `a` turned by the angle from the x axis to the unit vector `r`
 inline Plane_vector turned_left(const Plane_vector a, const Plane_vector r)
 {

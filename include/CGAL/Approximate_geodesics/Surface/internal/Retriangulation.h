@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Edge_flips.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
 
 #include <algorithm>
@@ -383,7 +384,8 @@ private:
   {
     const Plane_vector edge = place.target - place.source;
     const Plane_vector x = 1 / length(edge) * edge;
-    return m_flips.insert(place.halfedge, {dot(x, p - place.source), cross(x, p - place.source)});
+    return m_flips.insert(place.halfedge, {dot(x, p - place.source), cross(x, p - place.source)},
+                          x);
   }
 
   Edge_flips& m_flips;
@@ -392,6 +394,14 @@ private:
   std::vector<Intrinsic_point> m_positions;
   std::vector<Index> m_near_edges, m_far_edges; // that may have to be flipped
   std::vector<double> m_covered; // per vertex of the mesh, how far from it there are added ones
+};
+
+// A direction at a point of a mesh: to the left of `halfedge` by `angle`. If the point is a vertex,
+// the halfedge starts there; if not, the point is in the face to the left of the halfedge.
+struct Direction_in_mesh
+{
+  Intrinsic_triangulation::Index halfedge;
+  double angle;
 };
 
 /*
@@ -423,6 +433,9 @@ public:
     copy_halfedges(flips);
     copy(mesh, flips);
     copy_thin_faces(mesh, flips);
+    m_signposts.reserve(flips.signposts().size());
+    for(const auto& signpost : flips.signposts())
+      m_signposts.push_back({number(signpost.halfedge), signpost.angle});
   }
 
   // More than strips and fans of needles need, which is about one per halfedge.
@@ -450,11 +463,32 @@ public:
                                     : m_positions[v - m_number_of_vertices];
   }
 
+  // The direction of `h`, which starts from `v`, in the mesh; none if all edges of a vertex of the
+  // mesh were flipped.
+  std::optional<Direction_in_mesh> direction(const Index v, Index h) const
+  {
+    const Intrinsic_triangulation& t = triangulation();
+    const bool is_added = v >= m_number_of_vertices;
+    double angle = 0;
+    for(Index n = t.degree(v); n > 0; --n)
+    {
+      if(is_added && h == m_signposts[v - m_number_of_vertices].halfedge)
+        return Direction_in_mesh{position(v).halfedge,
+                                 angle + m_signposts[v - m_number_of_vertices].angle};
+      if(!is_added && !t.is_flipped(h))
+        return Direction_in_mesh{number_in_mesh(h), angle};
+      h = t.clockwise(v, h);
+      angle += angle_of(corner_angle(t, h));
+    }
+    return std::nullopt;
+  }
+
   std::size_t memory() const
   {
     return m_triangulation.memory() +
            sizeof(Index) * (m_number.capacity() + m_number_in_mesh.capacity()) +
-           sizeof(Intrinsic_point) * m_positions.capacity();
+           sizeof(Intrinsic_point) * m_positions.capacity() +
+           sizeof(Edge_flips::Signpost) * m_signposts.capacity();
   }
 
 private:
@@ -536,10 +570,11 @@ private:
   }
 
   Intrinsic_triangulation m_triangulation;
-  std::vector<Index> m_number;              // by that in the mesh
-  std::vector<Index> m_number_in_mesh;      // per halfedge of the triangulation
-  Index m_number_of_vertices;               // of the mesh
-  std::vector<Intrinsic_point> m_positions; // of added vertices
+  std::vector<Index> m_number;                   // by that in the mesh
+  std::vector<Index> m_number_in_mesh;           // per halfedge of the triangulation
+  Index m_number_of_vertices;                    // of the mesh
+  std::vector<Intrinsic_point> m_positions;      // of added vertices
+  std::vector<Edge_flips::Signpost> m_signposts; // of added vertices
   bool m_has_balanced_fans = false;
 };
 

@@ -99,9 +99,7 @@ public:
   {
     if(!m_other)
       return trace_arc<Visitor>(mesh, rules, source, target, length, f);
-    if(m_other->has_refined_needles())
-      return trace_segment(mesh, position(source), position(target), length, rounding, f);
-    return trace_arc_of_fans<Visitor>(mesh, *m_other, rules, source, target, length, f);
+    return trace_arc_in_mesh<Visitor>(mesh, *m_other, rules, source, target, length, rounding, f);
   }
 
   std::size_t memory() const { return m_other ? m_other->memory() : 0; }

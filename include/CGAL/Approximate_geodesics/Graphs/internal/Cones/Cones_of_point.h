@@ -8,28 +8,22 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 namespace CGAL::Approximate_geodesics::internal {
-
-// Throws if no line of about the given length was found.
-inline void check_is_found(const Line_search& search, const double unit)
-{
-  if(!search.is_found())
-    reject("the graph has an arc of length " + text_of(search.length * unit) +
-           " that the mesh has not; was it read from a file that was changed?");
-}
 
 /*
  * The straight lines from a point that is not a vertex, across the faces around, as far as a
@@ -78,8 +72,10 @@ public:
       return;
     m_lines.for_each_point(points, f);
     Window_tree tree;
-    expand_to_points(points, tree, Leave_out_nothing(),
-                     [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); });
+    const auto report = [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); };
+    for_each_window([&](const Window& window, const Index start) {
+      expand_to_points(window, start, points, tree, Leave_out_nothing(), report);
+    });
   }
 
   // Calls `f(h, t)` for the edges that the line of the given length to the vertex `v` crosses.
@@ -87,73 +83,127 @@ public:
   template <typename F>
   double for_each_crossing(const Index v, const double length, F f) const
   {
-    Line_search search{length};
-    find_line(v, Leave_out_nothing(), search);
-    if(!search.is_found())
-      farther().find_arc(v, Leave_out_nothing_in_doubt(), search);
-    return trace(search, f);
+    return for_each_crossing(Intrinsic_point::at_vertex(v), length, f);
   }
 
-  // The same for the line to `end`, which is not a vertex.
+  // The same for the line to any point.
   template <typename F>
   double for_each_crossing(const Intrinsic_point& end, const double length, F f) const
   {
     Line_search search{length};
-    find_line(end, Leave_out_nothing(), search);
-    if(!search.is_found())
-      farther().find_line(end, Leave_out_nothing_in_doubt(), search);
+    consider_lines_in_faces(end, search);
+    find_line(end, Within_reach<Leave_out_nothing>{{}, search.reach()}, search);
+    if(!search.is_found()) // cones have ended before by rounding only
+      Cones_of_point(m_triangulation, m_rules.farther(1. / 64), m_point)
+          .find_line(end, Leave_out_nothing_in_doubt(), search);
     return trace(search, f);
   }
 
-  // The same for a line to a vertex or a point through windows that `visitor` does not prune, of a
-  // length that may be wrong by `rounding`. Throws if there is none.
-  template <typename End, typename Visitor, typename F>
-  double trace_within(
-      const End& end, const double length, const double rounding, const Visitor& visitor, F f) const
+  // Considers the lines to a point that cross no edge.
+  void consider_lines_in_faces(const Intrinsic_point& end, Line_search& search) const
   {
-    Line_search search(length, rounding);
-    find_line(end, visitor, search);
-    check_is_found(search, m_triangulation.unit());
-    return trace(search, f);
+    const auto consider = [&](const double l) { search.consider({0, l, {0, 0}, 0, 0}); };
+    if(m_point.is_vertex())
+      consider(shortest_segment(m_triangulation, m_point, end).length);
+    else if(end.is_vertex())
+      m_lines.for_each_node([&](const Index corner, const double l) {
+        if(corner == end.vertex)
+          consider(l);
+      });
+    else
+      m_lines.for_each_point(Points_by_face(m_triangulation, {end}),
+                             [&](std::size_t, const double l) { consider(l); });
   }
 
-private:
-  // For lines that are not found again, as cones have ended before by rounding only.
-  Cones_of_point farther() const { return {m_triangulation, m_rules.farther(1. / 64), m_point}; }
-
-  template <typename Visitor>
-  void find_line(const Index v, const Visitor& visitor, Line_search& search) const
-  {
-    m_lines.for_each_node([&](const Index corner, const double l) {
-      if(corner == v)
-        search.consider({corner, l, {0, 0}, 0, 0});
-    });
-    find_arc(v, visitor, search);
-  }
-
+  // Considers the lines to a point through windows that `visitor` does not prune.
   template <typename Visitor>
   void find_line(const Intrinsic_point& end, const Visitor& visitor, Line_search& search) const
   {
-    const Points_by_face points(m_triangulation, {end});
-    m_lines.for_each_point(points, [&](std::size_t, const double l) {
-      search.consider({0, l, {0, 0}, 0, 0});
+    for_each_window([&](const Window& window, const Index start) {
+      find_line_through(window, start, end, visitor, search);
     });
-    expand_to_points(points, search.tree, visitor,
-                     [&](std::size_t, const Straight_arc& line) { search.consider(line); });
   }
 
-  template <typename Visitor>
-  void find_arc(const Index v, const Visitor& visitor, Line_search& search) const
+  // Considers those in the given direction, up to a small angle, that are no longer than `reach`.
+  void find_line(const Intrinsic_point& end,
+                 const Direction_in_mesh& direction,
+                 const double tolerance,
+                 const double reach,
+                 Line_search& search) const
   {
-    const auto consider = [&](const Straight_arc& arc) {
-      if(arc.target == v)
-        search.consider(arc);
+    const Intrinsic_triangulation& t = m_triangulation;
+    const auto look = [&](const Index h, const double angle) {
+      for_each_window_of_face(h, [&](const Window& window, const Index start) {
+        const Plane_vector ray =
+            turned_left(unit_vector(h, start), {std::cos(angle), std::sin(angle)});
+        find_line_through(window, start, end, Along_line{{}, ray, reach, tolerance}, search);
+      });
     };
     if(!m_point.is_vertex())
-      for_each_window([&](const Window& window, const Index start) {
-        m_expansion.expand_through(window, start, consider,
-                                   Remembering<Visitor>{visitor, search.tree});
-      });
+      return look(direction.halfedge, direction.angle);
+    Index h = direction.halfedge;
+    double angle = direction.angle;
+    for(Index n = t.degree(m_point.vertex); n > 0 && !t.is_border(h) && angle >= -tolerance; --n)
+    {
+      const double corner = angle_of(corner_angle(t, h));
+      if(angle <= corner + tolerance)
+        look(h, angle);
+      angle -= corner;
+      h = t.counterclockwise(m_point.vertex, h);
+    }
+  }
+
+  // Calls `f(h, t)` for the edges that the line found crosses. Returns its length.
+  template <typename F>
+  double trace(const Line_search& search, F f) const
+  {
+    if(search.found.trail != 0)
+    {
+      const Window first = window(search.found.start);
+      search.for_each_crossing(m_triangulation, first.left_position, first.right_position, f);
+    }
+    return search.found.length;
+  }
+
+private:
+  // Windows that a line with this direction and length may go through.
+  struct Along_line : Leave_out_nothing_in_doubt
+  {
+    bool prune(const Window& w) const
+    {
+      const Plane_vector edge = w.left_position - w.right_position;
+      return cross(direction, w.left_position) < -tolerance * length(w.left_position) ||
+             cross(w.right_position, direction) < -tolerance * length(w.right_position) ||
+             cross(w.right_position, edge) > 1.01 * reach * cross(direction, edge);
+    }
+
+    Plane_vector direction; // of length 1
+    double reach;
+    double tolerance;
+  };
+
+  template <typename Visitor>
+  void find_line_through(const Window& window,
+                         const Index start,
+                         const Intrinsic_point& end,
+                         const Visitor& visitor,
+                         Line_search& search) const
+  {
+    const auto consider = [&](const Straight_arc& line) { search.consider(line); };
+    if(end.is_vertex())
+      m_expansion.expand_through(
+          window, start,
+          [&](const Straight_arc& arc) {
+            if(arc.target == end.vertex)
+              consider(arc);
+          },
+          Remembering<Visitor>{visitor, search.tree});
+    else
+    {
+      const auto report = [&](std::size_t, const Straight_arc& line) { consider(line); };
+      expand_to_points(window, start, Points_by_face(m_triangulation, {end}), search.tree, visitor,
+                       report);
+    }
   }
 
   // Looks for points in the faces that it is told of, and records windows.
@@ -195,16 +245,16 @@ private:
   };
 
   template <typename Visitor, typename Report>
-  void expand_to_points(const Points_by_face& points,
+  void expand_to_points(const Window& window,
+                        const Index start,
+                        const Points_by_face& points,
                         Window_tree& tree,
                         const Visitor& visitor,
                         const Report& report) const
   {
-    for_each_window([&](const Window& window, const Index start) {
-      m_expansion.expand_through(
-          window, start, [](const Straight_arc&) {},
-          Finding_points<Visitor, Report>{visitor, m_triangulation, points, tree, report, start});
-    });
+    m_expansion.expand_through(
+        window, start, [](const Straight_arc&) {},
+        Finding_points<Visitor, Report>{visitor, m_triangulation, points, tree, report, start});
   }
 
   // Calls `f(window, start)` for the sides of the faces around that one can look out of. `start` is
@@ -212,16 +262,31 @@ private:
   template <typename F>
   void for_each_window(F f) const
   {
-    m_point.for_each_face(m_triangulation, [&](const Index h) {
-      for(const Index side : m_triangulation.halfedges_of_face(h))
-        if(!m_triangulation.is_border(m_triangulation.opposite(side)) &&
-           !m_point.is_on_edge_of(side, m_triangulation))
-        {
-          const Window w = window(side);
-          if(w.left_distance > 0 && w.right_distance > 0)
-            f(w, side);
-        }
-    });
+    m_point.for_each_face(m_triangulation, [&](const Index h) { for_each_window_of_face(h, f); });
+  }
+
+  template <typename F>
+  void for_each_window_of_face(const Index h, F f) const
+  {
+    for(const Index side : m_triangulation.halfedges_of_face(h))
+      if(!m_triangulation.is_border(m_triangulation.opposite(side)) &&
+         !m_point.is_on_edge_of(side, m_triangulation))
+      {
+        const Window w = window(side);
+        if(w.left_distance > 0 && w.right_distance > 0)
+          f(w, side);
+      }
+  }
+
+  // The direction of `h` as it is laid out with the window in `side`, a halfedge of the same face.
+  Plane_vector unit_vector(const Index h, const Index side) const
+  {
+    const Face_layout layout(m_triangulation, side);
+    std::size_t i = 0;
+    while(layout.halfedge(i) != h)
+      ++i;
+    const Plane_vector edge = layout.edge(i, (i + 1) % 3);
+    return 1 / length(edge) * edge;
   }
 
   // The view out of the face to the left of `side`, from the point at the origin.
@@ -253,17 +318,6 @@ private:
   {
     constexpr double rounding = 1e-9;
     return dot(a, b) < 0 && (std::min)(length(a), length(b)) > rounding * length(b - a);
-  }
-
-  template <typename F>
-  double trace(const Line_search& search, F f) const
-  {
-    if(search.found.trail != 0)
-    {
-      const Window first = window(search.found.start);
-      search.for_each_crossing(m_triangulation, first.left_position, first.right_position, f);
-    }
-    return search.found.length;
   }
 
   const Intrinsic_triangulation& m_triangulation;

@@ -69,6 +69,21 @@ struct Remembering : Visitor
   Window_tree& tree;
 };
 
+// Does what another visitor does, for windows that are no farther away than this.
+template <typename Visitor>
+struct Within_reach : Visitor
+{
+  bool prune(const Window& w) const
+  {
+    const Plane_vector edge = w.left_position - w.right_position;
+    const double square = dot(edge, edge);
+    const double t = square > 0 ? -dot(w.right_position, edge) / square : 0;
+    return length(w.right_position + (std::clamp)(t, 0., 1.) * edge) > reach;
+  }
+
+  double reach;
+};
+
 // Follows a line from the origin across edges that are laid out in the plane.
 class Line_walk
 {
@@ -171,7 +186,10 @@ struct Line_search : Sought_line<Straight_arc>
     Sought_line::consider(arc.length, [&] { return arc; });
   }
 
-  bool is_found() const { return Sought_line::is_found(1e-6); } // single precision, flat faces
+  bool is_found() const { return Sought_line::is_found(TOLERANCE); }
+
+  // No line that is longer is found.
+  double reach() const { return (length + rounding) * (1 + TOLERANCE); }
 
   // Calls `f(h, t)` for the edges that the arc found crosses, the first of which has these ends.
   template <typename F>
@@ -195,10 +213,12 @@ struct Line_search : Sought_line<Straight_arc>
                           cross_face, f);
   }
 
+  static constexpr double TOLERANCE = 1e-6; // single precision, flat faces
+
   Window_tree tree;
 };
 
-// Looks for the arc of the graph with these rules from one vertex to another.
+// Looks for the arc with these rules from one vertex to another.
 template <typename Visitor>
 void find_arc(const Intrinsic_triangulation& triangulation,
               const Cone_rules& rules,
@@ -228,6 +248,21 @@ inline void search_in_doubt(const Intrinsic_triangulation& triangulation,
     if(!search.is_found())
       find_arc(triangulation, rules.farther(part), source, target, Leave_out_nothing_in_doubt(),
                search);
+}
+
+// Looks for an arc of the graph with these rules, whose arcs were found with a visitor of this
+// type.
+template <typename Visitor>
+void find_arc_of_graph(const Intrinsic_triangulation& triangulation,
+                       const Cone_rules& rules,
+                       const Intrinsic_triangulation::Index source,
+                       const Intrinsic_triangulation::Index target,
+                       Line_search& search)
+{
+  find_arc(triangulation, rules, source, target, Within_reach<Visitor>{{}, search.reach()}, search);
+  if(!search.is_found())
+    find_arc(triangulation, rules, source, target, Visitor(), search);
+  search_in_doubt(triangulation, rules, source, target, search);
 }
 
 // Calls `f(h, t)` for the edges that the line found to `target` crosses. Returns its length.
@@ -261,8 +296,7 @@ double trace_arc(const Intrinsic_triangulation& triangulation,
                  F f)
 {
   Line_search search{length};
-  find_arc(triangulation, rules, source, target, Visitor(), search);
-  search_in_doubt(triangulation, rules, source, target, search);
+  find_arc_of_graph<Visitor>(triangulation, rules, source, target, search);
   return report_line(triangulation, search, target, f);
 }
 
