@@ -162,6 +162,21 @@ TEST(Nearly_coincident_vertices, leave_paths_as_long_as_distances)
   }
 }
 
+// Lines from points close to a corner had lost their direction, and crossed edges elsewhere.
+TEST(Nearly_coincident_vertices, leave_straight_lines_as_long_as_they_say)
+{
+  std::vector<std::uint64_t> seeds = seeds_of_small_soups();
+  for(const std::uint64_t seed : {136u, 1686u, 11147u, 11803u})
+    seeds.push_back(seed);
+  for(const std::uint64_t seed : seeds)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const auto kind = lazy_graph(0.1, AG::Lazy_discrete_geodesic_graph::Arcs::FORGOTTEN);
+    Paths_to_check(nearly_degenerate(seed), kind, 1e-8).expect_paths(random, 4);
+  }
+}
+
 TEST(Coincident_vertices, leave_paths_as_long_as_distances_on_sample_meshes)
 {
   SKIP_WITHOUT_SAMPLE_MESHES();

@@ -500,6 +500,16 @@ public:
     });
   }
 
+  // The vector from a point of the face to corner `j`, accurate where the point is close to it.
+  Plane_vector vector_to_corner(const std::size_t j, const Face_point& point) const
+  {
+    const auto& weight = point.seen_from(m_triangulation, m_halfedges[0]).weight;
+    Plane_vector result{0, 0};
+    for(std::size_t i = 0; i < 3; ++i)
+      result = result + weight[i] * edge(i, j);
+    return result;
+  }
+
 private:
   const Intrinsic_triangulation& m_triangulation;
   std::array<Index, 3> m_halfedges;

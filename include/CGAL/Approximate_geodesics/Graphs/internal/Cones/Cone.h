@@ -73,8 +73,8 @@ struct Straight_arc
   Index target;
   double length;
   Plane_vector position; // of the target, where the source is the origin and `start` lies along x
-  Index start;           // the halfedge that starts from the source, to the right of the line; if
-                         // the source is not a vertex, what `expand_through()` was given
+  Index start;           // the halfedge that starts from the source, to the right of the line;
+                         // or the one inside the face, of the view through which it is seen
   std::uint32_t trail;   // that of the last window on the line
 };
 
@@ -156,6 +156,14 @@ struct Window
   Plane_vector left_position, right_position;
   double left_distance, right_distance; // ... and their distances, if the visitor wants them
   std::uint32_t trail;                  // the windows before it, as the visitor records them
+};
+
+// What a point sees through a side of a face that contains it.
+struct View
+{
+  Window window;
+  Plane_vector edge;   // from the left to the right end of the window, more accurate than these
+  Window::Index start; // the halfedge inside
 };
 
 /*

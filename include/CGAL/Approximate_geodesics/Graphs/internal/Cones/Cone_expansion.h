@@ -124,11 +124,11 @@ public:
     }
   }
 
-  // The same for what is seen from the origin, which is not a vertex, through a window whose ends
-  // have distances above 0. All arcs get `start`.
+  // The same for what is seen from the origin through a window whose ends have distances above 0.
   template <typename F, typename Visitor>
-  void expand_through(const Window& window, const Index start, F f, const Visitor visitor) const
+  void expand_through(const View& view, F f, const Visitor visitor) const
   {
+    const Window& window = view.window;
     const bool has_angle = cross(window.right_position, window.left_position) > 0 ||
                            dot(window.right_position, window.left_position) < 0; // a straight one
     if(!has_angle || visitor.prune(window))
@@ -140,10 +140,10 @@ public:
               0,
               {}};
     cone.window.trail = visitor.record_window(window.halfedge, 0);
-    cones.edge = window.right_position - window.left_position;
+    cones.edge = view.edge;
     bool is_open = true;
     while(is_open || pop(cones, cone))
-      is_open = advance(cone, cones, null_index, start, f, visitor);
+      is_open = advance(cone, cones, null_index, view.start, f, visitor);
   }
 
 private:

@@ -26,10 +26,9 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * The straight lines from a point that is not a vertex, across the faces around, as far as a
- * discrete geodesic graph follows those from a vertex: to vertices, and to other such points. For
- * the same reason as there, they are enough for paths that are at most 1 + epsilon times as long as
- * the shortest ones.
+ * The straight lines from a point across the faces around, as far as a discrete geodesic graph
+ * follows those from a vertex: to vertices, and to other points. For the same reason as there, they
+ * are enough for paths that are at most 1 + epsilon times as long as the shortest ones.
  */
 class Cones_of_point
 {
@@ -57,10 +56,9 @@ public:
   {
     m_lines.for_each_node(f);
     if(!m_point.is_vertex())
-      for_each_window([&](const Window& window, const Index start) {
+      for_each_view([&](const View& view) {
         m_expansion.expand_through(
-            window, start, [&](const Straight_arc& arc) { f(arc.target, arc.length); },
-            Leave_out_nothing());
+            view, [&](const Straight_arc& arc) { f(arc.target, arc.length); }, Leave_out_nothing());
       });
   }
 
@@ -73,8 +71,8 @@ public:
     m_lines.for_each_point(points, f);
     Window_tree tree;
     const auto report = [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); };
-    for_each_window([&](const Window& window, const Index start) {
-      expand_to_points(window, start, points, tree, Leave_out_nothing(), report);
+    for_each_view([&](const View& view) {
+      expand_to_points(view, points, tree, Leave_out_nothing(), report);
     });
   }
 
@@ -119,9 +117,7 @@ public:
   template <typename Visitor>
   void find_line(const Intrinsic_point& end, const Visitor& visitor, Line_search& search) const
   {
-    for_each_window([&](const Window& window, const Index start) {
-      find_line_through(window, start, end, visitor, search);
-    });
+    for_each_view([&](const View& view) { find_line(end, view, visitor, search); });
   }
 
   // Considers those in the given direction, up to a small angle, that are no longer than `reach`.
@@ -133,10 +129,10 @@ public:
   {
     const Intrinsic_triangulation& t = m_triangulation;
     const auto look = [&](const Index h, const double angle) {
-      for_each_window_of_face(h, [&](const Window& window, const Index start) {
+      for_each_view_out_of_face(h, [&](const View& view) {
         const Plane_vector ray =
-            turned_left(unit_vector(h, start), {std::cos(angle), std::sin(angle)});
-        find_line_through(window, start, end, Along_line{{}, ray, reach, tolerance}, search);
+            turned_left(unit_vector(h, view.start), {std::cos(angle), std::sin(angle)});
+        find_line(end, view, Along_line{{}, ray, reach, tolerance}, search);
       });
     };
     if(!m_point.is_vertex())
@@ -159,8 +155,9 @@ public:
   {
     if(search.found.trail != 0)
     {
-      const Window first = window(search.found.start);
-      search.for_each_crossing(m_triangulation, first.left_position, first.right_position, f);
+      const View v = view(search.found.start);
+      search.for_each_crossing(m_triangulation, v.window.left_position, v.window.right_position,
+                               v.edge, f);
     }
     return search.found.length;
   }
@@ -183,32 +180,25 @@ private:
   };
 
   template <typename Visitor>
-  void find_line_through(const Window& window,
-                         const Index start,
-                         const Intrinsic_point& end,
-                         const Visitor& visitor,
-                         Line_search& search) const
+  void find_line(const Intrinsic_point& end,
+                 const View& view,
+                 const Visitor& visitor,
+                 Line_search& search) const
   {
-    const auto consider = [&](const Straight_arc& line) { search.consider(line); };
+    const auto consider = [&](const Straight_arc& arc) {
+      if(arc.target == end.vertex)
+        search.consider(arc);
+    };
     if(end.is_vertex())
-      m_expansion.expand_through(
-          window, start,
-          [&](const Straight_arc& arc) {
-            if(arc.target == end.vertex)
-              consider(arc);
-          },
-          Remembering<Visitor>{visitor, search.tree});
+      m_expansion.expand_through(view, consider, Remembering<Visitor>{visitor, search.tree});
     else
-    {
-      const auto report = [&](std::size_t, const Straight_arc& line) { consider(line); };
-      expand_to_points(window, start, Points_by_face(m_triangulation, {end}), search.tree, visitor,
-                       report);
-    }
+      expand_to_points(view, Points_by_face(m_triangulation, {end}), search.tree, visitor,
+                       [&](std::size_t, const Straight_arc& line) { search.consider(line); });
   }
 
-  // Looks for points in the faces that it is told of, and records windows.
+  // Looks for points in the faces that it is told of.
   template <typename Visitor, typename Report>
-  struct Finding_points : Visitor
+  struct Finding_points : Remembering<Visitor>
   {
     static constexpr bool wants_faces = true;
 
@@ -232,84 +222,79 @@ private:
              cross(position, cone.left.direction) >= -rounding;
     }
 
-    std::uint32_t record_window(const Index halfedge, const std::uint32_t trail) const
-    {
-      return tree.add(halfedge, trail);
-    }
-
     const Intrinsic_triangulation& triangulation;
     const Points_by_face& points;
-    Window_tree& tree;
     const Report& report;
     Index start;
   };
 
   template <typename Visitor, typename Report>
-  void expand_to_points(const Window& window,
-                        const Index start,
+  void expand_to_points(const View& view,
                         const Points_by_face& points,
                         Window_tree& tree,
                         const Visitor& visitor,
                         const Report& report) const
   {
     m_expansion.expand_through(
-        window, start, [](const Straight_arc&) {},
-        Finding_points<Visitor, Report>{visitor, m_triangulation, points, tree, report, start});
+        view, [](const Straight_arc&) {},
+        Finding_points<Visitor, Report>{
+            {visitor, tree}, m_triangulation, points, report, view.start});
   }
 
-  // Calls `f(window, start)` for the sides of the faces around that one can look out of. `start` is
-  // the halfedge inside.
+  // Calls `f(view)` for the sides of the faces around that one can look out of.
   template <typename F>
-  void for_each_window(F f) const
+  void for_each_view(F f) const
   {
-    m_point.for_each_face(m_triangulation, [&](const Index h) { for_each_window_of_face(h, f); });
+    m_point.for_each_face(m_triangulation, [&](const Index h) { for_each_view_out_of_face(h, f); });
   }
 
   template <typename F>
-  void for_each_window_of_face(const Index h, F f) const
+  void for_each_view_out_of_face(const Index h, F f) const
   {
     for(const Index side : m_triangulation.halfedges_of_face(h))
       if(!m_triangulation.is_border(m_triangulation.opposite(side)) &&
          !m_point.is_on_edge_of(side, m_triangulation))
-      {
-        const Window w = window(side);
-        if(w.left_distance > 0 && w.right_distance > 0)
-          f(w, side);
-      }
+        if(const View v = view(side); v.window.left_distance > 0 && v.window.right_distance > 0)
+          f(v);
   }
 
-  // The direction of `h` as it is laid out with the window in `side`, a halfedge of the same face.
+  // The direction of `h` as it is laid out for the view through `side`, a halfedge of the same
+  // face.
   Plane_vector unit_vector(const Index h, const Index side) const
   {
     const Face_layout layout(m_triangulation, side);
     std::size_t i = 0;
-    while(layout.halfedge(i) != h)
+    while(i < 2 && layout.halfedge(i) != h)
       ++i;
     const Plane_vector edge = layout.edge(i, (i + 1) % 3);
     return 1 / length(edge) * edge;
   }
 
   // The view out of the face to the left of `side`, from the point at the origin.
-  Window window(const Index side) const
+  View view(const Index side) const
   {
     const Face_layout layout(m_triangulation, side);
-    Plane_vector position{0, 0};
-    layout.for_each_position(m_point, [&](const Plane_vector p) { position = p; });
-    Plane_vector left = layout.corner(1) - position, right = layout.corner(0) - position;
+    Plane_vector left{0, 0}, right{0, 0}, edge = layout.edge(1, 0);
+    for_each_face_point(m_triangulation, m_point, side, [&](const Face_point& p) {
+      left = layout.vector_to_corner(1, p);
+      right = layout.vector_to_corner(0, p);
+    });
     if(!(cross(right, left) > 0)) // the face has no area, and the point may be between its corners
     {
       const double sign = is_between(right, left) ? -1 : 1;
       left = {sign * length(left), 0};
       right = {length(right), 0};
+      edge = right - left;
     }
-    return {m_triangulation.opposite(side),
-            layout.vertex(1),
-            layout.vertex(0),
-            left,
-            right,
-            length(left),
-            length(right),
-            0};
+    const Window window{m_triangulation.opposite(side),
+                        layout.vertex(1),
+                        layout.vertex(0),
+                        left,
+                        right,
+                        length(left),
+                        length(right),
+                        0};
+    return {window, edge, side};
   }
 
   // Whether two points that are in one line with the origin are on either side of it, and not so

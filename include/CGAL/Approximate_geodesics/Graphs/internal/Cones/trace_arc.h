@@ -191,25 +191,32 @@ struct Line_search : Sought_line<Straight_arc>
   // No line that is longer is found.
   double reach() const { return (length + rounding) * (1 + TOLERANCE); }
 
-  // Calls `f(h, t)` for the edges that the arc found crosses, the first of which has these ends.
+  // Calls `f(h, t)` for the edges that the arc found crosses, the first of which has these ends;
+  // `edge` is the vector from its left to its right end. See `Cone_expansion` for such vectors.
   template <typename F>
   void for_each_crossing(const Intrinsic_triangulation& triangulation,
                          const Plane_vector left,
                          const Plane_vector right,
+                         const Plane_vector edge,
                          F f) const
   {
     struct Edge
     {
       Plane_vector right() const { return right_end; }
-      Plane_vector left, right_end;
+      Plane_vector left, right_end, vector;
     };
     const Unfolding_on_demand unfolding(triangulation);
-    const auto cross_face = [&](Edge& edge, const Window::Index h, const Window::Index next) {
+    const bool carries_edges = triangulation.thin_faces().has_extreme_needles();
+    const auto cross_face = [&](Edge& e, const Window::Index h, const Window::Index next) {
       const Unfolded_face face = unfolding.face(h);
-      const Plane_vector apex = face.position_of_apex(edge.left, edge.right_end);
-      (next == face.right ? edge.left : edge.right_end) = apex;
+      const bool goes_right = next == face.right;
+      const Plane_vector apex = carries_edges ? e.left + face.left_side(e.vector)
+                                              : face.position_of_apex(e.left, e.right_end);
+      e.vector =
+          goes_right ? right_side(triangulation, h, face, e.vector) : face.left_side(e.vector);
+      (goes_right ? e.left : e.right_end) = apex;
     };
-    for_each_crossed_edge(tree.halfedges(found.trail), Edge{left, right}, found.position,
+    for_each_crossed_edge(tree.halfedges(found.trail), Edge{left, right, edge}, found.position,
                           cross_face, f);
   }
 
@@ -276,9 +283,9 @@ double report_line(const Intrinsic_triangulation& triangulation,
     reject("the graph has an arc that the mesh has not; was it read from a file that was changed?");
   const Straight_arc& arc = search.found;
   const Plane_vector right{triangulation.length(arc.start), 0};
-  const Plane_vector left =
-      Unfolding_on_demand(triangulation).face(arc.start).position_of_apex({0, 0}, right);
-  search.for_each_crossing(triangulation, left, right, f);
+  const Unfolded_face face = Unfolding_on_demand(triangulation).face(arc.start);
+  search.for_each_crossing(triangulation, face.position_of_apex({0, 0}, right), right,
+                           right_side(triangulation, arc.start, face, right), f);
   return arc.length;
 }
 

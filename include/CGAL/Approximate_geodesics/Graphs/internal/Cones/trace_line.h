@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
@@ -16,13 +17,8 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
+#include <optional>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -36,8 +32,8 @@ class Line_in_mesh
   using Index = Intrinsic_triangulation::Index;
 
 public:
-  // The line from `source` to `target` of the given length, up to `rounding`. Throws if there is
-  // none.
+  // The line from `source` to `target` of the given length, up to `rounding`. Those that cross no
+  // edge are considered at once.
   Line_in_mesh(const Intrinsic_triangulation& mesh,
                const Intrinsic_point& source,
                const Intrinsic_point& target,
