@@ -309,15 +309,9 @@ private:
                        const Plane_vector apex,
                        const Visitor& visitor)
   {
-    window.halfedge = face.right;
     window.left_end = face.apex;
     window.left_position = apex;
-    if(Visitor::wants_distances)
-      window.left_distance = length(apex);
-    if(face.right == null_index || visitor.prune(window))
-      return false;
-    window.trail = visitor.record_window(face.right, window.trail);
-    return true;
+    return enter(face.right, window, window.left_distance, apex, visitor);
   }
 
   template <typename Visitor>
@@ -326,14 +320,25 @@ private:
                       const Plane_vector apex,
                       const Visitor& visitor)
   {
-    window.halfedge = face.left;
     window.right_end = face.apex;
     window.right_position = apex;
+    return enter(face.left, window, window.right_distance, apex, visitor);
+  }
+
+  // The window is on `halfedge` now, at one end of which is the apex.
+  template <typename Visitor>
+  static bool enter(const Index halfedge,
+                    Window& window,
+                    double& distance_of_apex,
+                    const Plane_vector apex,
+                    const Visitor& visitor)
+  {
+    window.halfedge = halfedge;
     if(Visitor::wants_distances)
-      window.right_distance = length(apex);
-    if(face.left == null_index || visitor.prune(window))
+      distance_of_apex = length(apex);
+    if(halfedge == null_index || visitor.prune(window))
       return false;
-    window.trail = visitor.record_window(face.left, window.trail);
+    window.trail = visitor.record_window(halfedge, window.trail);
     return true;
   }
 
