@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What discrete geodesic graphs cost a vertex of meshes whose faces are far longer than wide,
-// beside an ordinary mesh with as many vertices and exact distances. See --help.
+// What discrete geodesic graphs cost a vertex, and a path, on meshes whose faces are far longer
+// than wide, beside an ordinary mesh with as many vertices and exact distances. See --help.
 
 #include "measuring/Errors.h"
 #include "measuring/measure.h"
@@ -17,11 +17,14 @@
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <cstddef>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -36,8 +39,8 @@ public:
     : m_epsilon(epsilon),
       m_number_of_rounds(number_of_rounds),
       m_table({"surface", "vertices", "exact us/vertex", "prepare lazy us/vertex",
-               "lazy search us/vertex", "mean %", "largest %", "build us/vertex", "arcs/vertex",
-               "bytes/vertex", "search us/vertex", "mean %", "largest %"})
+               "lazy search us/vertex", "mean %", "largest %", "ms/path", "build us/vertex",
+               "arcs/vertex", "bytes/vertex", "search us/vertex", "mean %", "largest %", "ms/path"})
   {
   }
 
@@ -72,6 +75,14 @@ public:
       }
     });
     searches.run(sources.size());
+    AG::Surface_search<AG::Lazy_discrete_geodesic_graph> lazy_paths(*lazy);
+    AG::Surface_search<AG::Discrete_geodesic_graph> paths(*built);
+    lazy_paths.run({{at_vertex(source(0))}});
+    paths.run({{at_vertex(source(0))}});
+    Contest path_contest;
+    path_contest.add([&](auto) { find_paths(lazy_paths); });
+    path_contest.add([&](auto) { find_paths(paths); });
+    path_contest.run(sources.size());
 
     m_table.add_row()
         .add(surface)
@@ -81,17 +92,35 @@ public:
         .add(cost(searches, 1), 2)
         .add(100 * lazy_errors.mean(), 4)
         .add(100 * lazy_errors.largest(), 2)
+        .add(path_contest.median_seconds(0) / NUMBER_OF_PATHS * 1e3, 2)
         .add(cost(contest, 1), 2)
         .add(double(built->number_of_arcs()) / m_n, 1)
         .add(double(built->memory()) / m_n, 1)
         .add(cost(searches, 2), 2)
         .add(100 * errors.mean(), 4)
-        .add(100 * errors.largest(), 2);
+        .add(100 * errors.largest(), 2)
+        .add(path_contest.median_seconds(1) / NUMBER_OF_PATHS * 1e3, 2);
   }
 
   const Table& table() const { return m_table; }
 
 private:
+  static constexpr int NUMBER_OF_PATHS = 20;
+
+  static AG::Intrinsic_point at_vertex(const Intrinsic_triangulation::Index v)
+  {
+    return AG::Intrinsic_point::at_vertex(v);
+  }
+
+  template <typename Search>
+  static void find_paths(const Search& search)
+  {
+    const auto n = search.graph().triangulation().number_of_vertices();
+    for(int i = 0; i < NUMBER_OF_PATHS; ++i)
+      if(search.find_path(at_vertex(n / NUMBER_OF_PATHS * i)).points.empty())
+        throw std::logic_error("a vertex cannot be reached");
+  }
+
   double cost(const Contest& contest, const std::size_t i) const
   {
     return contest.median_seconds(i) / m_n * 1e6;
