@@ -274,11 +274,15 @@ private:
   View view(const Index side) const
   {
     const Face_layout layout(m_triangulation, side);
-    Plane_vector left{0, 0}, right{0, 0}, edge = layout.edge(1, 0);
-    for_each_face_point(m_triangulation, m_point, side, [&](const Face_point& p) {
-      left = layout.vector_to_corner(1, p);
-      right = layout.vector_to_corner(0, p);
-    });
+    Plane_vector position{0, 0};
+    layout.for_each_position(m_point, [&](const Plane_vector p) { position = p; });
+    Plane_vector left = layout.corner(1) - position, right = layout.corner(0) - position;
+    Plane_vector edge = layout.edge(1, 0);
+    if(m_triangulation.thin_faces().has_extreme_needles()) // see `Cone_expansion`
+      for_each_face_point(m_triangulation, m_point, side, [&](const Face_point& p) {
+        left = layout.vector_to_corner(1, p);
+        right = layout.vector_to_corner(0, p);
+      });
     if(!(cross(right, left) > 0)) // the face has no area, and the point may be between its corners
     {
       const double sign = is_between(right, left) ? -1 : 1;
