@@ -241,6 +241,13 @@ const std::vector<Hard_surfaces> hard_surfaces{
      {60164051, 80405824}},
     {"a vertex in a needle is between two edges along a ray, and each side leaves it to the other",
      {60116675}},
+    {"a face is folded back on a ray: its corner is nearer than the edge where rays cross it, and "
+     "farther than one of its ends",
+     {200273086, 400074464, 600017733}},
+    {"a path passes a vertex on a ray shortly before its end, on either side with the same length",
+     {600108005}},
+    {"a corner is behind the tip of a sight without width, on one ray only",
+     {600118645, 600136627, 600294345}},
     {"some of these, not told apart",
      {836690, 1145772, 1157777, 1300727, 1320409, 1345694, 1409884, 1621502, 1622211, 1772066,
       2013510, 2139889, 2233395}}};

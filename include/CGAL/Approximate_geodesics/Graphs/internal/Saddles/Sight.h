@@ -110,13 +110,6 @@ struct Sight_ray
   {
   }
 
-  // Whether an end of an edge is on it, and nearer than the vertex: a face is folded back there,
-  // and all that is seen next to that end is behind the vertex.
-  bool hides(const Plane_vector end, const double distance_of_end) const
-  {
-    return is_on(end, distance_of_end) && TOLERANCE * distance_of_end < margin;
-  }
-
   // The ray of a sight whose edge gets a nearer apex in place of an end: over the end if this is on
   // the ray, and farther than the vertex.
   Sight_ray before_fold(const Plane_vector end,
@@ -147,22 +140,13 @@ struct Sight_path
   double length = std::numeric_limits<double>::infinity();
   Plane_vector last_line = {0, 0}; // straight to the end
 
-  // Leads the path over a vertex next to the straight line if this hides the end, which is so far
-  // beyond it, times its distance; unless a vertex is known that hides the end more. If the end is
-  // nearer than the vertex, it has to be farther beyond, by `least` times what rounding changes.
-  void lead_over(const Plane_vector vertex,
-                 const double beyond,
-                 const double least,
-                 const Sight_path& line)
+  bool exists() const { return length < std::numeric_limits<double>::infinity(); }
+
+  // Whether the last line is so short that the path arrives in other directions on the two sides of
+  // a vertex on the ray that it has left, with the same length.
+  bool has_unknown_direction() const
   {
-    const double distance = internal::length(vertex);
-    const double rounding = Sight_ray::ROUNDING * Sight_ray::TOLERANCE * distance * line.length;
-    if(!(beyond >= (line.length < distance ? least * rounding : 0))) // in line counts, too
-      return;
-    const Plane_vector way = line.last_line - vertex;
-    const double length_over_vertex = distance + internal::length(way);
-    if(length_over_vertex > length)
-      *this = {length_over_vertex, way};
+    return Sight_ray::TOLERANCE * length > Arrival::ROUNDING * internal::length(last_line);
   }
 };
 
@@ -200,9 +184,15 @@ struct Sight
     return left + left_edge;
   }
 
-  // The path to a point ahead, at this distance: a straight line; or none, of infinite length, if
-  // the point is not seen. If it is on a ray, give or take rounding errors, it may be hidden by the
-  // vertex there, or by an end of the edge: then the path leads over that.
+  /*
+   * The path to a point ahead, at this distance: a straight line; or none, of infinite length, if
+   * the point is not seen. If it is on a ray, give or take rounding errors, the path follows the
+   * ray to the edge, and goes on from there:
+   * - where the point is beyond the ray and farther than the edge. The difference is tiny;
+   * - where it is nearer than the edge on both rays: there, a face is folded back.
+   * A point beyond a ray, and between its two crossings of an edge that is almost along the sight,
+   * is seen: rounding decides on which side it is, and no other sight may see it.
+   */
   Sight_path path_to(const Plane_vector point, const double distance) const
   {
     const double beyond_left = cross(left_ray.direction, point),
@@ -214,37 +204,42 @@ struct Sight
     constexpr double rounding = Sight_ray::ROUNDING;
     const bool is_on_left = beyond_left > -rounding * left_margin,
                is_on_right = beyond_right > -rounding * right_margin;
-    Sight_path result{distance, point};
+    const Sight_path line{distance, point};
     if(!is_on_left && !is_on_right)
-      return result;
-    if(is_on_left && is_on_right && is_behind(point))
+      return line;
+    if(is_behind(point))
       return {};
-    // next to a ray, only the corner of a face that is folded back is no farther than the whole
-    // edge
+    const Plane_vector left_crossing = crossing(left_ray, 0),
+                       right_crossing = crossing(right_ray, 1);
+    const double nearest = (std::min)(length(left_crossing), length(right_crossing));
     const bool is_before_edge =
-        distance < (1 + ROUNDING) * (std::min)(left_distance, right_distance) &&
-        dot(left, right) > 0;
-    const bool is_narrow =
-        is_before_edge || (is_on_left && is_on_right && dot(left_ray.direction, point) > 0 &&
-                           dot(right_ray.direction, point) > 0);
-    const double least = is_narrow ? 0 : 1;
-    // a path to what is before the edge leads around its nearer end, on whichever side that is
-    const double least_of_nearer = is_before_edge ? -1 : least;
-    const bool is_left_nearer = left_distance < right_distance;
-    // in a sight as wide as half a plane, the tip is on the edge: the other side hides nothing
-    const bool is_tip_on_edge =
-        is_on_left && is_on_right && dot(left_ray.direction, right_ray.direction) < 0;
-    const auto lead_over = [&, line = result](const Plane_vector vertex, const double beyond,
-                                              const double factor) {
-      if(!is_tip_on_edge || !(dot(vertex, point) < 0))
-        result.lead_over(vertex, beyond, factor, line);
+        distance < (1 + ROUNDING) * nearest && dot(left_crossing, right_crossing) > 0;
+    Sight_path result;
+    const auto follow = [&](const Sight_ray& ray, const double beyond,
+                            const Plane_vector crossing) {
+      const double to_crossing = length(crossing);
+      const bool is_hidden = beyond >= 0 && distance > to_crossing && dot(ray.direction, point) > 0;
+      const Plane_vector rest = point - crossing;
+      const double way = (std::max)(distance, to_crossing + length(rest));
+      if((is_before_edge || is_hidden) && way < result.length)
+        result = {way, rest};
     };
-    lead_over(left_ray.direction, beyond_left, left_ray.hides(left, left_distance) ? 0 : least);
-    lead_over(left, cross(left, point), is_left_nearer ? least_of_nearer : least);
-    lead_over(right_ray.direction, beyond_right,
-              right_ray.hides(right, right_distance) ? 0 : least);
-    lead_over(right, cross(point, right), is_left_nearer ? least : least_of_nearer);
-    return result;
+    if(is_on_left)
+      follow(left_ray, beyond_left, left_crossing);
+    if(is_on_right)
+      follow(right_ray, beyond_right, right_crossing);
+    return result.exists() ? result : line;
+  }
+
+  // Where a ray crosses the edge; at this part of the way from left to right if it is along the
+  // edge.
+  Plane_vector crossing(const Sight_ray& ray, const double otherwise) const
+  {
+    const double beyond_left = cross(ray.direction, left),
+                 beyond_right = cross(right, ray.direction);
+    const double sum = beyond_left + beyond_right;
+    const double part = sum > 0 ? (std::clamp)(beyond_left / sum, 0., 1.) : otherwise;
+    return part < 0.5 ? left + part * edge : right - (1 - part) * edge;
   }
 
   /*
@@ -275,7 +270,8 @@ struct Sight
     const double shortest =
         smallest_part * (std::max)({left_distance, right_distance, length(apex)});
     const double height_by_edge = std::abs(cross(edge, left_edge));
-    if(!(height_by_edge > shortest * length(edge) && length(path.last_line) > shortest))
+    if(!(height_by_edge > shortest * length(edge) && length(path.last_line) > shortest) ||
+       path.has_unknown_direction())
       return Arrival::in_unknown_direction(halfedge);
     return Arrival::across(halfedge, path.last_line, left_edge);
   }
