@@ -177,7 +177,7 @@ private:
   {
     using Unfolding::Unfolding;
 
-    decltype(auto) face(const Index h) const
+    decltype(auto) face(const Node h) const
     {
       count.add(1);
       return Unfolding::face(h);
