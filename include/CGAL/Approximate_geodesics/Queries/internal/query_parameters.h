@@ -26,6 +26,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Named_function_parameters.h>
@@ -235,8 +236,8 @@ auto with_graph(const TriangleMesh& tmesh,
 
 namespace CGAL::Approximate_geodesics {
 
-CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template internal::Edge_lengths internal::straight_lengths(
-    std::vector<Space_vector>, const Intrinsic_triangulation&, const Loop&, Sharp_corners&);
+CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template internal::Edge_lengths
+internal::straight_lengths(std::vector<Space_vector>, const Intrinsic_triangulation&, const Loop&);
 CGAL_APPROXIMATE_GEODESICS_GRAPH(Lazy_discrete_geodesic_graph)
 CGAL_APPROXIMATE_GEODESICS_GRAPH(Saddle_vertex_graph)
 CGAL_APPROXIMATE_GEODESICS_SEARCH(Edge_graph)
