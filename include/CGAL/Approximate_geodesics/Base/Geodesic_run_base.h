@@ -18,8 +18,8 @@ namespace CGAL::Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsBase
  *
- * What a search of a graph needs that has no `Run` of its own: nothing. It reports the arcs of one
- * node after the other, as `for_each_arc()` and `for_each_crossing()` of the graph give them.
+ * The run of a graph that has no `Run` of its own. It stores no data, and reports arcs node by
+ * node, as `for_each_arc()` and `for_each_crossing()` of the graph do.
  *
  * A `Run` of a graph can derive from this class, and replace the member functions that it needs.
  *
@@ -38,18 +38,18 @@ public:
   /// the number of a node.
   using Node = typename Graph::Node;
 
-  /// nothing is kept with labels.
+  /// empty: no data is stored with labels.
   struct Payload
   {
   };
 
-  /// what `attach()` of the graph finds is enough.
+  /// the lines that `attach()` of the graph finds do not depend on labels.
   static constexpr bool attaches_by_labels = false;
 
-  /// nothing is needed for a search of `graph`, which is referred to, not copied.
+  /// constructs the run of `graph`, which is referred to, not copied.
   explicit Geodesic_run_base(const Graph& graph) : m_graph(&graph) {}
 
-  /// finds nothing out in advance.
+  /// does nothing.
   template <typename Search>
   void start(Search& /* search */)
   {
@@ -65,17 +65,17 @@ public:
     candidates.append_arcs(*m_graph, nodes, number, labels);
   }
 
-  /// keeps nothing.
+  /// does nothing.
   void on_label(Node /* node */, double /* distance */, const Payload& /* payload */) {}
 
-  /// has nothing to add.
+  /// does nothing.
   template <typename Search>
   void finish(Search& /* search */)
   {
   }
 
   /// \name Forgetting
-  /// There is nothing to forget.
+  /// No data is stored, so these functions do nothing.
   /// @{
 
   /// does nothing.
@@ -147,7 +147,7 @@ namespace internal {
 template <typename Graph>
 using Own_run = typename Graph::Run;
 
-// What a search needs for a graph.
+// The run of a graph: its own, or the default.
 template <typename Graph>
 using Run_of = boost::detected_or_t<Geodesic_run_base<Graph>, Own_run, Graph>;
 

@@ -147,7 +147,8 @@ public:
     return result <= m_largest_number ? result : number_if_given_up();
   }
 
-  /// writes the positions of these points to `positions`.
+  /// writes the positions of these points to `positions`. `number_of_points` is the result of
+  /// `number_of_points()`.
   void place(const Intrinsic_triangulation& triangulation,
              const Index h,
              float* positions,
@@ -156,7 +157,7 @@ public:
     const auto all = progressions(triangulation, h);
     if(number_of_points == all.number_of_points())
       return all.place(positions);
-    for(std::size_t i = 0; i < number_of_points; ++i) // a bound was given up
+    for(std::size_t i = 0; i < number_of_points; ++i) // fewer than the bound requires
     {
       const double part = double(i + 1) / double(number_of_points + 1);
       positions[i] = static_cast<float>(part <= 0.5 ? part : part - 1);
@@ -179,7 +180,7 @@ private:
       0.65; // of epsilon; the rest is for passing near vertices
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double ROUNDING = 1e-9;
-  static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7; // of positions in single precision
+  static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7; // as in `Measured_progressions`
 
   void give_up(const std::string& reason)
   {

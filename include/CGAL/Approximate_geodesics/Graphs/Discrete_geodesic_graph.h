@@ -158,7 +158,8 @@ public:
   /*!
    * calls `f(target, length)` for every arc that starts from `node`.
    *
-   * The arcs do not depend on the labels.
+   * The arcs do not depend on the labels. They are those of a `Lazy_discrete_geodesic_graph` that
+   * keeps its arcs.
    */
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& /* labels */, F f) const

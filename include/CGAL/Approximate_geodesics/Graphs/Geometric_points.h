@@ -163,7 +163,8 @@ public:
                : 0;
   }
 
-  /// writes the positions of these points to `positions`.
+  /// writes the positions of these points to `positions`. `number_of_points` is the result of
+  /// `number_of_points()`.
   void place(const Intrinsic_triangulation& triangulation,
              const Index h,
              float* positions,

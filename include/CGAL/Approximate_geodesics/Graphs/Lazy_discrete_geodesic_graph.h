@@ -42,12 +42,11 @@ namespace CGAL::Approximate_geodesics {
  * such searches. `approximate_geodesic_distances()` and `approximate_geodesic_path()` use it.
  *
  * When a node is expanded, the distances found so far tell which arcs are of no use, and these are
- * never computed; which ones that are depends on the order in which nodes are expanded. So
- * distances may differ between queues, from run to run of one workspace, whose queue adapts to the
- * mesh, with and without `Parallel_tag`, and from those in the built graph: always within the
- * bound.
- * If arcs are to be kept, all arcs of a node are computed when it is expanded for the first time,
- * and those are the arcs, and the distances, of `Discrete_geodesic_graph`.
+ * never computed. Which ones depends on the order in which nodes are expanded. So distances may
+ * differ between queues, from run to run of one workspace, whose queue adapts to the mesh, with and
+ * without `Parallel_tag`, and from those in the built graph: always within the bound. If arcs are
+ * to be kept, all arcs of a node are computed when it is expanded for the first time, and those are
+ * the arcs, and the distances, of `Discrete_geodesic_graph`.
  *
  * An object of this class may be used by several threads at the same time.
  *
@@ -59,7 +58,7 @@ public:
   /// the number of a node; those of the vertices come first.
   using Node = Intrinsic_triangulation::Index;
 
-  /// what becomes of arcs once they are computed.
+  /// whether computed arcs are kept.
   enum class Arcs
   {
     FORGOTTEN, ///< they are computed again when they are needed again
@@ -227,7 +226,8 @@ private:
     return !m_arc_cache.is_enabled() && !m_cone_triangulation.has_balanced_fans();
   }
 
-  // With these, a cone ends nowhere before one that goes on beside labels.
+  // With these rules, cones reach at least as far as those of `Cone_front`, so that all arcs of a
+  // front are found again.
   internal::Cone_rules rules_of_longest_arcs() const
   {
     return m_rules.farther(internal::Cone_rules::share_of_ends_beside_labels(m_rules.epsilon));
@@ -259,7 +259,7 @@ private:
     F& f;
   };
 
-  // Not inline, so that there is one compilation of it: it may round otherwise in another one.
+  // Not inline, so that it is compiled once: another compilation may round differently.
   template <typename Labels, typename Arcs>
   BOOST_NOINLINE void
   expand(const Node* const nodes, const std::size_t number, const Labels& labels, Arcs& arcs) const
@@ -291,11 +291,11 @@ private:
   {
     if(m_arc_cache.is_enabled())
       for_each_kept_arc(node, f);
-    else if(!m_cone_triangulation.has_balanced_fans()) // for the second time
+    else if(!m_cone_triangulation.has_balanced_fans()) // it was expanded before
       find_arcs(node, f, internal::Leave_out_nothing(), rules_of_longest_arcs());
     else if(was_expanded)
       find_arcs(node, f, internal::Leave_out_detours(), m_rules);
-    else // detours are left out, as a hub's neighbors may all see each other
+    else // the neighbors of a hub may all see each other: most arcs have a detour
       find_arcs(node, f,
                 internal::Label_pruning<internal::Leave_out_detours, Labels>{
                     {},
@@ -328,7 +328,7 @@ private:
     m_cone_triangulation.for_each_arc(m_triangulation, expansion, node, f, visitor);
   }
 
-  internal::Loop m_loop; // first, as it is used to make the others
+  internal::Loop m_loop; // declared first: the others are constructed with it
   Intrinsic_triangulation m_triangulation;
   internal::Cone_triangulation m_cone_triangulation;
   internal::Unfolding m_unfolding;

@@ -42,15 +42,15 @@ namespace CGAL::Approximate_geodesics {
  * \ref AG_saddle_vertex_graph of the user manual describes the algorithm, and the report
  * \cgalCite{ag-report} explains why it loses no vertex.
  *
- * Take it in place of \cgal's `Surface_mesh_shortest_path`, and in order to measure errors. The
- * user manual compares times. On smooth surfaces, the time per vertex grows with the square root of
- * their number; a bound is far cheaper there.
+ * Use it in place of \cgal's `Surface_mesh_shortest_path`, and to measure errors. The user manual
+ * compares times. On smooth surfaces, the time per vertex grows with the square root of their
+ * number; a bound is far cheaper there.
  *
- * Where faces are thinner than rounding errors, a search may lose all lines to a vertex. It finds
- * that out at its end, when no other vertex is left: then it reaches the vertex along edges, and
- * goes on from there. So a visitor may be told of such a vertex, and of those behind it, after
- * vertices that are farther away, and a second time if they had a longer path before. A run that
- * ends early, and one toward a goal, do not come to this: their paths do not lead over such a
+ * Where faces are thinner than rounding errors, a search may lose all lines to a vertex. It detects
+ * that at its end, when no other vertex is left: it then reaches the vertex along edges, and
+ * continues from there. So a visitor may be notified of such a vertex, and of those behind it,
+ * after vertices that are farther away, and a second time if they had a longer path before. Runs
+ * that end early, and runs toward a goal, do not do this: their paths do not lead over such a
  * vertex, unless it is the goal or a target. On ordinary meshes, no vertex is lost.
  *
  * An object of this class never changes after its construction and may be used by several threads.
@@ -76,7 +76,7 @@ public:
    *
    * \param triangulation the triangulation
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
-   *           listed below; those that ask for what the graph cannot give are refused
+   *           listed below; parameters that the graph does not support are rejected
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{epsilon}
@@ -171,7 +171,7 @@ private:
     return triangulation;
   }
 
-  internal::Loop m_loop; // first, as it is used to make the others
+  internal::Loop m_loop; // declared first: the others are constructed with it
   Edge_graph m_edges;
   internal::Face_steps m_steps;
   internal::Bends m_bends;

@@ -24,19 +24,20 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * The file of a discrete geodesic graph: what it is, the mesh that it belongs to, epsilon, the
+ * The file of a discrete geodesic graph: a signature, the mesh that it belongs to, epsilon, the
  * triangulation whose vertices are the nodes, and the arcs of each node.
  */
 class Arc_file
 {
   using Index = Intrinsic_triangulation::Index;
 
-  static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4747444741; // AGDGG, and what text modes spoil
+  // "AGDGG", followed by CR, SUB and LF, which copies in text mode change
+  static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4747444741;
   static constexpr std::uint32_t VERSION = 4;
   static constexpr const char* CONTENTS = "the graph"; // in messages
 
 public:
-  // The vertices of `nodes` are the nodes: it is `triangulation`, or made from that.
+  // The nodes are the vertices of `nodes`, which is `triangulation` or a retriangulation of it.
   static void save(std::ostream& out,
                    const Intrinsic_triangulation& triangulation,
                    const Intrinsic_triangulation& nodes,
@@ -96,7 +97,7 @@ public:
   }
 
 private:
-  // Tells meshes of the same size apart.
+  // Distinguishes meshes of the same size.
   static std::uint32_t fingerprint(const Intrinsic_triangulation& triangulation)
   {
     Checksum result;
@@ -128,7 +129,7 @@ private:
              "with other lengths or indices, or with lengths in place of coordinates");
   }
 
-  // Paths are found by building arcs again, which has to be done in the same way.
+  // Paths are found by computing arcs again, by the same rules.
   static void check_shares(Binary_reader& reader)
   {
     const auto ends = reader.read<double>();
@@ -176,7 +177,7 @@ private:
       if(target >= number_of_nodes || target == node || !is_sorted || !(length >= 0) ||
          std::isinf(length))
         reject("the file of the graph is damaged: arc " + std::to_string(i) + " of node " +
-               std::to_string(node) + " makes no sense");
+               std::to_string(node) + " is invalid");
       arcs.push_back({target, length});
     }
   }

@@ -25,23 +25,23 @@ namespace CGAL::Approximate_geodesics::internal {
  */
 struct Cone_rules
 {
-  // The share of epsilon that ends cones. The whole of it would do. This is where the largest
-  // errors on scanned models stay below a fourth of epsilon.
+  // The share of epsilon at which cones end. The error bound holds for any share up to 1. With this
+  // one, the largest errors on scanned models are below a fourth of epsilon.
   static constexpr double SHARE_OF_ENDS = 5. / 6;
 
-  // The share of epsilon that a detour may take which makes an arc dispensable. A larger one means
-  // fewer arcs and larger errors.
+  // The share of epsilon by which a detour may be longer than the arc that it replaces. A larger
+  // one means fewer arcs and larger errors.
   static constexpr double SHARE_OF_DETOURS = 0.08;
 
-  // The share of what lies between the two that a vertex may lose each time that a cone's side
-  // turns to another one, and still serve in the place of that. With none at all, cones that run
-  // along the rows of a lattice never end; a larger one means fewer faces crossed, and larger
-  // errors.
+  // When the side of a cone turns to another vertex, the server stays if it loses at most this
+  // share of the difference of its two savings: see `Cone_side::move_to()`. If the share is 0,
+  // cones that run along the rows of a lattice never end; a larger one means fewer faces crossed,
+  // and larger errors.
   static constexpr double SHARE_OF_BENDS = 1. / 512;
 
-  // The share of epsilon that ends cones where the labels of a search do not, which they do with
-  // the whole of it. For a large epsilon, they end most cones, so that a small share costs little
-  // time, and makes errors small.
+  // The share of epsilon at which cones end in a search, where labels end cones, too, with all of
+  // epsilon. For a large epsilon, labels end most cones, so that a small share costs little time
+  // and makes errors small.
   static double share_of_ends_beside_labels(const double epsilon)
   {
     constexpr double smallest = 0.3;
@@ -74,8 +74,8 @@ struct Straight_arc
   double length;
   Plane_vector position; // of the target, where the source is the origin and `start` lies along x
   Index start;           // the halfedge that starts from the source, to the right of the line;
-                         // or the one inside the face, of the view through which it is seen
-  std::uint32_t trail;   // that of the last window on the line
+                         // or, if the source is not a vertex, `View::start`
+  std::uint32_t trail;   // of the last window on the line
 };
 
 /*
@@ -98,8 +98,10 @@ struct Cone_side
 
   Plane_vector vertex() const { return distance * direction; }
 
-  // Whether x, which is `outside` out of the cone on this side, is out of sight. Where faces have
-  // no area, it may be on the ray, between the tip and the vertex, or on the ray of the other side.
+  // Whether x is out of sight on this side. `outside` is its distance from the ray, positive if it
+  // is outside the cone. Where faces have no area, x may be on the ray between the tip and the
+  // vertex, or on the ray of the other side. `Narrow_cone::Side` has the same test without
+  // branches.
   bool is_passed(const Plane_vector x, const double outside) const
   {
     constexpr double rounding = 1e-14;
@@ -115,7 +117,7 @@ struct Cone_side
            wanted * distance_of_x;
   }
 
-  // How far along `ray`, a vector of the given length, x has to be in order to be served.
+  // The smallest multiple of `ray`, a vector of the given length, that is served.
   double start_of_service(const Plane_vector ray, const double length_of_ray) const
   {
     const double gain = dot(server, ray) - saving * length_of_ray;
@@ -123,9 +125,9 @@ struct Cone_side
                     : std::numeric_limits<double>::infinity();
   }
 
-  // Turns the ray to x, which is served for the large saving. The way from the server to what lies
-  // behind x may have to bend there, which makes it longer, by `bend` at most. If that is little,
-  // the server goes on with so much less; if not, x takes its place.
+  // Turns the ray to x, which is served with the large saving. Paths from the server to points
+  // behind x may have to bend at x, which makes them longer, by at most `bend`. If that is little,
+  // the server stays, and has to save that much more; if not, x becomes the server.
   void move_to(const Plane_vector x, const double distance_of_x)
   {
     direction = 1 / distance_of_x * x;
@@ -163,7 +165,7 @@ struct View
 {
   Window window;
   Plane_vector edge;   // from the left to the right end of the window, more accurate than these
-  Window::Index start; // the halfedge inside
+  Window::Index start; // the opposite of the window's halfedge, inside the face
 };
 
 /*
@@ -189,7 +191,7 @@ struct Cone
     has_middle = true;
     if(dot(left.direction, right.direction) > 0)
       middle = left.direction + right.direction;
-    else // the same direction, found in a way that suits blunt angles, and a straight one
+    else // the same direction, accurate for obtuse and straight angles
       middle = {left.direction.y - right.direction.y, right.direction.x - left.direction.x};
     if(left.serves(right.vertex(), right.distance, left.large_saving) ||
        right.serves(left.vertex(), left.distance, right.large_saving))

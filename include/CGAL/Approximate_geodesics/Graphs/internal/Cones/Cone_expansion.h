@@ -24,8 +24,7 @@ struct Cone_visitor_base
 {
   static constexpr bool wants_distances = false;
   static constexpr bool wants_faces = false; // to be told of, by `on_face(cone, apex)`
-  static constexpr double slack = 0; // how far out of sight vertices are seen, as part of their
-                                     // distance
+  static constexpr double slack = 0;         // tolerance of visibility, relative to the distance
   bool prune(const Window& /* window */) const { return false; }
   std::uint32_t record_window(Window::Index /* halfedge */, std::uint32_t /* trail */) const
   {
@@ -51,9 +50,9 @@ struct Leave_out_nothing_in_doubt : Leave_out_nothing
   static constexpr double slack = 1e-9;
 };
 
-// Does what another visitor does, but for windows that a search with these labels need not look
-// through: if all that lies behind one is reached well enough over an end of its edge. See
-// `Cone_front`, which does this for many cones together.
+// Prunes windows that a search with these labels does not need: those where all points behind them
+// are reached within the bound over an end of the window's edge. Does otherwise what `Visitor`
+// does. `Cone_front::is_needed()` has the same test.
 template <typename Visitor, typename Labels>
 struct Label_pruning : Visitor
 {
@@ -69,7 +68,7 @@ struct Label_pruning : Visitor
   const Intrinsic_triangulation& triangulation;
   const Labels& labels;
   double label_of_tip;
-  double factor; // of what is left of the way, in comparisons
+  double factor; // of remaining lengths, in comparisons
 };
 
 /*
@@ -88,7 +87,7 @@ class Cone_expansion
   struct Stack
   {
     boost::container::small_vector<Cone, 32> cones;
-    Plane_vector edge; // that of the window ahead, from left to right, if it is carried
+    Plane_vector edge; // of the window ahead, from left to right, if vectors are carried
     std::vector<Plane_vector> edges; // likewise, of the cones
   };
 
@@ -130,7 +129,7 @@ public:
   {
     const Window& window = view.window;
     const bool has_angle = cross(window.right_position, window.left_position) > 0 ||
-                           dot(window.right_position, window.left_position) < 0; // a straight one
+                           dot(window.right_position, window.left_position) < 0; // a straight angle
     if(!has_angle || visitor.prune(window))
       return;
     Stack cones;
@@ -182,7 +181,7 @@ private:
     if(face.apex == null_index || face.right == null_index)
       return false;
     const double distance = m_triangulation.length(h);
-    const bool has_angle = face.across > 0 || face.along < 0; // the latter a straight one
+    const bool has_angle = face.across > 0 || face.along < 0; // the latter for a straight angle
     if(!(distance > 0 && has_angle))
       return false;
     const double distance_of_apex =
@@ -274,8 +273,8 @@ private:
           goes_left ? face.left_side(stack.edge) : right_side(m_triangulation, h, face, stack.edge);
   }
 
-  // Whether nothing that lies behind the window is of interest. Lines may come back to new edges,
-  // which are not shortest paths.
+  // Whether no arc behind the window is needed. Lines may return to flipped edges, which are not
+  // shortest paths.
   bool has_ended(Cone& cone, const Unfolded_face& face) const
   {
     if(!cone.has_middle)
@@ -288,7 +287,8 @@ private:
     return area >= cone.end_of_interest * slope || (!face.is_flipped && has_returned(cone, face));
   }
 
-  // Whether lines come back to an edge, and are given up there. If not, they go on.
+  // Whether lines return to an edge, and are given up there: see `Winding`. If not, updates the
+  // milestone and the depth.
   bool has_returned(Cone& cone, const Unfolded_face& face) const
   {
     const Window& window = cone.window;
@@ -342,7 +342,7 @@ private:
     return true;
   }
 
-  // One of the sides serves the apex, and so all that is seen between the two.
+  // One of the sides serves the apex, and thus all points seen between the two.
   template <typename Visitor>
   bool pass(Cone& cone,
             Stack& cones,

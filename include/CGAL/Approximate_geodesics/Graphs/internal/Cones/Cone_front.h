@@ -23,7 +23,7 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// What a cone knows beside its window if lines may come back to an edge, or there are extreme
+// The data of a cone in addition to its window if lines may return to an edge, or there are extreme
 // needles: see `Winding` and `Cone_expansion`.
 struct Crossing_and_edge
 {
@@ -33,7 +33,7 @@ struct Crossing_and_edge
 
 /*
  * A cone of straight lines from a vertex, the tip, and the window that they go through: a part of
- * the edge between its ends. Two cache lines, unless more has to be known of the way.
+ * the edge between its ends. It takes two cache lines, unless `Way` is large.
  */
 template <typename Way>
 struct alignas(64) Narrow_cone
@@ -43,7 +43,7 @@ struct alignas(64) Narrow_cone
   // A ray through a vertex that is seen from the tip.
   struct Side
   {
-    // whether x, which is `outside` out of the cone on this side, is out of sight
+    // the test of `Cone_side::is_passed()`, without branches
     bool is_passed(const Plane_vector x, const double outside) const
     {
       constexpr double rounding = 1e-14;
@@ -68,17 +68,17 @@ struct alignas(64) Narrow_cone
   Index halfedge; // of the window; the face ahead is to its left
   Index tip;
   std::uint32_t depth; // the number of faces on the way
-  Way way;             // one of the halfedges there, at least
+  Way way;             // a halfedge on the way, or `Crossing_and_edge`
 };
 
 /*
- * Memory for cones, which it leaves as it is.
+ * Memory for cones, which it does not initialize.
  */
 template <typename Cone>
 class Cone_memory
 {
 public:
-  // makes room for so many, and forgets those that are there
+  // makes room for so many cones; present ones may be lost
   Cone* reserve(const std::size_t size)
   {
     if(size > m_size)
@@ -98,15 +98,17 @@ private:
 
 /*
  * Finds arcs of several vertices that a search with these labels may need. The cones of all of them
- * advance together, a face at a time. Whether a cone is split, passes a vertex or ends is a toss-up
- * that a processor cannot foresee; so no branch depends on it: what comes of a cone is always
- * written down, and what is written next takes its place unless it is good.
+ * advance together, a face at a time. Whether a cone is split, passes a vertex or ends is
+ * unpredictable, so no branch depends on it: each resulting cone is written, and the next one
+ * overwrites it if it is not needed. Paths find these arcs again by `Cone_expansion`, whose cones
+ * must not end before these: see `Lazy_discrete_geodesic_graph::rules_of_longest_arcs()`.
  *
  * A front that is not general is for triangulations where lines do not return, and that have no
  * extreme needles.
  *
- * `arcs` takes the arcs: `arcs.make_room(number)` says how many may come, and
- * `arcs.append(is_arc, source, label_of_source, target, length)` appends one if it is one.
+ * `arcs` receives the arcs: `arcs.make_room(number)` reserves memory for that many, and
+ * `arcs.append(is_arc, source, label_of_source, target, length)` appends an arc if `is_arc` is
+ * true.
  */
 template <bool IS_GENERAL, typename Unfolding, typename Labels, typename Arcs>
 class Cone_front
@@ -178,7 +180,7 @@ private:
       const Index target = m_triangulation.target(h);
       m_arcs.append(true, v, label, target, distance);
       const Unfolded_face& face = m_unfolding.face(h);
-      const bool has_angle = face.across > 0 || face.along < 0; // the latter a straight one
+      const bool has_angle = face.across > 0 || face.along < 0; // the latter for a straight angle
       if(face.apex == null_index || face.right == null_index || !(distance > 0 && has_angle))
         continue;
       const double distance_of_apex =
@@ -236,7 +238,7 @@ private:
   {
     *m_end = {left,     right,      left_side,        right_side,
               halfedge, before.tip, before.depth + 1, next_way(before, face, halfedge)};
-    // a halfedge that there is, where there is none ahead
+    // some halfedge if there is none ahead
     const Index edge = halfedge == null_index ? before.halfedge : halfedge;
     m_unfolding.prefetch(edge);
     m_end += (is_open & (halfedge != null_index) & is_needed(left, right, edge)) ? 1 : 0;
@@ -286,8 +288,8 @@ private:
       return cone.halfedge == cone.way;
   }
 
-  // Whether a search needs what lies behind a window. It does not if all of that is reached well
-  // enough over an end of the window's edge, going by the labels: if, for all its points x,
+  // Whether a search needs the points behind a window. It does not if, by the labels, all of them
+  // are reached within the bound over an end of the window's edge: if, for all these points x,
   //   label(end) + (1 + epsilon) |end x| < label(tip) + (1 + epsilon) |tip x|.
   // The difference of the lengths is smallest at the other end of the edge.
   bool is_needed(const End& left, const End& right, const Index halfedge) const
@@ -297,11 +299,11 @@ private:
              (right.rise < m_factor * (left.distance - edge)));
   }
 
-  // Whether anything that lies behind the window is of interest. It is not if the vertex on one of
-  // the sides serves that on the other one, or if both serve what lies behind the window on the
-  // line in their middle. See `Cone_side`, whose vertices serve what is farther away by the way to
-  // them, less the part that may be lost. In a triangle whose sides have an angle with the cosine
-  // `cosine`, this comes to the two comparisons below.
+  // Whether arcs behind the window may be needed. They are not if the vertex on one of the sides
+  // serves the vertex on the other side, or if both serve the points behind the window on the line
+  // in their middle: see `Cone_side`. Here, a vertex serves a point if the way over it saves all of
+  // the distance of the vertex, but for the part that may be lost. In a triangle whose sides
+  // enclose an angle with the cosine `cosine`, this amounts to the two comparisons below.
   bool is_worth_a_look(const Cone& cone, const Unfolded_face& face) const
   {
     const Side& left = cone.left_side;
@@ -328,11 +330,11 @@ private:
   Arcs& m_arcs;
   const Winding m_winding;
   const bool m_carries_edges; // if the front is general
-  double m_factor;            // of what is left of the way, in comparisons
+  double m_factor;            // of remaining lengths, in comparisons
   double m_part_saved;        // of the distance of a vertex, by going over it
   double m_part_lost;
   Cone_memory<Cone> m_cones, m_next;
-  Cone* m_end = nullptr; // where the next one goes
+  Cone* m_end = nullptr; // where the next cone is written
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

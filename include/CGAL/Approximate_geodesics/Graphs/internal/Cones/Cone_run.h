@@ -21,8 +21,8 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * What a search of a discrete geodesic graph needs for paths: what lengths of arcs may be wrong by,
- * as they are differences of labels.
+ * The run of a discrete geodesic graph. For paths, it bounds the rounding errors of lengths of
+ * arcs, which are differences of labels.
  */
 template <typename Graph>
 class Arc_run : public Geodesic_run_base<Graph>
@@ -40,7 +40,7 @@ public:
   {
     const double label = labels.distance(target), length = label - labels.distance(source);
     const double rounding = std::numeric_limits<double>::epsilon() * label;
-    // lines more than twice as long are not looked for, which could take very long
+    // lines more than twice as long are not searched for: this could take very long
     return graph().trace(source, target, length, (std::min)(rounding, length), f);
   }
 
@@ -49,9 +49,9 @@ protected:
 };
 
 /*
- * What a search of a lazy graph needs: which nodes were expanded before. Nodes that are expanded
- * for the first time are expanded together; all arcs of those that are expanded again are computed,
- * as their targets may rely on the larger label.
+ * The run of a lazy graph, which records the nodes that were expanded. Nodes that are expanded for
+ * the first time are expanded together. All arcs of nodes that are expanded again are computed, as
+ * arcs that were of no use with the larger label may be needed.
  */
 template <typename Graph>
 class Cone_run : public Arc_run<Graph>
@@ -95,7 +95,7 @@ public:
 
   void forget(const std::vector<Node>& nodes)
   {
-    if(nodes.size() > m_is_expanded.size() / 4) // streaming beats jumping
+    if(nodes.size() > m_is_expanded.size() / 4) // sequential access is faster
       return forget_all();
     for(const Node node : nodes)
       discard(node);
@@ -103,8 +103,8 @@ public:
 
   void forget_all() { m_is_expanded.clear(); }
 
-  // The more nodes are expanded before labels change, the more of them get shorter paths by others
-  // of them, and are expanded again.
+  // In a larger batch, more nodes get shorter paths from other nodes of the batch, and have to be
+  // expanded again.
   std::size_t largest_batch() const { return graph().is_parallel() ? 4 * NODES_AT_A_TIME : 0; }
 
   std::size_t memory() const { return m_is_expanded.capacity() / 8; }

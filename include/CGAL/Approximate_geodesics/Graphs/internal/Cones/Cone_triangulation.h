@@ -70,7 +70,7 @@ public:
   }
 
   // Calls `f(target, length)` for the arcs of `v` that `expansion` finds, which crosses this
-  // triangulation, and for the edges of the mesh that are none of it. So every edge of the mesh has
+  // triangulation, and for the edges of the mesh that are not in it. So every edge of the mesh has
   // an arc that is no longer.
   template <typename Unfolding, typename F, typename Visitor = Leave_out_detours>
   void for_each_arc(const Intrinsic_triangulation& mesh,
@@ -87,7 +87,9 @@ public:
           f(mesh.target(h), mesh.length(h));
   }
 
-  // Does what `trace_arc()` does, with edges of the mesh. The length may be wrong by `rounding`.
+  // Does what `trace_arc()` does, with edges of the mesh. The error of the length is at most
+  // `rounding`. With `Visitor` and `rules`, cones must find all arcs of the graph, as in
+  // `for_each_arc()`.
   template <typename Visitor, typename F>
   double trace(const Intrinsic_triangulation& mesh,
                const Cone_rules& rules,

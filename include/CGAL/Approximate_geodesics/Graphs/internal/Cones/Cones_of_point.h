@@ -91,7 +91,7 @@ public:
     Line_search search{length};
     consider_lines_in_faces(end, search);
     find_line(end, Within_reach<Leave_out_nothing>{{}, search.reach()}, search);
-    if(!search.is_found()) // cones have ended before by rounding only
+    if(!search.is_found()) // rounding has ended cones too early
       Cones_of_point(m_triangulation, m_rules.farther(1. / 64), m_point)
           .find_line(end, Leave_out_nothing_in_doubt(), search);
     return trace(search, f);
@@ -196,7 +196,7 @@ private:
                        [&](std::size_t, const Straight_arc& line) { search.consider(line); });
   }
 
-  // Looks for points in the faces that it is told of.
+  // Looks for points in the faces that cones cross.
   template <typename Visitor, typename Report>
   struct Finding_points : Remembering<Visitor>
   {
@@ -241,7 +241,7 @@ private:
             {visitor, tree}, m_triangulation, points, report, view.start});
   }
 
-  // Calls `f(view)` for the sides of the faces around that one can look out of.
+  // Calls `f(view)` for the sides through which lines leave the faces that contain the point.
   template <typename F>
   void for_each_view(F f) const
   {
@@ -301,8 +301,8 @@ private:
     return {window, edge, side};
   }
 
-  // Whether two points that are in one line with the origin are on either side of it, and not so
-  // close to it that this is a matter of rounding.
+  // Whether two points that are in one line with the origin are on either side of it, and far
+  // enough from it that rounding does not decide this.
   static bool is_between(const Plane_vector a, const Plane_vector b)
   {
     constexpr double rounding = 1e-9;

@@ -56,7 +56,7 @@ inline double unit_of_arcs(const Intrinsic_triangulation& triangulation)
   return longest > 0 ? std::ldexp(1., std::ilogb(longest)) : 1;
 }
 
-// Sorts arcs by their targets, and leaves the shortest one of several to the same.
+// Sorts arcs by their targets, and keeps only the shortest one to each target.
 inline void sort_many_arcs(std::vector<Stored_arc>& arcs)
 {
   std::sort(arcs.begin(), arcs.end(), [](const Stored_arc& a, const Stored_arc& b) {
@@ -70,8 +70,8 @@ inline void sort_many_arcs(std::vector<Stored_arc>& arcs)
 
 constexpr std::size_t FEW_ARCS = 128; // a multiple of the number of lanes
 
-// Does the same for few arcs: each goes where the number of smaller targets says. To count them all
-// takes vector instructions and no branch, and half of the time that sorting takes.
+// Does the same for few arcs: the position of an arc is the number of smaller targets. Counting
+// them takes vector instructions and no branch, and half the time of sorting.
 inline void sort_few_arcs(std::vector<Stored_arc>& arcs)
 {
   constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
@@ -96,8 +96,8 @@ inline void sort_few_arcs(std::vector<Stored_arc>& arcs)
   arcs.erase(end, arcs.end());
 }
 
-// Replaces `arcs` by those of `node`, in the way they are stored: sorted, and the shortest one of
-// several to the same target. `for_each_arc(f)` calls `f(target, length)`.
+// Replaces `arcs` by those of `node`, as they are stored: sorted, with only the shortest one to
+// each target. `for_each_arc(f)` calls `f(target, length)`.
 template <typename ForEachArc>
 void find_stored_arcs(const Intrinsic_triangulation::Index node,
                       const double unit,
@@ -118,10 +118,10 @@ void find_stored_arcs(const Intrinsic_triangulation::Index node,
 /*
  * The arcs of a graph, one node after the other, in 6 bytes each.
  *
- * A search gets them from memory for the most part, so bytes are time. A row is made up of words
- * of 32 bits: the smallest target, the lengths, and the differences of the targets from the
- * smallest one, 16 bits each. In the few rows where these do not fit, there are whole targets
- * instead, which WIDE says at the start.
+ * A search reads most of them from main memory, so their size determines its time. A row is made up
+ * of words of 32 bits: the smallest target, the lengths, and the differences of the targets from
+ * the smallest one, 16 bits each. In the few rows where these do not fit, there are whole targets
+ * instead, after the mark WIDE.
  */
 class Compressed_arcs
 {
@@ -142,7 +142,7 @@ public:
 
   void reserve(const std::size_t number_of_rows) { m_first.reserve(number_of_rows + 1); }
 
-  // Makes room for all rows of these.
+  // Reserves memory for the rows of all parts.
   void reserve(const std::vector<Compressed_arcs>& parts)
   {
     std::size_t number_of_rows = 0, number_of_words = 0;
@@ -288,8 +288,8 @@ private:
 };
 
 /*
- * The arcs of those nodes that were asked for. Several threads may ask at a time: the
- * first one that has computed the arcs of a node leaves them for the others.
+ * The arcs of the nodes that were requested. The class is thread-safe: the arcs of a node are those
+ * of the first thread that has computed them.
  */
 class Arc_cache
 {
@@ -319,7 +319,7 @@ public:
       delete m_arcs[i].load(std::memory_order_relaxed);
   }
 
-  // Whether there is room for any.
+  // Whether arcs are kept.
   bool is_enabled() const { return m_arcs != nullptr; }
 
   // The arcs of `node`, found by `find(arcs)` when first asked for.

@@ -22,7 +22,7 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// The windows that a vertex looks through, each with the one before it.
+// The windows on lines from a vertex, each with the one before it.
 class Window_tree
 {
 public:
@@ -57,7 +57,7 @@ private:
   std::vector<Entry> m_windows;
 };
 
-// Does what another visitor does, and records the windows.
+// Records windows, and does otherwise what `Visitor` does.
 template <typename Visitor>
 struct Remembering : Visitor
 {
@@ -69,7 +69,7 @@ struct Remembering : Visitor
   Window_tree& tree;
 };
 
-// Does what another visitor does, for windows that are no farther away than this.
+// Prunes windows farther away than `reach`, and does otherwise what `Visitor` does.
 template <typename Visitor>
 struct Within_reach : Visitor
 {
@@ -95,9 +95,9 @@ public:
   {
   }
 
-  // At which part of the way from `left` to `right` the line crosses this edge. If they lie in one
-  // line, as where faces have no area, it is where the walk has got to, or the next point after
-  // that.
+  // At which part of the way from `left` to `right` the line crosses this edge. If both are
+  // collinear, as where faces have no area, it is the present position of the walk, or the next
+  // point after it.
   double cross_edge(const Plane_vector left, const Plane_vector right)
   {
     constexpr double smallest_angle = 1e-9;
@@ -121,7 +121,7 @@ public:
 private:
   Plane_vector m_direction;
   double m_length;
-  double m_position = 0; // how far the walk has got
+  double m_position = 0; // the position of the walk on the line
 };
 
 // Calls `f(h, t)` for the halfedges that the line from the origin to `end` crosses, at the part `t`
@@ -166,8 +166,8 @@ struct Sought_line
            smallest_difference < std::numeric_limits<double>::min();
   }
 
-  double length;   // what is sought
-  double rounding; // what this may be wrong by
+  double length;   // the given length
+  double rounding; // a bound on its error
   Line found;
   double smallest_difference = std::numeric_limits<double>::infinity();
 };
@@ -188,7 +188,7 @@ struct Line_search : Sought_line<Straight_arc>
 
   bool is_found() const { return Sought_line::is_found(TOLERANCE); }
 
-  // No line that is longer is found.
+  // The length of the longest line that is found.
   double reach() const { return (length + rounding) * (1 + TOLERANCE); }
 
   // Calls `f(h, t)` for the edges that the arc found crosses, the first of which has these ends;
@@ -243,8 +243,8 @@ void find_arc(const Intrinsic_triangulation& triangulation,
   expansion.expand(source, consider, Remembering<Visitor>{visitor, search.tree});
 }
 
-// Looks for an arc that was not found, although it was when the graph was built: for vertices that
-// are out of sight by rounding only, and farther away than cones go.
+// Looks for an arc of the graph that was not found again, because of rounding: with a tolerance of
+// visibility, and with cones that end farther away.
 inline void search_in_doubt(const Intrinsic_triangulation& triangulation,
                             const Cone_rules& rules,
                             const Intrinsic_triangulation::Index source,
@@ -291,9 +291,9 @@ double report_line(const Intrinsic_triangulation& triangulation,
 
 // Calls `f(h, t)` for every edge that an arc in a discrete geodesic graph crosses, from its source
 // on: at the point that is at the part `t` of the way from the source to the target of the halfedge
-// `h`. The arcs of the graph were found with a visitor of the given type, or are some of those.
-// Among those between the two vertices, the one of the given length is meant, or of about that
-// length. Returns its length.
+// `h`. The arcs of the graph were found with a visitor of the given type, or are some of those. Of
+// several arcs between the two vertices, it is the one whose length is closest to the given one.
+// Returns its length.
 template <typename Visitor, typename F>
 double trace_arc(const Intrinsic_triangulation& triangulation,
                  const Cone_rules& rules,

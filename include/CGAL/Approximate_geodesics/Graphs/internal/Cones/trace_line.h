@@ -23,9 +23,9 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * Traces the arcs of a graph that was built on another triangulation, in the mesh. An arc is found
- * in that triangulation, as far as rules let cones go, and then in the mesh by its direction. A
- * search of all that is within reach finds an arc that is none of these.
+ * Traces an arc of a graph that was built on another triangulation in the mesh: finds the arc in
+ * that triangulation, by the rules of the graph, and then in the mesh, by its direction. If that
+ * fails, it searches all lines within reach.
  */
 class Line_in_mesh
 {
@@ -41,7 +41,7 @@ public:
                const double rounding)
     : m_mesh(mesh),
       m_target(target),
-      m_lines(mesh, Cone_rules(1e-300), source), // cones are as narrow as they can be
+      m_lines(mesh, Cone_rules(1e-300), source), // cones end as late as possible
       m_search(length, rounding)
   {
     m_lines.consider_lines_in_faces(target, m_search);
@@ -85,8 +85,8 @@ private:
   Line_search m_search;
 };
 
-// Does what `trace_arc()` does for a graph that was built on another triangulation. The length may
-// be wrong by `rounding`.
+// Does what `trace_arc()` does for a graph that was built on another triangulation. The error of
+// the length is at most `rounding`.
 template <typename Visitor, typename F>
 double trace_arc_in_mesh(const Intrinsic_triangulation& mesh,
                          const Retriangulation& other,

@@ -20,14 +20,14 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * What it takes to go on across the face to the left of a halfedge whose edge is laid out: not as
- * two points, but as one point and the vector to the other. Vectors of the edges ahead follow from
- * that vector alone, by a rotation and a scaling. So each keeps its direction to the last bits,
- * however far away it is and however short; the difference of two points would not.
+ * The data for laying out the face to the left of a halfedge whose edge is laid out: not as two
+ * points, but as one point and the vector to the other. Vectors of the edges ahead follow from that
+ * vector alone, by a rotation and a scaling. So the direction of each is accurate, however far away
+ * and however short it is; that of the difference of two points would not be.
  */
 struct Face_step : Unfolded_face
 {
-  double beyond; // the apex is so far back from the target of the halfedge
+  double beyond; // of the apex: from the target of the halfedge backward
 
   bool has_face() const { return apex != Intrinsic_triangulation::null_index; }
 
@@ -52,7 +52,7 @@ inline Face_step face_step(const Intrinsic_triangulation& triangulation,
 }
 
 // The angle at the source of a halfedge in the face to its left, as a unit vector. At an edge of
-// length zero it is taken to be right.
+// length zero, it is a right angle.
 inline Plane_vector unit_corner(const Face_step& step)
 {
   const Plane_vector corner{step.along, step.across};
@@ -60,7 +60,7 @@ inline Plane_vector unit_corner(const Face_step& step)
   return l > 0 && l < 1e300 ? 1 / l * corner : Plane_vector{0, 1};
 }
 
-// Those of all halfedges.
+// The face steps of all halfedges.
 class Face_steps
 {
 public:

@@ -79,8 +79,8 @@ struct Sight_search : Sought_line<Sight_line>
   }
 };
 
-// Where a point is that a sight sees in the face ahead, and the length of the path there. Calls
-// `f(position, length)`.
+// Calls `f(position, length)` with the position of a point in the face ahead, and the length of the
+// path to it, if the sight sees the point.
 template <typename F>
 void for_each_position(const Intrinsic_triangulation& triangulation,
                        const Intrinsic_point& point,
@@ -97,8 +97,8 @@ void for_each_position(const Intrinsic_triangulation& triangulation,
   });
 }
 
-// Considers the lines to a given point, for a search. Sights are followed depth first: the
-// halfedges that belong to one are the first so many of those that were recorded last.
+// Considers the lines to a given point, for a search. Sights are followed depth first, so the
+// halfedges on the way of a sight are the first `depth` of the recorded ones.
 template <typename Bound>
 struct Tracing_visitor : Sight_visitor_base
 {
@@ -191,9 +191,9 @@ public:
    * Calls `f(h, t)` for the edges that the line to `end` crosses whose length is the given one, up
    * to `rounding`. Returns its length; throws if there is none. The point may be a vertex here.
    * Paths start with the label `label`, and none is longer than `bound(v, slack)` at `v`. The slack
-   * is a part of the labels that this is computed from: they are rounded, and vertices next to the
-   * line may have labels from which it is of no use. Nearly always, the smallest one is enough.
-   * `length` is a difference of labels, which may be rounded as well.
+   * is relative to the labels that the bound is computed from: labels are rounded, and those of
+   * vertices next to the line may exclude it. Nearly always, the smallest slack is enough. `length`
+   * is a difference of labels, which may be rounded as well.
    */
   template <typename Bound, typename F>
   double for_each_crossing(const double label,
@@ -364,21 +364,23 @@ private:
     return triangulation().index(p.is_vertex() ? p.vertex : triangulation().source(p.halfedge));
   }
 
-  // The corners of the faces that the point lies in. One that it is at is a source itself.
+  // Reports the corners of the faces that contain the point. A corner at the same position has no
+  // arrival, like a source.
   template <typename OnNode>
   void for_each_corner(OnNode& on_node) const
   {
     for_each_side([&](const Index side, const Face_point& p, const Plane_vector start,
                       const Plane_vector end) {
-      const Index opposite = triangulation().next(side); // of the corner that `side` starts from
-      const double to_corner = // as the upper bound has it, which lies next to it
-          distance(triangulation(), p, Face_point::at_source(side));
+      const Index opposite = triangulation().next(side); // opposite to the source of `side`
+      // computed in the same way as the upper bound
+      const double to_corner = distance(triangulation(), p, Face_point::at_source(side));
       on_node(triangulation().source(side), to_corner,
               to_corner > 0 ? Arrival::across(opposite, start, start - end) : Arrival());
     });
   }
 
-  // What is seen through the sides of these faces that one can look out of.
+  // Calls `f(sight)` for the sights through the sides of these faces that are not at the border and
+  // do not contain the point.
   template <typename F>
   void for_each_sight(F f) const
   {

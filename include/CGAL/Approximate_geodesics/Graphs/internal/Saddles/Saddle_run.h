@@ -46,7 +46,7 @@ public:
     m_bound[node] = (std::min)(m_bound[node], bound);
   }
 
-  // Does the same before the search, and lists the node.
+  // Lowers a bound before the search, and lists the node.
   void add(const Node node, const double bound)
   {
     lower(node, bound);
@@ -61,7 +61,7 @@ public:
   // Discards the bounds of these nodes, and of the listed ones.
   void forget(const std::vector<Node>& nodes)
   {
-    if(nodes.size() + m_nodes.size() > m_bound.size() / 4) // streaming beats jumping
+    if(nodes.size() + m_nodes.size() > m_bound.size() / 4) // sequential access is faster
       return forget_all();
     for(const std::vector<Node>* list : {&nodes, &static_cast<const std::vector<Node>&>(m_nodes)})
       for(const Node node : *list)
@@ -87,7 +87,7 @@ private:
   std::vector<Node> m_nodes;
 };
 
-// Reports what is seen to a search. `Known` is what its labels tell.
+// Reports arcs to a search. `Known` gives access to its labels.
 template <typename Known, typename F>
 struct Arc_visitor : Sight_visitor_base, Known
 {
@@ -106,9 +106,9 @@ struct Arc_visitor : Sight_visitor_base, Known
 };
 
 /*
- * What a search of a saddle vertex graph needs: upper bounds of all distances, without which lines
- * would be followed without end, and how paths arrive at nodes. A search of the edges finds the
- * bounds first.
+ * The run of a saddle vertex graph: upper bounds of all distances, without which lines would never
+ * end, and the directions in which paths arrive at nodes. A search along edges finds the bounds
+ * first.
  */
 template <typename Graph>
 class Saddle_run : public Geodesic_run_base<Graph>
@@ -122,7 +122,7 @@ public:
 
   static constexpr bool attaches_by_labels = true;
 
-  // What `Sight_expansion` asks for.
+  // The labels and bounds that `Sight_expansion` requires.
   template <typename Labels>
   struct Known
   {
@@ -179,8 +179,8 @@ public:
   }
 
   // Where faces are numerically degenerate, lines may be longer than upper bounds, and be given up.
-  // Nodes that no line has led to, or only longer ones, are reached along edges, as their bounds
-  // say.
+  // Nodes that no line has reached, or only longer ones, are reached along edges, at their upper
+  // bounds.
   template <typename Search>
   void finish(Search& search)
   {
@@ -319,9 +319,9 @@ private:
     return result < std::numeric_limits<double>::infinity() ? result : largest_label(node);
   }
 
-  // Lists what there is to do. The arcs of a source can be most of all, so they are divided: the
-  // parts differ in the sides that they take where sights are split. Returns whether there are
-  // enough tasks for threads.
+  // Lists the tasks. Most arcs can be those of a source, so these are divided: the parts differ in
+  // the sides that they follow where sights are split. Returns whether there are enough tasks for
+  // threads.
   bool list_tasks(const Node* const nodes, const std::size_t number)
   {
     constexpr std::size_t number_of_parts = 64, fewest_tasks = 16;
@@ -335,8 +335,8 @@ private:
     return m_tasks.size() >= fewest_tasks;
   }
 
-  // It can be interrupted, as on a convex surface the arcs of the source are the whole search. Not
-  // inline, so that there is one compilation of it: it may round otherwise in another one.
+  // Can be interrupted, as on a convex surface the arcs of the source are the whole search. Not
+  // inline, so that it is compiled once: another compilation may round differently.
   template <typename Labels, typename Candidates>
   BOOST_NOINLINE void append_arcs(const Node node,
                                   const Sight_part part,
@@ -397,16 +397,16 @@ private:
     return result;
   }
 
-  // What the length of a line may be wrong by: it is a difference of labels, and distances in the
-  // unit of the mesh may be multiples of the smallest number.
+  // A bound on the error of the length of a line: it is a difference of labels, and distances in
+  // the unit of the mesh may be multiples of the smallest `double`.
   double rounding_of_line(const double label) const
   {
     constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
     return epsilon * label + 4 * (std::numeric_limits<double>::denorm_min() / graph().unit());
   }
 
-  // What labels of nodes may be at most, if a path over them is to lead to a point at the given
-  // distance or a smaller one. Nodes that were not reached are farther away.
+  // A bound on the length of a line from each node, on paths over the node that are not longer than
+  // `distance`. Nodes that were not reached are farther away.
   template <typename Labels>
   static auto bound_before(const double distance, const double rounding, const Labels& labels)
   {

@@ -23,10 +23,10 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * Where a straight line comes from that ends at a vertex. Either it comes along a halfedge that
- * ends at the vertex; or through a face, and then it has crossed the halfedge whose face is that
- * one. The direction back is a number from 0 to 2 that grows with the angle, from 0 to pi, to the
- * left of the side from the vertex to the source of the halfedge.
+ * The direction from which a straight line arrives at a vertex: along a halfedge that ends at the
+ * vertex, or through the face to the left of a halfedge that it has crossed. The direction back is
+ * a number from 0 to 2 that grows with the angle, from 0 to pi, to the left of the side from the
+ * vertex to the source of the halfedge.
  *
  * The direction is unknown where the face is so thin at the vertex that rounding errors of
  * positions could change it. Then paths may go on in all directions: this costs time, and changes
@@ -49,7 +49,7 @@ struct Arrival
   static Arrival across(const Index halfedge, const Plane_vector way, const Plane_vector side)
   {
     const double x = dot(side, way), y = cross(side, way);
-    if(!(y > 0)) // along the side, but for rounding
+    if(!(y > 0)) // along the side, up to rounding
       return {halfedge, x < 0 ? 2.f : 0.f};
     const double sum = std::abs(x) + y;
     return {halfedge, static_cast<float>(x < 0 ? 1 - x / sum : y / sum)};
@@ -73,8 +73,8 @@ struct Arrival
 };
 
 /*
- * Part of all that is seen: the first times that a sight is divided, only one of its two parts is
- * followed, according to the digits of a number.
+ * A part of the sights of a vertex: the first few times that a sight is divided, only one of its
+ * two parts is followed, chosen by the binary digits of a number.
  */
 struct Sight_part
 {
@@ -92,13 +92,13 @@ struct Sight_part
   }
 };
 
-// What closes a sight on one side: a vertex, or the boundary of a sector.
+// The ray that bounds a sight on one side: through a vertex, or on the boundary of a sector.
 struct Sight_ray
 {
   // Vertices at smaller angles from a ray are on it. On flat meshes, this is far more than sums of
   // rounding errors along a row of vertices; on thin faces, it is far less than their angles.
   static constexpr double TOLERANCE = 1e-11;
-  // What rounding changes, as a part of that.
+  // A bound on rounding errors, relative to the tolerance.
   static constexpr double ROUNDING = 0.1;
 
   Plane_vector direction = {0, 0}; // the position of the vertex
@@ -126,7 +126,7 @@ struct Sight_ray
     return dot(direction, p) > 0 && std::abs(cross(direction, p)) <= margin * distance;
   }
 
-  // The boundary of a sector hides nothing: it is as good as a vertex at the tip.
+  // The boundary of a sector hides no point, like a vertex at the tip.
   static Sight_ray boundary(const Plane_vector unit_vector, const double size)
   {
     constexpr double small = 0x1p-100;
@@ -158,7 +158,7 @@ struct Sight
 {
   using Index = Intrinsic_triangulation::Index;
 
-  // What sums of lengths may be wrong by, as a part of them.
+  // A bound on the relative errors of sums of lengths.
   static constexpr double ROUNDING = 1e-12;
 
   // Edges shorter than this, in units of the triangulation, have no direction.
@@ -171,11 +171,12 @@ struct Sight
   Plane_vector left = {0, 0}, right = {0, 0}; // the positions of source and target
   Plane_vector edge = {0, 0};                 // from one to the other
   double left_distance = 0, right_distance = 0; // of source and target
-  double left_bound = 0, right_bound = 0;       // of their labels, and a bit more, for rounding
+  double left_bound = 0, right_bound = 0;       // of their labels, with a margin for rounding
   Sight_ray left_ray, right_ray;
 
-  // The position of the apex of the face ahead: that of one end of the edge and the way from there.
-  // If the other end is far nearer to the tip, so may be the apex, and rounding would be seen.
+  // The position of the apex of the face ahead: that of an end of the edge, plus the vector from
+  // there. If the other end is far nearer to the tip, the apex may be, too, and rounding errors of
+  // the farther end would matter.
   Plane_vector apex(const Plane_vector left_edge, const Face_step& step) const
   {
     constexpr double far = 16; // not on ordinary meshes
@@ -186,8 +187,8 @@ struct Sight
 
   /*
    * The path to a point ahead, at this distance: a straight line; or none, of infinite length, if
-   * the point is not seen. If it is on a ray, give or take rounding errors, the path follows the
-   * ray to the edge, and goes on from there:
+   * the point is not seen. If it is on a ray, up to rounding errors, the path follows the ray to
+   * the edge, and goes on from there:
    * - where the point is beyond the ray and farther than the edge. The difference is tiny;
    * - where it is nearer than the edge on both rays: there, a face is folded back.
    * A point beyond a ray, and between its two crossings of an edge that is almost along the sight,

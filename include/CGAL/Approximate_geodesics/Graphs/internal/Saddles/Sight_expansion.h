@@ -24,7 +24,7 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// What visitors of sights have in common: they are not told of faces, nor of sights.
+// The base of visitors of sights, which are notified neither of faces nor of sights.
 struct Sight_visitor_base
 {
   static constexpr bool knows_arrivals = false;
@@ -33,17 +33,17 @@ struct Sight_visitor_base
 };
 
 /*
- * Follows straight lines from a tip, and tells a visitor which vertices they lead to, with what is
- * needed of those: lines that end farther than bounds of the labels allow are given up.
+ * Follows straight lines from a tip, and reports to a visitor the vertices that they lead to. Lines
+ * that are longer than the bounds of the labels allow are given up.
  *
  * The visitor has
  * - `bound(v)`: a number that no shortest path to `v` is longer than, or of no interest if it is;
- * - `on_vertex(v, path, sight, apex, left_edge)`: called for vertices that the tip may be the
- *   last one before, when `sight` sees them in the face ahead;
+ * - `on_vertex(v, path, sight, apex, left_edge)`: called for vertices that shortest paths may
+ *   reach straight from the tip, when `sight` sees them in the face ahead;
  * - `label(v)`, `has_predecessor(v)` and `arrival(v)`, if it knows the lengths of real paths,
  *   whether their last line starts from a node, and how they arrive; the latter two are asked for
  *   where the first is finite;
- * - `on_sight(sight)` and `on_face(sight, apex)`, if it wants to be told.
+ * - `on_sight(sight)` and `on_face(sight, apex)`, if it has to be notified.
  */
 template <typename Visitor>
 class Sight_expansion
@@ -64,7 +64,7 @@ public:
   {
   }
 
-  // Looks through an edge, of whose sight the bounds are found here.
+  // Follows a sight through an edge. Its bounds are set here.
   void look(Sight sight, const Index left_end, const Index right_end)
   {
     sight.milestone = null_index;
@@ -150,7 +150,8 @@ private:
       m_visitor.on_vertex(apex.step.apex, path, sight, apex.position, apex.left_edge);
   }
 
-  // Whether a sight comes back to an edge, and is given up there. If not, it goes on.
+  // Whether a sight returns to an edge, and is given up there: see `Winding`. If not, updates the
+  // milestone and the depth.
   bool has_returned(Sight& sight, const double height_of_face)
   {
     const Crossing here{sight.halfedge, sight.left, sight.right};
@@ -169,7 +170,7 @@ private:
     return false;
   }
 
-  // The number of milestones among the first faces on the way, so many.
+  // The number of milestones among the first `depth` faces on the way.
   static std::size_t number_of_milestones(std::uint32_t depth)
   {
     std::size_t result = 0;
@@ -179,11 +180,10 @@ private:
   }
 
   /*
-   * Where a sight goes on if the apex is on a ray, give or take rounding errors: only on the side
-   * of the apex that is away from the ray, as what it gives up then is no wider than these errors;
-   * and if it is as narrow itself, on the side that the apex leaves more of. Returns a positive
-   * number for the right side, a negative one for the left side, and 0 if the sight is to be
-   * divided.
+   * On which side of the apex a sight continues if the apex is on a ray, up to rounding errors:
+   * only on the side away from the ray, as the other part is no wider than these errors. If the
+   * sight itself is as narrow, it continues on the wider side. Returns a positive number for the
+   * right side, a negative one for the left side, and 0 if the sight is to be divided.
    */
   BOOST_NOINLINE int side_at_ray(const Sight sight,
                                  const Apex apex,
@@ -210,9 +210,9 @@ private:
     return 0;
   }
 
-  // Whether an apex on the inside of a ray counts as one on it depends on whether all that is seen
-  // between the two is also seen by others. If the sight is as wide as half a plane, an apex on the
-  // other ray is in line with this one, too.
+  // Whether an apex counts as on a ray. Close to the ray inside the sight, it does so only if other
+  // sights see all points between the two. The test of the direction excludes the other ray of a
+  // sight that is as wide as half a plane.
   static bool
   is_on(const Sight_ray& ray, const Apex& apex, const double beyond, const bool is_rest_empty)
   {

@@ -27,10 +27,10 @@ namespace CGAL::Approximate_geodesics::internal {
  * 2 pi, and at border vertices whose angles add up to more than pi; and where they cannot, whether
  * the surface, or its border, is straight there.
  *
- * A vertex at which a path bends for no reason costs time, and changes no distance. So a vertex
- * counts as one if a face without area, or an edge without length, leaves doubts about its angle;
- * and at such vertices, paths may bend by any angle. So they may at a vertex where parts of the
- * surface meet, with a border between them: they go from one part to the others.
+ * Letting paths bend at a vertex without need costs time, but changes no distance. So paths may
+ * bend by any angle at a vertex whose angle is uncertain because of a face without area or an edge
+ * without length, and at a vertex where several parts of the surface meet, with borders between
+ * them: there, paths go from one part to the others.
  */
 enum class Bend_kind : std::uint8_t
 {
@@ -46,15 +46,16 @@ class Bends
 public:
   using Index = Intrinsic_triangulation::Index;
 
-  // What angles of faces that are not too thin may be wrong by.
+  // A bound on the errors of angles of faces that are not too thin.
   static constexpr double ROUNDING = 1e-11;
   static constexpr double FLAT = 1e-11;
 
   Bends(const Intrinsic_triangulation& triangulation, const Face_steps& steps)
   {
-    // At a border vertex, there is no other side that sees what rounding hides on this one, and
-    // across needles, it may hide lines along a straight border. Where the angle is less than pi,
-    // paths that arrive are continued only if their slack makes up for that.
+    // Lines that rounding hides on one side of a border vertex are not found on another side.
+    // Across needles, rounding may hide lines along a straight border, so paths may bend even if
+    // the angle is slightly less than pi. They are continued only if their slack makes up for the
+    // difference.
     const double largest_at_border =
         has_needles(triangulation, steps) ? -Arrival::ROUNDING : ROUNDING;
     m_bends.reserve(triangulation.number_of_vertices());
@@ -70,9 +71,9 @@ public:
   bool is_possible(const Index v) const { return m_bends[v] >= Bend_kind::SADDLE; }
 
   // Whether a vertex on one of the rays of a sight hides nothing from lines that pass it on the
-  // inside only: what is beyond lies straight ahead on all sides, or paths can bend there. If
-  // lines went on between two border vertices on them, one to the left and one to the right,
-  // rounding would decide whether a line is found on the way back.
+  // inside only: all points behind it are seen past it, or paths can bend there. If lines went on
+  // between two border vertices on the rays, one to the left and one to the right, rounding would
+  // decide whether a line is found on the way back.
   bool hides_nothing(const Index v) const { return m_bends[v] != Bend_kind::NONE; }
 
   std::size_t memory() const { return m_bends.capacity() * sizeof(Bend_kind); }
@@ -92,7 +93,7 @@ private:
                             const Face_steps& steps,
                             const Index h)
   {
-    // where an edge is shorter than rounding errors of the others, so may paths over its ends be
+    // if an edge is shorter than the rounding errors of the others, its ends may coincide
     constexpr double smallest_part = 1e-12;
     const Face_step& step = steps[h];
     const bool has_area = step.across > 0 && step.across < 1e200 && std::abs(step.along) < 1e200;
@@ -150,8 +151,8 @@ public:
     bool exists() const { return halfedge != Intrinsic_triangulation::null_index; }
   };
 
-  // Where, counterclockwise from the line, the angle gets to pi; nowhere if there is a border
-  // before.
+  // The direction at the angle pi counterclockwise from the line; none if there is a border before
+  // it.
   Boundary right_boundary(const Arrival& arrival) const
   {
     Index h = side(arrival);
@@ -195,8 +196,8 @@ public:
     return {};
   }
 
-  // Where the line comes from, and an angle to the right of that, or to the left; the face's side
-  // if there is a border before.
+  // The direction that the line comes from, turned by an angle to the right, or to the left; the
+  // side of the face if there is a border before it.
   Boundary right_of(const Arrival& arrival, const double angle) const
   {
     Index h = side(arrival);
@@ -212,7 +213,7 @@ public:
     return {h, direction.y < 0 ? Plane_vector{1, 0} : direction};
   }
 
-  // does not exist if there is no border, and the angle is not less than all around the vertex
+  // does not exist if there is no border, and the angle is at least the total angle of the vertex
 
   Boundary left_of(const Arrival& arrival, const double angle) const
   {
@@ -263,8 +264,8 @@ private:
 };
 
 /*
- * What is seen from a vertex by paths that arrive there on a given line: edges, and sights across
- * the faces around.
+ * The edges, and the sights across faces, on which paths continue that arrive at a vertex on a
+ * given line.
  */
 class Vertex_sights
 {
@@ -319,12 +320,13 @@ public:
     const Boundary right = sectors.right_of(arrival, angle);
     Boundary left = sectors.left_of(arrival, angle);
     if(left.halfedge == right.halfedge && cross(right.direction, left.direction) < 0)
-      left = {}; // all the way round
+      left = {}; // all around the vertex
     open_sector(v, right, left, on_edge, on_sight);
   }
 
 private:
-  // From one boundary counterclockwise to the other, or to the border, or all the way round.
+  // Opens a sector from one boundary counterclockwise to the other, or to the border, or all around
+  // the vertex.
   template <typename OnEdge, typename OnSight>
   void open_sector(const Index v,
                    const Boundary& right,

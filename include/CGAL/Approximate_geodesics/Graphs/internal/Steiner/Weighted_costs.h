@@ -396,7 +396,7 @@ private:
     if(row.size() < LONG_ROW)
       return {0, row.size()};
     const double label = labels.distance(view.node);
-    // a neighbor, which is also reached from here
+    // a neighbor, whose label the arc from here may lower
     const auto rival = [&](const Node node, const double cost, const double distance_if_end) {
       return Reached_point{(std::min)(labels.distance(node), label + cost),
                            m_nodes.is_point(node)
