@@ -31,8 +31,8 @@ namespace internal {
 
 // Paths in the shortest-path tree of a search. Lengths are in units of the graph, unless noted.
 
-// Appends the edges that a line crosses. All lines have this function object, as graphs instantiate
-// much for its type.
+// Appends the edges that a line crosses. All lines use this function object, as graphs instantiate
+// much code for its type.
 struct Append_crossing
 {
   void operator()(const Intrinsic_point::Index h, const double t) const
@@ -323,7 +323,7 @@ public:
    *
    * \throws std::invalid_argument if `point` is not a point of the surface, or an arc cannot be
    *         traced: one of a graph file that was changed, or an exact one across nearly degenerate
-   *         faces, where rounding has spoiled its length.
+   *         faces, whose length has large rounding errors.
    *
    * Run time is linear in the number of arcs on the path, times the cost of tracing one.
    */
@@ -478,7 +478,7 @@ private:
   }
 
   // The lines between an attached point and nodes, in units of the graph. They are listed, so that
-  // graphs find them by one instantiation.
+  // one instantiation of a graph's functions is enough.
   template <typename Attachment>
   const std::vector<Last_arc>& lines(const Attachment& attachment) const
   {

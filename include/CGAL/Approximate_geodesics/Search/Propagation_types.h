@@ -74,7 +74,7 @@ struct Propagation_statistics
   std::size_t settled_nodes = 0;
   /// the number of entries extracted from the queue, and either expanded or skipped as stale.
   std::size_t pops = 0;
-  /// the number of stale entries among them, which cost next to nothing.
+  /// the number of stale entries among them, which cost very little.
   std::size_t stale_pops = 0;
   /// the number of arcs looked at.
   std::size_t relaxations = 0;
@@ -98,7 +98,7 @@ struct Propagation_statistics
 
 namespace internal {
 
-// Rejects what cannot be searched on a graph of this size and unit.
+// Rejects invalid seeds and stop rules for a graph of this size and unit.
 inline void check_input(const std::vector<Seed>& seeds,
                         const Stop_rule& stop,
                         const std::size_t number_of_nodes,

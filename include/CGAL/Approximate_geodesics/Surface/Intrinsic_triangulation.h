@@ -354,8 +354,8 @@ public:
            (m_gauges.is_empty() || !m_gauges.is_forbidden(m_gauges.face(h)));
   }
 
-  /// returns the weight of the edge of `h`: the smaller one of its two faces'. A barrier is an edge
-  /// on either side: that to the left of `h` is meant.
+  /// returns the weight of the edge of `h`: the smaller weight of its two faces. A barrier counts
+  /// as two edges; the weight is that of the one to the left of `h`.
   double weight_of_edge(const Index h) const
   {
     if(!has_weights())

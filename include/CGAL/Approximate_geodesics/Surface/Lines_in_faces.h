@@ -81,7 +81,7 @@ protected:
   const Intrinsic_point m_point;
 
 private:
-  // Along an edge, and across the face to the left of `h`.
+  // Reports the lines to `end` along an edge, and across the face to the left of `h`.
   template <typename F>
   void for_each_line(const Index h, const Intrinsic_point& end, const std::size_t i, F& f) const
   {

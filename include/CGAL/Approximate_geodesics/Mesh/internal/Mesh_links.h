@@ -327,7 +327,8 @@ private:
     return true;
   }
 
-  // Returns false if the index is a duplicate, that is, its link already has a target.
+  // Returns false if the links of `h` are invalid, if an index is out of range, or if the index of
+  // `h` is a duplicate, that is, its link already has a target.
   bool link(const halfedge_descriptor h)
   {
     const halfedge_descriptor before = prev(h, m_mesh);
@@ -344,7 +345,7 @@ private:
     return true;
   }
 
-  // Whether links lead to no removed halfedges.
+  // Whether no link leads to a removed halfedge.
   bool are_links_complete() const
   {
     if(m_has_removed_halfedges)

@@ -19,8 +19,8 @@ namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The labels of a search: for each node, the smallest distance found so far and the predecessor on
- * that path; and the order in which nodes were expanded, which tells which labels to take back
- * before the next run. A run does not touch what it does not reach.
+ * that path; and the order in which nodes were expanded, from which labels are reset before the
+ * next run. A run only touches nodes that it reaches.
  */
 class Labels
 {
@@ -54,7 +54,7 @@ public:
   const std::vector<Node>& order() const { return m_order; }
   std::vector<Node>& order() { return m_order; }
 
-  // Appends the nodes in a queue, so that `forget()` takes back their labels.
+  // Appends the nodes in a queue, so that `forget()` resets their labels.
   template <typename Queue>
   void append_to_order(const Queue& queue)
   {
@@ -63,10 +63,10 @@ public:
 
   void discard(const Node node) { m_distance[node] = infinity; }
 
-  // Takes back the labels of a run that no exception has left.
+  // Resets the labels of a run that was not left by an exception.
   void forget()
   {
-    if(m_order.size() > m_distance.size() / 4) // streaming beats jumping
+    if(m_order.size() > m_distance.size() / 4) // sequential access is faster
       return forget_all();
     for(const Node node : m_order)
       discard(node);
@@ -95,7 +95,7 @@ private:
 
 /*
  * The seed that the shortest path to each node starts from. It follows from the predecessors, so a
- * search does not write it; it is found when asked for, and kept along the path that was followed.
+ * search does not write it; it is computed on request, and stored for all nodes on the path.
  */
 class Nearest_sources
 {
@@ -120,7 +120,7 @@ public:
     return seeds[seed].source;
   }
 
-  // To be called before the labels are forgotten.
+  // Must be called before the labels are reset.
   void forget(const Labels& labels)
   {
     if(m_has_roots)
@@ -129,7 +129,7 @@ public:
     m_has_roots = false;
   }
 
-  // To be called after the labels have changed in any other way.
+  // Must be called after the labels have changed in any other way.
   void forget_all()
   {
     if(m_has_roots)

@@ -23,9 +23,10 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// A graph or a queue that lacks a member is reported in one line.
+// Checks that report a missing member of a graph or a queue in one line.
 
-// Arguments that convert to nothing but what they stand for: a node is not a distance.
+// Arguments that convert only to integers, or only to floating-point numbers: a node is not a
+// distance.
 struct Some_node
 {
   template <typename T, typename = std::enable_if_t<std::is_integral_v<T>>>
@@ -147,7 +148,7 @@ struct Check_queue
   static constexpr bool is_done = true;
 };
 
-// What models of GeodesicGraph and GeodesicPriorityQueue may have, but need not.
+// Optional members of models of GeodesicGraph and GeodesicPriorityQueue.
 
 template <typename Graph>
 using Maximum_degree = decltype(std::declval<const Graph&>().maximum_degree());
@@ -162,12 +163,12 @@ using Statistics = decltype(std::declval<const Queue&>().statistics());
 template <typename Queue>
 using Extract_round = decltype(std::declval<Queue&>().extract_round(std::size_t(1)));
 
-// Whether a graph knows how many arcs a node has at most.
+// Whether a graph has an upper bound of the number of arcs of a node.
 template <typename Graph>
 constexpr bool has_maximum_degree =
     boost::is_detected_convertible_v<std::size_t, Maximum_degree, Graph>;
 
-// Whether a graph wants to be told which nodes will be expanded soon.
+// Whether a graph prefetches the data of nodes that will be expanded soon.
 template <typename Graph>
 constexpr bool has_prefetch = boost::is_detected_v<Prefetch, Graph>;
 
@@ -180,7 +181,7 @@ template <typename Queue>
 constexpr bool counts_comparisons =
     boost::is_detected_convertible_v<Bucket_statistics, Statistics, Queue>;
 
-// The heuristic of Dijkstra's algorithm: nothing is known about the rest of the way.
+// The heuristic of Dijkstra's algorithm: the lower bound of the remaining distance is zero.
 struct No_heuristic
 {
   template <typename Node>

@@ -235,7 +235,7 @@ public:
     return first;
   }
 
-  // Those of the added vertices.
+  // The signposts of the added vertices.
   const std::vector<Signpost>& signposts() const { return m_signposts; }
 
 private:

@@ -135,7 +135,7 @@ private:
   }
 
   Edge_flips& m_flips;
-  std::vector<Index> m_gained, m_left; // edges that a vertex has got from others, or has left
+  std::vector<Index> m_gained, m_left; // per vertex: edges gained by flips, and edges left
   std::vector<bool> m_has_changed;     // per halfedge
 };
 
@@ -187,7 +187,7 @@ private:
 
   // Vertices are added so far above a short side, in its lengths, and so many times as far ...
   static constexpr double FIRST_HEIGHT = 8, GROWTH = 4;
-  // ... unless there is one that is closer than this part of it, or it is too close to the apex.
+  // ... unless another vertex is closer than this part of that height, or the apex is too close.
   static constexpr double SMALLEST_GAP = 0.65, WIDTH_OF_COVER = 1.25, LARGEST_PART = 0.6;
 
   // Edges no farther from a new vertex than this, in its heights, are flipped at once. The others
@@ -233,8 +233,8 @@ private:
       m_far_edges.push_back(m_flips.next(needle.short_side));
       flip_far_edges();
     }
-    // Where faces around a vertex are needles, their lines from the middle all lead there, and the
-    // next vertex would lie on an edge to the last one.
+    // If the faces around a vertex are needles, the lines from the middles of their short sides all
+    // lead to it, and the next vertex would lie on an edge to the previous one.
     double start = 0.5;
     for(double height = FIRST_HEIGHT; !needles.empty(); height *= GROWTH)
     {
@@ -328,7 +328,7 @@ private:
     return true;
   }
 
-  // The face at the end of the segment to `p` from `origin`, on `h`.
+  // The face that contains `p`, which is reached along the segment from `origin`, a point of `h`.
   std::optional<Place>
   find_place(const Index h, const Plane_vector origin, const Plane_vector p) const
   {
