@@ -212,8 +212,8 @@ std::vector<std::uint64_t> Matrix_file::missing_blocks() const
   return result;
 }
 
-// On a network file system, the list of names may be of some time ago, and lack what other machines
-// have written since. So a file that it lacks is asked for.
+// On a network file system, the list of names may be outdated, and lack files that other machines
+// have written since. So a file that it lacks is looked up by its name.
 bool Matrix_file::are_all_blocks_marked() const
 {
   const std::set<std::string> names = names_in(m_part);

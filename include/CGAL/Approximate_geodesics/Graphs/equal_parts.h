@@ -23,7 +23,7 @@ namespace CGAL::Approximate_geodesics {
 
 namespace internal {
 
-// What models of `SteinerPointPlacement` have in common that divide each edge into equal parts.
+// The common base of models of `SteinerPointPlacement` that divide each edge into equal parts.
 class Equal_parts
 {
 public:

@@ -150,7 +150,7 @@ template <typename NamedParameters>
 using Concurrency_tag = typename internal_np::
     Lookup_named_param_def<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type;
 
-// What is known of a number when a program is compiled: nothing, unless it is a `std::ratio`.
+// What is known about a number at compile time: nothing, unless it is a `std::ratio`.
 template <typename Number>
 struct Known_number
 {

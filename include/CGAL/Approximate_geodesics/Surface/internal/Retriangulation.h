@@ -152,9 +152,10 @@ public:
   // Faces that are longer than their shortest side by more than this are needles.
   static constexpr double LARGEST_ASPECT = 10;
 
-  // Whether lines cross needles for the most part. A line along a strip of them crosses about as
-  // many as they are long, in widths. Those around hubs do not count, as fans can be balanced, nor
-  // those that are nearly degenerate. In a small mesh, lines cross few faces in any case.
+  // Whether lines mostly cross needles. The number of needles that a line along a strip of them
+  // crosses is about their length divided by their width. Those around hubs do not count, as fans
+  // can be balanced, nor those that are nearly degenerate. In a small mesh, lines cross few faces
+  // in any case.
   static bool are_useful(const Intrinsic_triangulation& mesh)
   {
     constexpr double most_faces = 8, largest = 1e3;
@@ -185,7 +186,8 @@ public:
 private:
   static constexpr Index SMALLEST_NUMBER_OF_FACES = 400;
 
-  // Vertices are added so far above a short side, in its lengths, and so many times as far ...
+  // Vertices are added at this height above a short side, in its lengths, and at heights that grow
+  // by this factor ...
   static constexpr double FIRST_HEIGHT = 8, GROWTH = 4;
   // ... unless another vertex is closer than this part of that height, or the apex is too close.
   static constexpr double SMALLEST_GAP = 0.65, WIDTH_OF_COVER = 1.25, LARGEST_PART = 0.6;

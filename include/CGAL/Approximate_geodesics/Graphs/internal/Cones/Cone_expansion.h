@@ -19,7 +19,7 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// What visitors of cones have in common: they prune nothing, and record no windows.
+// The base of visitors of cones, which prune nothing and record no windows.
 struct Cone_visitor_base
 {
   static constexpr bool wants_distances = false;
@@ -171,8 +171,8 @@ private:
             m_rules.large_part_saved * distance};
   }
 
-  // What is seen across the face to the left of `h`, from its source. All functions that open a
-  // cone or change its window return whether there is something to be seen.
+  // Opens the cone across the face to the left of `h`, from its source. All functions that open a
+  // cone or change its window return whether the cone is not empty.
   template <typename Visitor>
   bool open_first_cone(
       Cone& cone, Stack& cones, const Index source, const Index h, const Visitor& visitor) const
@@ -251,7 +251,7 @@ private:
                            : face.position_of_apex(window.left_position, window.right_position);
   }
 
-  // The window becomes part of a side of the face ahead of it.
+  // Moves the window to a side of the face ahead of it.
   template <typename Visitor>
   bool go_on(Window& window,
              Stack& stack,
@@ -302,7 +302,7 @@ private:
     return false;
   }
 
-  // The window becomes part of the edge between the apex and the right end.
+  // Moves the window to the edge between the apex and its right end.
   template <typename Visitor>
   static bool go_right(Window& window,
                        const Unfolded_face& face,
@@ -325,7 +325,7 @@ private:
     return enter(face.left, window, window.right_distance, apex, visitor);
   }
 
-  // The window is on `halfedge` now, at one end of which is the apex.
+  // Completes the move of the window to `halfedge`, one end of which is the apex.
   template <typename Visitor>
   static bool enter(const Index halfedge,
                     Window& window,

@@ -252,7 +252,7 @@ private:
     return face.position_of_apex(cone.left.position, cone.right.position);
   }
 
-  // The way across the first face, to the left of `h`, whose vector is `edge`.
+  // The `Way` of a cone across the first face, to the left of `h`, whose vector is `edge`.
   Way first_way(const Index h, const Unfolded_face& face, const Plane_vector edge) const
   {
     if constexpr(IS_GENERAL)
@@ -261,7 +261,7 @@ private:
       return null_index;
   }
 
-  // The way through the window that a cone has come to and across a face, to `halfedge`.
+  // The `Way` of a cone after it has crossed its window and the face ahead, to `halfedge`.
   Way next_way(const Cone& cone, const Unfolded_face& face, const Index halfedge) const
   {
     const bool is_milestone = Winding::is_milestone(cone.depth);

@@ -27,8 +27,8 @@ namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The straight lines from a point across the faces around, as far as a discrete geodesic graph
- * follows those from a vertex: to vertices, and to other points. For the same reason as there, they
- * are enough for paths that are at most 1 + epsilon times as long as the shortest ones.
+ * follows those from a vertex: to vertices, and to other points. As there, they are enough for
+ * paths that are at most 1 + epsilon times as long as the shortest ones.
  */
 class Cones_of_point
 {

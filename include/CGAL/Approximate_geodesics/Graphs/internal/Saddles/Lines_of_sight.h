@@ -233,11 +233,11 @@ public:
   }
 
   /*
-   * Calls `f(h, t)` for the edges that the line from here crosses on its way back from the vertex
-   * where it arrives. Its length is known, up to `rounding`, and its direction nearly so; there are
-   * hardly any vertices so close to it that the search has to look on both sides of them. Returns
-   * its length, or a negative number if it is not found: the direction says too little at edges of
-   * length zero, and in faces that are nearly degenerate.
+   * Calls `f(h, t)` for the edges that the line from this point crosses, in the opposite order,
+   * from the vertex where it arrives. Its length is known, up to `rounding`, and its direction
+   * approximately; few vertices are so close to it that both sides of them have to be searched.
+   * Returns its length, or a negative number if it is not found: the direction is too inaccurate at
+   * edges of length zero, and in faces that are nearly degenerate.
    */
   template <typename F>
   double for_each_crossing_back(const Index vertex,

@@ -110,8 +110,8 @@ struct Sight_ray
   {
   }
 
-  // The ray of a sight whose edge gets a nearer apex in place of an end: over the end if this is on
-  // the ray, and farther than the vertex.
+  // The ray after a nearer apex has replaced an end of the edge: through that end if it is on the
+  // ray, and farther than the vertex.
   Sight_ray before_fold(const Plane_vector end,
                         const double distance_of_end,
                         const double distance_of_apex) const
@@ -142,8 +142,8 @@ struct Sight_path
 
   bool exists() const { return length < std::numeric_limits<double>::infinity(); }
 
-  // Whether the last line is so short that the path arrives in other directions on the two sides of
-  // a vertex on the ray that it has left, with the same length.
+  // Whether the last line is so short that paths on the two sides of the vertex where it starts
+  // arrive from different directions, with the same length.
   bool has_unknown_direction() const
   {
     return Sight_ray::TOLERANCE * length > Arrival::ROUNDING * internal::length(last_line);
@@ -232,8 +232,8 @@ struct Sight
     return result.exists() ? result : line;
   }
 
-  // Where a ray crosses the edge; at this part of the way from left to right if it is along the
-  // edge.
+  // Where a ray crosses the edge; at the part `otherwise` of the way from left to right if the ray
+  // is along the edge.
   Plane_vector crossing(const Sight_ray& ray, const double otherwise) const
   {
     const double beyond_left = cross(ray.direction, left),

@@ -98,7 +98,7 @@ private:
   }
 
   // Takes `sight` across the face ahead of it, which is the inner loop; a second part of it goes
-  // onto the stack. Returns whether there is something to be seen.
+  // onto the stack. Returns whether the sight is not empty.
   BOOST_FORCEINLINE bool advance(Sight& sight)
   {
     const Face_step& step = m_steps[sight.halfedge];
@@ -268,7 +268,7 @@ private:
     return 0;
   }
 
-  // The edge between the apex and the right end.
+  // Moves the sight to the edge between the apex and its right end.
   BOOST_FORCEINLINE bool go_right(Sight& sight, const Apex& apex) const
   {
     sight.halfedge = apex.step.right;
