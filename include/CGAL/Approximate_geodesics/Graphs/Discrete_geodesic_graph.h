@@ -249,6 +249,7 @@ private:
   // graph does not either.
   static constexpr Node SIZE_OF_BLOCK = 1024;
 
+  // With the visitor and the rules by which `rows_of()` has found the arcs.
   template <typename F>
   double
   trace(const Node source, const Node target, const double length, const double rounding, F f) const

@@ -207,9 +207,9 @@ public:
     return result;
   }
 
-  // Adds a vertex in the face to the left of `h`, at `p` where `h` starts from the origin and lies
-  // along x, which is in `direction` in the face of the mesh. Returns a halfedge that starts from
-  // it.
+  // Adds a vertex at `p` in the face to the left of `h`, in the plane where `h` starts from the
+  // origin and is the x axis. `direction` is that of the x axis in the face of the mesh. Returns a
+  // halfedge that starts from the new vertex.
   Index insert(const Index h, const Plane_vector p, const Plane_vector direction)
   {
     const std::array<Index, 3> sides = halfedges_of_face(h);

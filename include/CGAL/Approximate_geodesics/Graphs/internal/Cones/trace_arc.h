@@ -280,7 +280,8 @@ double report_line(const Intrinsic_triangulation& triangulation,
                    F f)
 {
   if(search.found.target != target)
-    reject("the graph has an arc that the mesh has not; was it read from a file that was changed?");
+    reject(
+        "the graph has an arc that is not in the mesh; was it read from a file that was changed?");
   const Straight_arc& arc = search.found;
   const Plane_vector right{triangulation.length(arc.start), 0};
   const Unfolded_face face = Unfolding_on_demand(triangulation).face(arc.start);

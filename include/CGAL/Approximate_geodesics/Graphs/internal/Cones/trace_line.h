@@ -74,7 +74,7 @@ public:
   {
     if(!is_found())
       reject("the graph has an arc of length " + text_of(m_search.length * m_mesh.unit()) +
-             " that the mesh has not; was it read from a file that was changed?");
+             " that is not in the mesh; was it read from a file that was changed?");
     return m_lines.trace(m_search, f);
   }
 

@@ -34,11 +34,11 @@ namespace CGAL::Approximate_geodesics::internal {
  */
 enum class Bend_kind : std::uint8_t
 {
-  NONE,
-  NONE_AS_FLAT,
+  NONE,         // the angle is less than 2 pi, or less than pi at the border
+  NONE_AS_FLAT, // the surface, or its border, is straight
   SADDLE,
   BORDER,
-  ANY
+  ANY // by any angle, as the angle of the vertex is uncertain, or several parts meet
 };
 
 class Bends

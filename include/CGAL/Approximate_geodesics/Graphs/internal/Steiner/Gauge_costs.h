@@ -252,6 +252,7 @@ private:
   // their ends does not increase their costs, by the triangle inequality at the crossing. So the
   // points that a neighbor reaches at a lower cost are at its own end of the row. Where both costs
   // are infinite, the search may miss some of these points, which only enumerates more arcs.
+  // `Weighted_costs::worthwhile()` does the same for weights.
   std::pair<Index, Index> worthwhile(const Index h,
                                      const Row& row,
                                      const Rival& self,
