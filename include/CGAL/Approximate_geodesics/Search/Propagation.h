@@ -178,7 +178,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
 
-  // A seed, and what the graph's `Run` keeps of the line that leads to it.
+  // A seed, and the data that the graph's `Run` stores about the line to it.
   struct Entry
   {
     Seed seed;

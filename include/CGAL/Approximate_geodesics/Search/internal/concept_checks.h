@@ -78,7 +78,7 @@ struct Check_graph
   static constexpr bool is_done = true;
 };
 
-// The types of the two parts of an entry, in the order in which the search takes it apart.
+// The types of the two parts of an entry, in the order in which the search unpacks it.
 template <typename Entry>
 auto parts_of(const Entry& entry)
 {

@@ -123,7 +123,7 @@ public:
     }
   }
 
-  // The same for what is seen from the origin through a window whose ends have distances above 0.
+  // The same for the arcs from the origin through a window whose ends have distances above 0.
   template <typename F, typename Visitor>
   void expand_through(const View& view, F f, const Visitor visitor) const
   {

@@ -25,7 +25,8 @@ namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The triangulation whose faces cones cross, and whose vertices are the nodes of a graph: that of
- * the mesh, or a retriangulation of its surface. The owner keeps the mesh's, too, and hands it in.
+ * the mesh, or a retriangulation of its surface. The graph stores that of the mesh, too, and passes
+ * it as an argument.
  */
 class Cone_triangulation
 {
