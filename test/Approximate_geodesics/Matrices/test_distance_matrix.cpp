@@ -334,7 +334,8 @@ TEST(Known_matrix, in_the_plane)
     {
       const double straight =
           std::sqrt(CGAL::squared_distance(position(mesh, points[i]), position(mesh, points[j])));
-      EXPECT_NEAR(exact[i][j], straight, 1e-12);
+      EXPECT_NEAR(exact[i][j], straight,
+                  1e-12 * (1 + straight)); // some points are next to vertices
       EXPECT_GE(bounded[i][j], straight * (1 - single_precision) - 1e-12);
       EXPECT_LE(bounded[i][j], straight * 1.05 + 1e-12);
     }
