@@ -157,6 +157,36 @@ TEST(Part_of_mesh, has_no_path_between_components)
     }
 }
 
+// The strip is small enough to be near the straight line as a whole, along which the path is far
+// longer.
+TEST(Part_of_mesh, has_the_path_in_a_small_component_that_is_folded)
+{
+  Random random(test_seed());
+  Soup soup = terrain(60, 50, random);
+  const std::size_t first = soup.points.size(), number_of_folds = 59;
+  for(std::size_t i = 0; i <= number_of_folds; ++i)
+  {
+    const double x = 0.1 * static_cast<double>(i), z = i % 2 == 0 ? 0.5 : -0.5;
+    soup.points.emplace_back(x, 100, z);
+    soup.points.emplace_back(x, 100.3, z);
+  }
+  for(std::size_t i = first; i + 2 < soup.points.size(); i += 2)
+  {
+    soup.triangles.push_back({i, i + 2, i + 1});
+    soup.triangles.push_back({i + 1, i + 2, i + 3});
+  }
+  const Mesh mesh = to_mesh(soup);
+  const Vertex s(static_cast<Mesh::size_type>(first)),
+      t(static_cast<Mesh::size_type>(soup.points.size() - 2));
+  const double expected = number_of_folds * std::sqrt(0.01 + 1);
+  ASSERT_TRUE(part_between(mesh, s, t, parameters::epsilon(0)));
+  EXPECT_NEAR(length_of_path(mesh, s, t, parameters::default_values()), expected, 1e-9);
+  EXPECT_NEAR(length_of_path(mesh, s, t, parameters::epsilon(0.1)), expected, 1e-9);
+  EXPECT_NEAR(length_of_path(mesh, s, t, parameters::epsilon(0)), expected, 1e-9);
+  EXPECT_EQ(length_of_path(mesh, s, t, parameters::maximum_distance(50)), infinity);
+  EXPECT_NEAR(length_of_path(mesh, s, t, parameters::maximum_distance(60)), expected, 1e-9);
+}
+
 // Two sheets that have nothing but a corner in common, so that the only way is through it.
 TEST(Part_of_mesh, has_paths_through_a_vertex_between_fans)
 {

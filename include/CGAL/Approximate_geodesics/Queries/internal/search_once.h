@@ -176,7 +176,8 @@ public:
   }
 
   // Calls `search(part, limit)` with a part that contains all paths from the nearest source to
-  // `target` up to the limit, and again with a larger limit if it returns a distance beyond it.
+  // `target` up to the limit, and again with a larger limit if it returns a distance beyond it. The
+  // limit is infinite if the part is a whole component of the mesh.
   // Returns whether the last distance is that on the mesh.
   template <typename Sources, typename Target, typename Search>
   bool between(const Sources& sources, const Target& target, Search search)
@@ -193,11 +194,12 @@ public:
       Growth growth = growth_up_to(limit, BETWEEN_POINTS);
       if(!growth.run())
         return false;
-      const std::optional<double> distance = search(growth.part(), m_detour.limit);
+      const bool is_whole = growth.next_limit() == infinity; // a component of the mesh
+      const double longest = is_whole ? infinity : m_detour.limit;
+      const std::optional<double> distance = search(growth.part(), longest);
       if(!distance)
         return false;
-      if(*distance <= m_detour.limit || limit == m_maximum_distance ||
-         growth.next_limit() == infinity)
+      if(*distance <= longest || limit == m_maximum_distance)
         return true;
       limit = *distance < infinity ? *distance : (std::max)(INCREASE * limit, growth.next_limit());
     }
