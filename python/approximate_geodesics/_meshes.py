@@ -33,11 +33,11 @@ def of_meshio(mesh: Any) -> Arrays:
 
 def of_vtk(mesh: Any) -> Arrays:
     """Also those of PyVista, whose class is derived from VTK's, and adds NumPy arrays."""
+    if hasattr(mesh, "GetNumberOfStrips") and mesh.GetNumberOfStrips() > 0:
+        raise ValueError("the mesh has triangle strips; vtkTriangleFilter makes triangles of them")
     if hasattr(mesh, "points") and hasattr(mesh, "faces"):
         return np.asarray(mesh.points), _unpacked(np.asarray(mesh.faces))
-    if _member(mesh, "GetNumberOfStrips")() > 0:
-        raise ValueError("the mesh has triangle strips; vtkTriangleFilter makes triangles of them")
-    points = mesh.GetPoints()
+    points = _member(mesh, "GetPoints")()
     if points is None or points.GetNumberOfPoints() == 0:
         return np.empty((0, 3)), np.empty((0, 3), dtype=np.int64)
     coordinates = np.asarray(memoryview(points.GetData()))

@@ -68,6 +68,16 @@ def test_stand_in_for_pyvista():
     assert ag.Solver.from_pyvista(empty).number_of_faces == 0
 
 
+def test_strips_of_pyvista_are_refused():
+    def with_strips(number):
+        strips = {"GetNumberOfStrips": lambda: number}
+        return SimpleNamespace(points=VERTICES, faces=FLAT_FACES, **strips)
+
+    expect_same(ag.Solver.from_pyvista(with_strips(0), 0.1))
+    with pytest.raises(ValueError, match="triangle strips; vtkTriangleFilter"):
+        ag.Solver.from_pyvista(with_strips(1))
+
+
 @pytest.mark.parametrize(
     "faces, message",
     [
@@ -106,7 +116,7 @@ def test_stand_ins_for_open3d():
     [
         (ag.Solver.from_trimesh, "vertices"),
         (ag.Solver.from_meshio, "points"),
-        (ag.Solver.from_pyvista, "GetNumberOfStrips"),
+        (ag.Solver.from_pyvista, "GetPoints"),
         (ag.Solver.from_open3d, "vertices"),
     ],
 )
