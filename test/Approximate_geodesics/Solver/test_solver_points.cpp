@@ -160,6 +160,12 @@ TEST(Solver_samples, that_cannot_be_right_are_named)
   refuse_change("face 2 has the number nan", 0, std::numeric_limits<double>::quiet_NaN());
   refuse_change("face 2 has the number -1 in its sampled cost", 7, -1);
   refuse_change("face 2 has sampled directions that are not in the order", 8, 3);
+  refuse_change("face 2 has the angle -3.2 in its sampled cost", 6, -3.2);
+  refuse_change("face 2 has the angle 3.2 in its sampled cost", 6 + 2 * 7, 3.2);
+  refuse_change("axes of the lengths 0 and 1, and the scalar product 0", 0, 0);
+  refuse_change("axes of the lengths 1 and 1.0001, and the scalar product 0", 4, 1.0001);
+  refuse_change("face 2 has, in its sampled cost, axes of the lengths", 5, 1e200);
+  refuse_change("and the scalar product 1e-05", 3, 1e-5);
   refuse("half a circle apart", [&] {
     AG::Solver_cost cost = sampled(faces, 8, one);
     for(std::size_t i = 6; i < cost.of_faces.size(); i += 2)

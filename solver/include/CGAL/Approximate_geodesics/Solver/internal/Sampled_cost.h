@@ -77,6 +77,13 @@ private:
 
   void check(const std::size_t face) const
   {
+    check_numbers(face);
+    check_axes(face);
+    check_angles(face);
+  }
+
+  void check_numbers(const std::size_t face) const
+  {
     const double* const numbers_of_face = numbers(face);
     for(std::size_t i = 0; i < AXES + 2 * m_number_of_directions; ++i)
     {
@@ -87,9 +94,31 @@ private:
                " in its sampled cost; costs must be numbers that are not negative, or infinity, "
                "and other numbers must be finite");
     }
-    const auto angle = [&](const std::size_t i) { return numbers_of_face[AXES + 2 * i]; };
+  }
+
+  void check_axes(const std::size_t face) const
+  {
+    constexpr double rounding = 1e-6; // of `float`
+    const double *const a = numbers(face), *const b = a + 3;
+    const double length_of_a = std::hypot(a[0], a[1], a[2]);
+    const double length_of_b = std::hypot(b[0], b[1], b[2]);
+    const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    if(!(std::abs(length_of_a - 1) <= rounding && std::abs(length_of_b - 1) <= rounding &&
+         std::abs(product) <= rounding))
+      reject("face " + std::to_string(face) + " has, in its sampled cost, axes of the lengths " +
+             text_of(length_of_a) + " and " + text_of(length_of_b) + ", and the scalar product " +
+             text_of(product) + "; they must be orthogonal unit vectors");
+  }
+
+  void check_angles(const std::size_t face) const
+  {
+    const double* const samples = numbers(face) + AXES;
+    const auto angle = [&](const std::size_t i) { return samples[2 * i]; };
     for(std::size_t i = 0; i < m_number_of_directions; ++i)
     {
+      if(std::abs(angle(i)) > PI + SAME)
+        reject("face " + std::to_string(face) + " has the angle " + text_of(angle(i)) +
+               " in its sampled cost; angles must be from -pi to pi");
       const bool is_last = i + 1 == m_number_of_directions;
       const double gap = is_last ? angle(0) - angle(i) + 2 * PI : angle(i + 1) - angle(i);
       if(!(gap >= -SAME && gap < PI - SAME))
