@@ -40,8 +40,8 @@ def integers(values: Any, name: str, shape: tuple[int, ...]) -> npt.NDArray[Any]
     _check_mask(result, name)
     if result.shape == (0,) and result.dtype.kind == "f":
         result = np.empty([max(size, 0) for size in shape], dtype=np.int64)
-    if result.dtype.kind == "O":
-        _check_sizes(result, name)
+    if result.dtype.kind in "fO":  # what NumPy makes of lists with integers from 2**63
+        _check_sizes(np.asarray(values, dtype=object), name)
     _check_kind(result, name, "iu", "integers")
     if result.dtype.kind == "u":
         _check_sizes(result, name)

@@ -89,6 +89,7 @@ def test_parameters_that_cannot_be_right(options, message):
         (2**70, f"the source is vertex {2**70}, which is too large"),
         (-(2**70), "too large"),
         ([0, 2**70], f"the source vertices contain {2**70}, which is too large"),
+        ([0, 2**63], f"the source vertices contain {2**63}, which is too large"),
         ([[0], [1, 2]], "the source vertices cannot be read as integers"),
         ([[0, 1]], r"the source vertices must have the shape \(any,\)"),
     ],
