@@ -57,8 +57,8 @@ def compute_gdist(
 def oriented(faces: npt.NDArray[Any]) -> npt.NDArray[Any]:
     """The faces, turned where neighbors traverse their edge in the same direction.
 
-    gdist and pygeodesic accept such meshes, which `Solver` refuses. Surfaces with one side stay as
-    they are, and are refused then.
+    gdist and pygeodesic accept such meshes, which `Solver` refuses. Meshes with a one-sided
+    surface stay as they are, and are refused then.
     """
     sides = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     low, high = sides.min(axis=1), sides.max(axis=1)
@@ -68,8 +68,9 @@ def oriented(faces: npt.NDArray[Any]) -> npt.NDArray[Any]:
     turns = sides[first, 0] == sides[second, 0]
     if not np.any(turns):
         return faces
+    first, second = first % len(faces), second % len(faces)
     neighbors: list[list[tuple[int, bool]]] = [[] for _ in faces]
-    for a, b, turn in zip(*np.stack([first, second]) % len(faces), turns):
+    for a, b, turn in zip(first, second, turns):
         neighbors[a].append((b, turn))
         neighbors[b].append((a, turn))
     is_turned: list[Optional[bool]] = [None] * len(faces)
@@ -82,7 +83,10 @@ def oriented(faces: npt.NDArray[Any]) -> npt.NDArray[Any]:
                     if is_turned[other] is None:
                         is_turned[other] = bool(is_turned[face]) != bool(turn)
                         front.append(other)
-    return np.where(np.array(is_turned, dtype=bool)[:, None], faces[:, ::-1], faces)
+    is_reversed = np.array(is_turned, dtype=bool)
+    if np.any((is_reversed[first] != is_reversed[second]) != turns):
+        return faces
+    return np.where(is_reversed[:, None], faces[:, ::-1], faces)
 
 
 def vertices_of_mesh(targets: npt.ArrayLike, number_of_vertices: int) -> npt.NDArray[Any]:

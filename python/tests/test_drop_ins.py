@@ -201,5 +201,9 @@ def test_faces_of_drop_ins_may_have_any_orientation():
     )
     one_side = [(0, 1, 2), (1, 3, 2), (2, 3, 4), (3, 0, 4), (4, 0, 1)]  # a Moebius strip
     corners = np.random.default_rng(1).normal(size=(5, 3))
-    with pytest.raises(ValueError, match="same orientation"):
-        geodesic.PyGeodesicAlgorithmExact(corners, one_side)
+    messages = []
+    for make in (geodesic.PyGeodesicAlgorithmExact, ag.Solver):
+        with pytest.raises(ValueError, match="same orientation") as error:
+            make(corners, one_side)
+        messages.append(str(error.value))
+    assert messages[0] == messages[1]  # of the faces as they were
