@@ -52,8 +52,7 @@ class PyGeodesicAlgorithmExact:
         Returns a float, and a (k, 3) array of float64. Without a path, these are infinity and a
         (0, 3) array.
         """
-        ends = [int(sourceIndex), int(targetIndex)]
-        points, length = self._solver.path(*ends, return_length=True)
+        points, length = self._solver.path(sourceIndex, targetIndex, return_length=True)
         return length, _distinct(points[::-1], 1e-12 * length)
 
     def geodesicDistances(
@@ -113,13 +112,16 @@ def read_mesh_from_file(
     with open(filename, encoding="utf-8") as file:
         words = file.read().split()
     try:
-        sizes = [int(word) for word in words[:2]]
-        number_of_points, number_of_faces = (3 * size for size in sizes)
-        beyond = 2 + number_of_points
+        number_of_points, number_of_faces = map(int, words[:2])
+        beyond = 2 + 3 * number_of_points
+        size = beyond + 3 * number_of_faces
+        if min(number_of_points, number_of_faces) < 0 or len(words) != size:
+            raise ValueError(
+                f"it has {len(words)} numbers; {number_of_points} points and {number_of_faces} faces "
+                f"take {size}"
+            )
         points = np.array(words[2:beyond], dtype=float)
-        faces = np.array(list(map(int, words[beyond : beyond + number_of_faces])), dtype=np.int64)
-        if min(sizes) < 0 or (len(points), len(faces)) != (number_of_points, number_of_faces):
-            raise ValueError(f"{len(words)} numbers are not those of {sizes} points and faces")
+        faces = _arrays.integers([int(word) for word in words[beyond:]], "faces", (-1,))
     except ValueError as error:
         raise ValueError(f"{os.fspath(filename)} has no mesh: {error}") from None
     return points.reshape(-1, 3), faces.reshape(-1, 3)

@@ -165,6 +165,8 @@ def test_errors_of_pygeodesic_are_exceptions():
     for call, message in [
         (lambda: geodesic.PyGeodesicAlgorithmExact(VERTICES, FACES + 1), "has vertex 642"),
         (lambda: algorithm.geodesicDistance(0, 642), "target is vertex 642"),
+        (lambda: algorithm.geodesicDistance(1.7, 0), "source 1.7 is not a vertex"),
+        (lambda: algorithm.geodesicDistance(0, "3"), "target '3' is not a point"),
         (lambda: algorithm.geodesicDistances([642]), "source 0 is vertex 642"),
         (lambda: algorithm.geodesicDistances(None, [-1]), "target 0 is vertex -1"),
     ]:
@@ -181,6 +183,15 @@ def test_files_of_pygeodesic_are_read(tmp_path):
     for contents in ("", "4 2\n0 0 0\n", "a b", "1 1\n0 0 0\n0 0 0.5\n", "-1 0"):
         file.write_text(contents)
         with pytest.raises(ValueError, match="mesh.txt has no mesh"):
+            geodesic.read_mesh_from_file(file)
+    for contents, message in [
+        ("3 1\n0 0 0\n1 0 0\n0 1 0\n0 1 18446744073709551616\n", "contain 18446744073709551616"),
+        ("1 1\n0 0 0\n0 0 9223372036854775808\n", "contain 9223372036854775808"),
+        ("1 1\n0 0 0\n0 0 0\n7\n", "9 numbers.* 1 points and 1 faces take 8"),
+        ("1 9223372036854775808\n0 0 0\n", "1 points and 9223372036854775808 faces take"),
+    ]:
+        file.write_text(contents)
+        with pytest.raises(ValueError, match=f"mesh.txt has no mesh: .*{message}"):
             geodesic.read_mesh_from_file(file)
     with pytest.raises(FileNotFoundError):
         geodesic.read_mesh_from_file(tmp_path / "none.txt")
