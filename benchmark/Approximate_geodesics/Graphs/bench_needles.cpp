@@ -105,7 +105,7 @@ public:
   const Table& table() const { return m_table; }
 
 private:
-  static constexpr int NUMBER_OF_PATHS = 20;
+  static constexpr Intrinsic_triangulation::Index NUMBER_OF_PATHS = 20;
 
   static AG::Intrinsic_point at_vertex(const Intrinsic_triangulation::Index v)
   {
@@ -116,7 +116,7 @@ private:
   static void find_paths(const Search& search)
   {
     const auto n = search.graph().triangulation().number_of_vertices();
-    for(int i = 0; i < NUMBER_OF_PATHS; ++i)
+    for(Intrinsic_triangulation::Index i = 0; i < NUMBER_OF_PATHS; ++i)
       if(search.find_path(at_vertex(n / NUMBER_OF_PATHS * i)).points.empty())
         throw std::logic_error("a vertex cannot be reached");
   }
