@@ -10,9 +10,9 @@ endfunction()
 
 # files that cannot become longer, as if the disk was full: the first one, or a later one
 set(fails "^geodesic_distances: cannot write x[^:]*: File too large\n$")
-set(big "${mesh} -o x -t 5 --csv -i count:9 -e 0.1")
+set(big "'${mesh}' -o x -t 5 --csv -i count:9 -e 0.1")
 foreach(blocks 0 1 16 45)
-  expect_line(1 "${fails}" "ulimit -f ${blocks} && $0 ${big} 2>&1 >/dev/null")
+  expect_line(1 "${fails}" "ulimit -f ${blocks} && \"$0\" ${big} 2>&1 >/dev/null")
   expect_files(${meshes})
 endforeach()
 
@@ -21,7 +21,7 @@ foreach(name IN LISTS outputs)
   file(WRITE ${folder}/${name} "the old ${name}\n")
 endforeach()
 foreach(blocks 0 1 16 45)
-  expect_line(1 "${fails}" "ulimit -f ${blocks} && $0 ${big} --force 2>&1 >/dev/null")
+  expect_line(1 "${fails}" "ulimit -f ${blocks} && \"$0\" ${big} --force 2>&1 >/dev/null")
   expect_files(${meshes} ${outputs})
   foreach(name IN LISTS outputs)
     expect_contents(${name} "^the old ${name}\n$")
@@ -33,7 +33,7 @@ file(REMOVE ${folder}/x.csv)
 function(expect_meanwhile code text lines)
   # shells keep Ctrl-C from what they start in the background
   expect_line(${code} "${text}" "mkfifo x.csv
-env --default-signal=INT $0 ${big} --force &
+env --default-signal=INT \"$0\" ${big} --force &
 until [ -e x_paths.vtp.new0 ]
 do sleep 0.1
 done
@@ -56,7 +56,7 @@ endforeach()
 file(CHMOD ${folder}/x.ply PERMISSIONS OWNER_READ OWNER_WRITE)
 file(RENAME ${folder}/x.csv ${folder}/table)
 file(CREATE_LINK table ${folder}/x.csv SYMBOLIC)
-expect_line(0 "Written: x.ply" "umask 022 && $0 square.off -o x -t 2 --csv --force")
+expect_line(0 "Written: x.ply" "umask 022 && \"$0\" square.off -o x -t 2 --csv --force")
 expect_files(${meshes} ${outputs} table)
 expect_line(0 "^-rw------- .*\n-rw-r--r-- .*\n$" "ls -l x.ply x_paths.vtp")
 expect_contents(table "^vertex,x,y,z,")
@@ -71,12 +71,12 @@ expect(1 "cannot write full.csv: No space left on device" ${PROGRAM} square.off 
 expect_files(${meshes} full.csv x.ply x.polylines.txt x.vtp x_paths.vtp)
 file(REMOVE ${folder}/full.csv)
 expect_line(0 "vertex,x,y,z" "mkfifo y.csv
-cat y.csv & $0 square.off -o y --csv --force
+cat y.csv & \"$0\" square.off -o y --csv --force
 wait")
 
 # standard output, which comes before the files
 set(cannot_print "^geodesic_distances: cannot write to standard output: ")
-expect_line(1 "${cannot_print}No space left on device\n$" "$0 --help >/dev/full")
-expect_line(1 "${cannot_print}No space left on device\n$" "$0 square.off -o z >/dev/full")
-expect_line(1 "${cannot_print}Bad file descriptor\n$" "$0 square.off -o z >&-")
+expect_line(1 "${cannot_print}No space left on device\n$" "\"$0\" --help >/dev/full")
+expect_line(1 "${cannot_print}No space left on device\n$" "\"$0\" square.off -o z >/dev/full")
+expect_line(1 "${cannot_print}Bad file descriptor\n$" "\"$0\" square.off -o z >&-")
 expect_files(${meshes} x.ply x.polylines.txt x.vtp x_paths.vtp y.csv y.ply y.vtp y_paths.vtp)

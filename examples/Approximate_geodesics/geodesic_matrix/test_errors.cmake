@@ -26,4 +26,4 @@ file(MAKE_DIRECTORY ${folder}/distances.npy.part)
 expect(1 "--resume no: distances.npy.part belongs to an unfinished run" ${PROGRAM} ${mesh} --resume no)
 expect_files(distances.npy.part wrong.txt)
 expect(1 "^geodesic_matrix: cannot write to standard output: No space left on device\n$" sh -c
-       "$0 --help >/dev/full" ${PROGRAM})
+       "\"$0\" --help >/dev/full" ${PROGRAM})
