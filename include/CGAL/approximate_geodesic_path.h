@@ -14,7 +14,6 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/search_once.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
-#include <limits>
 #include <optional>
 
 namespace CGAL {
@@ -32,7 +31,6 @@ double write_path(const TriangleMesh& tmesh,
                   const Target& target,
                   const NamedParameters& np)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   double length = infinity;
   const auto write = [&](auto& search, const double limit) {
     search.run_to(source, target, positions_for_one_run(search, np), np);

@@ -171,7 +171,7 @@ public:
   bool accepts_weaker_bound() const { return m_limit.is_soft; }
 
   /// returns the number of bytes that are stored per element of the mesh.
-  std::size_t memory() const { return sizeof(double) * (m_start.capacity() + m_spread.capacity()); }
+  std::size_t memory() const { return internal::memory_of(m_start, m_spread); }
 
 private:
   using Gauge_shape = internal::Gauge_shape;

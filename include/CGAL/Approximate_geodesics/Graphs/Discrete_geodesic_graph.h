@@ -195,7 +195,7 @@ public:
   /// returns the number of bytes that the graph takes, its triangulation included.
   std::size_t memory() const
   {
-    return m_triangulation.memory() + m_cone_triangulation.memory() + m_rows.memory();
+    return internal::memory_of(m_triangulation, m_cone_triangulation, m_rows);
   }
 
   /// returns whether the triangulation is valid, and every edge has arcs that are no longer.

@@ -205,8 +205,7 @@ public:
   /// kept included.
   std::size_t memory() const
   {
-    return m_triangulation.memory() + m_cone_triangulation.memory() + m_unfolding.memory() +
-           m_arc_cache.memory();
+    return internal::memory_of(m_triangulation, m_cone_triangulation, m_unfolding, m_arc_cache);
   }
 
   /// returns whether the triangulation is valid.

@@ -150,7 +150,7 @@ public:
   void prefetch(const Node node) const { m_edges.prefetch(node); }
 
   /// returns the number of bytes that the graph takes, its triangulation included.
-  std::size_t memory() const { return m_edges.memory() + m_steps.memory() + m_bends.memory(); }
+  std::size_t memory() const { return internal::memory_of(m_edges, m_steps, m_bends); }
 
   /// returns whether the triangulation is valid.
   bool is_valid() const { return m_edges.is_valid(); }

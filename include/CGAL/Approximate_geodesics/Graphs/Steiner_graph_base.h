@@ -425,7 +425,7 @@ public:
   /// returns the number of bytes that the graph takes, its triangulation included.
   std::size_t memory() const
   {
-    return m_triangulation.memory() + m_placement.memory() + m_edges.memory() + m_nodes.memory();
+    return internal::memory_of(m_triangulation, m_placement, m_edges, m_nodes);
   }
 
   /// returns whether the triangulation is valid.

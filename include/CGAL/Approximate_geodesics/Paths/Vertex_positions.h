@@ -80,7 +80,7 @@ public:
   }
 
   /// returns the number of bytes that the positions take.
-  std::size_t memory() const { return m_positions.capacity() * sizeof(Position); }
+  std::size_t memory() const { return internal::memory_of(m_positions); }
 
 private:
   // Whether edges are as long as the straight lines between their ends. It is not enough that they

@@ -339,8 +339,7 @@ public:
   /// returns the number of bytes that the workspace takes.
   std::size_t memory() const
   {
-    return m_run.memory() + m_labels.memory() + m_queue.memory() + m_sources.memory() +
-           m_seeds.capacity() * sizeof(Seed) + m_candidates.memory();
+    return internal::memory_of(m_run, m_labels, m_queue, m_sources, m_seeds, m_candidates);
   }
 
 private:

@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
 #include <CGAL/Named_function_parameters.h>
@@ -48,6 +48,7 @@ struct Face_weights
 };
 
 namespace internal {
+
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder;
 class Retriangulation;
@@ -223,11 +224,9 @@ public:
   /// returns the number of bytes that the arrays of the triangulation take.
   std::size_t memory() const
   {
-    return sizeof(Index) * (m_first_halfedge.capacity() + m_target.capacity() +
-                            m_vertex_of_index.capacity() + m_index_of_vertex.capacity()) +
-           sizeof(double) * (m_length.capacity() + m_weight.capacity()) +
-           (m_is_border.capacity() + m_is_barrier.capacity() + m_is_flipped.capacity()) / 8 +
-           m_opposite_rank.memory() + m_thin_faces.memory() + m_gauges.memory();
+    return internal::memory_of(m_first_halfedge, m_target, m_vertex_of_index, m_index_of_vertex,
+                               m_length, m_weight, m_is_border, m_is_barrier, m_is_flipped,
+                               m_opposite_rank, m_thin_faces, m_gauges);
   }
 
   /// @}

@@ -74,7 +74,6 @@ public:
   // The largest distance of the targets that are not known to be final; infinity if there are none.
   double distance() const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     double result = m_targets.empty() && m_points.empty() ? infinity : 0;
     for(const Node target : m_targets)
       result = (std::max)(result, m_labels.distance(target));
@@ -86,7 +85,7 @@ public:
 private:
   double shortest(const Arcs& arcs) const
   {
-    double result = std::numeric_limits<double>::infinity();
+    double result = infinity;
     for(const Last_arc& arc : arcs)
       result = (std::min)(result, m_labels.distance(arc.node) + arc.length);
     return result;
@@ -530,7 +529,7 @@ private:
     order.resize(first + batch.size());
     Node* end = order.data() + first;
     if constexpr(is_heuristic<Heuristic>)
-      m_smallest_key = std::numeric_limits<double>::infinity();
+      m_smallest_key = infinity;
     for(const auto& [key, node] : batch)
     {
       if constexpr(is_heuristic<Heuristic>)

@@ -6,8 +6,10 @@
 #ifndef CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_LABELS_H
 #define CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_LABELS_H
 
-#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -66,10 +68,7 @@ public:
   // Resets the labels of a run that was not left by an exception.
   void forget()
   {
-    if(m_order.size() > m_distance.size() / 4) // sequential access is faster
-      return forget_all();
-    for(const Node node : m_order)
-      discard(node);
+    reset(m_distance, m_order, infinity);
     m_order.clear();
   }
 
@@ -79,15 +78,9 @@ public:
     m_order.clear();
   }
 
-  std::size_t memory() const
-  {
-    return m_distance.capacity() * sizeof(double) +
-           (m_predecessor.capacity() + m_order.capacity()) * sizeof(Node);
-  }
+  std::size_t memory() const { return memory_of(m_distance, m_predecessor, m_order); }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   std::vector<double> m_distance;
   std::vector<Node> m_predecessor; // meaningful where the distance is finite
   std::vector<Node> m_order;
@@ -137,7 +130,7 @@ public:
     m_has_roots = false;
   }
 
-  std::size_t memory() const { return m_seed.capacity() * sizeof(Seed_index); }
+  std::size_t memory() const { return memory_of(m_seed); }
 
 private:
   using Seed_index = std::uint32_t;

@@ -30,8 +30,6 @@ namespace CGAL::Approximate_geodesics::internal {
 class Edge_flips
 {
 public:
-  static constexpr Index null_index = Intrinsic_triangulation::null_index;
-
   struct Halfedge
   {
     Index target, opposite;

@@ -68,7 +68,7 @@ public:
   Id insert(const Id i, const Plane_vector v, const double cost)
   {
     const Id m = link(i, v, cost);
-    const bool is_finite = cost < std::numeric_limits<double>::infinity();
+    const bool is_finite = cost < infinity;
     if(m_some_corner == null_id)
     {
       if(is_finite)
@@ -214,13 +214,10 @@ private:
     const double largest = dot(sector.functional, d), smallest = dot(other.functional, d);
     if(!(largest > smallest))
       return 0;
-    return largest > 0 ? 1 - smallest / largest : std::numeric_limits<double>::infinity();
+    return largest > 0 ? 1 - smallest / largest : infinity;
   }
 
-  static double error_of_drop(const double drop)
-  {
-    return drop < 1 ? drop / (1 - drop) : std::numeric_limits<double>::infinity();
-  }
+  static double error_of_drop(const double drop) { return drop < 1 ? drop / (1 - drop) : infinity; }
 
   std::vector<Direction> m_directions;
   Id m_some_corner = null_id;
@@ -370,8 +367,6 @@ private:
 class Face_gauges
 {
 public:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   // A sector of directions between two corners of the polygon, counterclockwise from `direction`.
   struct Sector
   {
@@ -421,9 +416,7 @@ public:
 
   std::size_t memory() const
   {
-    return sizeof(Sector) * m_sectors.capacity() + sizeof(Plane_vector) * m_side.capacity() +
-           sizeof(std::size_t) * m_first_sector.capacity() +
-           sizeof(Index) * (m_corner_of_halfedge.capacity() + m_beyond_upper.capacity());
+    return memory_of(m_sectors, m_side, m_first_sector, m_corner_of_halfedge, m_beyond_upper);
   }
 
   const std::vector<Sector>& all_sectors() const { return m_sectors; }

@@ -274,7 +274,7 @@ private:
       for(const Index side : {m_flips.next(h), m_flips.next(m_flips.next(h)), m_flips.next(g),
                               m_flips.next(m_flips.next(g))})
         m_far_edges.push_back(side);
-      m_flips.flip(Edge_flips::null_index, h);
+      m_flips.flip(null_index, h);
       --m_flips_left;
     }
   }
@@ -295,7 +295,7 @@ private:
         const Index side = m_flips.next(m_flips[h].opposite);
         m_near_edges.push_back(side);
         m_near_edges.push_back(m_flips.next(side));
-        m_flips.flip(Edge_flips::null_index, h);
+        m_flips.flip(null_index, h);
         --m_flips_left;
       }
     }
@@ -402,7 +402,7 @@ private:
 // the halfedge starts there; if not, the point is in the face to the left of the halfedge.
 struct Direction_in_mesh
 {
-  Intrinsic_triangulation::Index halfedge;
+  Index halfedge;
   double angle;
 };
 
@@ -487,10 +487,7 @@ public:
 
   std::size_t memory() const
   {
-    return m_triangulation.memory() +
-           sizeof(Index) * (m_number.capacity() + m_number_in_mesh.capacity()) +
-           sizeof(Intrinsic_point) * m_positions.capacity() +
-           sizeof(Edge_flips::Signpost) * m_signposts.capacity();
+    return memory_of(m_triangulation, m_number, m_number_in_mesh, m_positions, m_signposts);
   }
 
 private:
@@ -507,7 +504,7 @@ private:
     for(const Index first : flips.first_halfedges())
     {
       t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
-      if(first == Intrinsic_triangulation::null_index)
+      if(first == null_index)
         continue; // an isolated vertex
       Index h = first;
       do

@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
@@ -66,7 +66,6 @@ inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
                                    const Index h,
                                    Apex_position* const position = nullptr)
 {
-  constexpr auto null_index = Intrinsic_triangulation::null_index;
   if(triangulation.is_border(h))
     return {null_index, null_index, null_index, triangulation.is_flipped(h), false, 0, 0};
 
@@ -133,7 +132,7 @@ public:
 
   void prefetch(const Index h) const { internal::prefetch(m_faces.data(), h); }
 
-  std::size_t memory() const { return m_faces.capacity() * sizeof(Unfolded_face); }
+  std::size_t memory() const { return memory_of(m_faces); }
 
 private:
   std::vector<Unfolded_face> m_faces;
@@ -160,7 +159,7 @@ private:
 // A halfedge that straight lines from the origin meet, laid out between two points.
 struct Crossing
 {
-  Index halfedge = Intrinsic_triangulation::null_index;
+  Index halfedge = null_index;
   Plane_vector source = {0, 0}, target = {0, 0};
 
   Plane_vector point(const double t) const { return source + t * (target - source); }

@@ -254,7 +254,7 @@ angle_of_fan(const Intrinsic_triangulation& triangulation, const Index first, co
     sum.add(corner_angle(triangulation, h));
     return true;
   });
-  return is_open ? sum.value() : std::numeric_limits<double>::infinity();
+  return is_open ? sum.value() : infinity;
 }
 
 /*
@@ -387,7 +387,7 @@ void for_each_face_point(const Intrinsic_triangulation& triangulation,
 struct Segment
 {
   Face_point from, to; // seen from halfedges of the same face
-  double length = std::numeric_limits<double>::infinity();
+  double length = infinity;
 };
 
 // The shortest edge between two vertices.

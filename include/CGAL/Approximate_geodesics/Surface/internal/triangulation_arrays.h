@@ -8,12 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -22,6 +23,9 @@ namespace CGAL::Approximate_geodesics::internal {
 
 // The number of a vertex, a halfedge or a face.
 using Index = std::uint32_t;
+
+// The number that none of them has.
+constexpr Index null_index = (std::numeric_limits<Index>::max)();
 
 /*
  * For every halfedge, the rank of its opposite among the halfedges that start from its target.
@@ -202,11 +206,7 @@ public:
 
   std::size_t number_of_faces() const { return m_face.size(); }
 
-  std::size_t memory() const
-  {
-    return (m_first_of_block.capacity() + m_halfedge.capacity()) * sizeof(Index) +
-           m_face.capacity() * sizeof(Thin_face);
-  }
+  std::size_t memory() const { return memory_of(m_first_of_block, m_halfedge, m_face); }
 
 private:
   static constexpr Index SIZE_OF_BLOCK = 128; // so many halfedges

@@ -29,8 +29,6 @@ namespace CGAL::Approximate_geodesics::internal {
  */
 class Arc_file
 {
-  using Index = Intrinsic_triangulation::Index;
-
   // "AGDGG", followed by CR, SUB and LF, which copies in text mode change
   static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4747444741;
   static constexpr std::uint32_t VERSION = 4;

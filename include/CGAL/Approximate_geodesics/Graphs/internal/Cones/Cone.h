@@ -68,8 +68,6 @@ struct Cone_rules
 // A straight line from one vertex to another, across the faces that it meets.
 struct Straight_arc
 {
-  using Index = Intrinsic_triangulation::Index;
-
   Index target;
   double length;
   Plane_vector position; // of the target, where the source is the origin and `start` lies along x
@@ -122,7 +120,7 @@ struct Cone_side
   {
     const double gain = dot(server, ray) - saving * length_of_ray;
     return gain > 0 ? (distance_of_server - saving) * (distance_of_server + saving) / 2 / gain
-                    : std::numeric_limits<double>::infinity();
+                    : infinity;
   }
 
   // Turns the ray to x, which is served with the large saving. Paths from the server to points
@@ -151,8 +149,6 @@ struct Cone_side
  */
 struct Window
 {
-  using Index = Intrinsic_triangulation::Index;
-
   Index halfedge;            // its edge; the face ahead is to its left
   Index left_end, right_end; // source and target of the halfedge, ...
   Plane_vector left_position, right_position;
@@ -164,8 +160,8 @@ struct Window
 struct View
 {
   Window window;
-  Plane_vector edge;   // from the left to the right end of the window, more accurate than these
-  Window::Index start; // the opposite of the window's halfedge, inside the face
+  Plane_vector edge; // from the left to the right end of the window, more accurate than these
+  Index start;       // the opposite of the window's halfedge, inside the face
 };
 
 /*
@@ -173,8 +169,6 @@ struct View
  */
 struct Cone
 {
-  using Index = Window::Index;
-
   Window window;
   Cone_side left, right;
   std::uint32_t depth;          // the number of faces on the way

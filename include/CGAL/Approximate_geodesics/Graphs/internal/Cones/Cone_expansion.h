@@ -26,10 +26,7 @@ struct Cone_visitor_base
   static constexpr bool wants_faces = false; // to be told of, by `on_face(cone, apex)`
   static constexpr double slack = 0;         // tolerance of visibility, relative to the distance
   bool prune(const Window& /* window */) const { return false; }
-  std::uint32_t record_window(Window::Index /* halfedge */, std::uint32_t /* trail */) const
-  {
-    return 0;
-  }
+  std::uint32_t record_window(Index /* halfedge */, std::uint32_t /* trail */) const { return 0; }
 };
 
 // Leaves out arcs that a detour replaces well enough.
@@ -82,16 +79,12 @@ struct Label_pruning : Visitor
 template <typename Unfolding>
 class Cone_expansion
 {
-  using Index = Intrinsic_triangulation::Index;
-
   struct Stack
   {
     boost::container::small_vector<Cone, 32> cones;
     Plane_vector edge; // of the window ahead, from left to right, if vectors are carried
     std::vector<Plane_vector> edges; // likewise, of the cones
   };
-
-  static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
 public:
   Cone_expansion(const Intrinsic_triangulation& triangulation,

@@ -38,8 +38,6 @@ struct Crossing_and_edge
 template <typename Way>
 struct alignas(64) Narrow_cone
 {
-  using Index = Intrinsic_triangulation::Index;
-
   // A ray through a vertex that is seen from the tip.
   struct Side
   {
@@ -113,13 +111,10 @@ private:
 template <bool IS_GENERAL, typename Unfolding, typename Labels, typename Arcs>
 class Cone_front
 {
-  using Index = Intrinsic_triangulation::Index;
   using Way = std::conditional_t<IS_GENERAL, Crossing_and_edge, Index>;
   using Cone = Narrow_cone<Way>;
   using Side = typename Cone::Side;
   using End = typename Cone::End;
-
-  static constexpr Index null_index = Intrinsic_triangulation::null_index;
 
 public:
   static bool is_general_needed(const Intrinsic_triangulation& triangulation)

@@ -30,7 +30,7 @@ class Arc_run : public Geodesic_run_base<Graph>
   using Base = Geodesic_run_base<Graph>;
 
 public:
-  using Node = Intrinsic_triangulation::Index;
+  using Node = Index;
 
   explicit Arc_run(const Graph& searched) : Base(searched) {}
 
@@ -60,7 +60,7 @@ class Cone_run : public Arc_run<Graph>
   using Base::graph;
 
 public:
-  using Node = Intrinsic_triangulation::Index;
+  using Node = Index;
 
   explicit Cone_run(const Graph& searched) : Base(searched) {}
 
@@ -95,10 +95,8 @@ public:
 
   void forget(const std::vector<Node>& nodes)
   {
-    if(nodes.size() > m_is_expanded.size() / 4) // sequential access is faster
-      return forget_all();
-    for(const Node node : nodes)
-      discard(node);
+    if(!m_is_expanded.empty())
+      reset(m_is_expanded, nodes, false);
   }
 
   void forget_all() { m_is_expanded.clear(); }
@@ -107,7 +105,7 @@ public:
   // expanded again.
   std::size_t largest_batch() const { return graph().is_parallel() ? 4 * NODES_AT_A_TIME : 0; }
 
-  std::size_t memory() const { return m_is_expanded.capacity() / 8; }
+  std::size_t memory() const { return memory_of(m_is_expanded); }
 
 private:
   static constexpr std::size_t NODES_AT_A_TIME = 32;

@@ -30,8 +30,6 @@ namespace CGAL::Approximate_geodesics::internal {
  */
 class Cone_triangulation
 {
-  using Index = Intrinsic_triangulation::Index;
-
 public:
   Cone_triangulation() = default;
 

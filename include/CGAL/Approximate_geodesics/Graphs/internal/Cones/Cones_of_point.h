@@ -32,8 +32,6 @@ namespace CGAL::Approximate_geodesics::internal {
  */
 class Cones_of_point
 {
-  using Index = Intrinsic_triangulation::Index;
-
 public:
   Cones_of_point(const Intrinsic_triangulation& triangulation,
                  const Cone_rules& rules,

@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/assertions.h>
 
@@ -99,13 +99,13 @@ inline void sort_few_arcs(std::vector<Stored_arc>& arcs)
 // Replaces `arcs` by those of `node`, as they are stored: sorted, with only the shortest one to
 // each target. `for_each_arc(f)` calls `f(target, length)`.
 template <typename ForEachArc>
-void find_stored_arcs(const Intrinsic_triangulation::Index node,
+void find_stored_arcs(const Index node,
                       const double unit,
                       std::vector<Stored_arc>& arcs,
                       ForEachArc for_each_arc)
 {
   arcs.clear();
-  for_each_arc([&](const Intrinsic_triangulation::Index target, const double length) {
+  for_each_arc([&](const Index target, const double length) {
     if(target != node)
       arcs.push_back({target, round_up(length / unit)});
   });
@@ -128,7 +128,7 @@ class Compressed_arcs
   using Word = std::uint32_t;
 
 public:
-  using Node = Intrinsic_triangulation::Index;
+  using Node = Index;
 
   // Lengths are in units of `unit`, a power of two.
   explicit Compressed_arcs(const double unit = 1) : m_first(1, 0), m_unit(unit) {}
@@ -235,13 +235,10 @@ public:
     m_first.shrink_to_fit();
   }
 
-  std::size_t memory() const
-  {
-    return m_words.capacity() * sizeof(Word) + m_first.capacity() * sizeof(std::size_t);
-  }
+  std::size_t memory() const { return memory_of(m_words, m_first); }
 
 private:
-  static constexpr Word WIDE = Intrinsic_triangulation::null_index;
+  static constexpr Word WIDE = null_index;
 
   static std::size_t narrow_degree(const std::size_t size) { return (4 * size - 4) / 6; }
   static std::size_t wide_degree(const std::size_t size) { return (size - 1) / 2; }

@@ -26,9 +26,7 @@ namespace CGAL::Approximate_geodesics::internal {
 class Window_tree
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
-  Window_tree() : m_windows(1, {Intrinsic_triangulation::null_index, 0}) {}
+  Window_tree() : m_windows(1, {null_index, 0}) {}
 
   // adds the window in `halfedge` behind the window `trail`; 0 stands for none
   std::uint32_t add(const Index halfedge, const std::uint32_t trail)
@@ -61,7 +59,7 @@ private:
 template <typename Visitor>
 struct Remembering : Visitor
 {
-  std::uint32_t record_window(const Window::Index halfedge, const std::uint32_t trail) const
+  std::uint32_t record_window(const Index halfedge, const std::uint32_t trail) const
   {
     return tree.add(halfedge, trail);
   }
@@ -129,7 +127,7 @@ private:
 // these for the first one; `cross_face(edge, h, next)` makes it the edge of `next`, across the face
 // to the left of `h`.
 template <typename Edge, typename CrossFace, typename F>
-void for_each_crossed_edge(const std::vector<Intrinsic_triangulation::Index>& halfedges,
+void for_each_crossed_edge(const std::vector<Index>& halfedges,
                            Edge edge,
                            const Plane_vector end,
                            CrossFace cross_face,
@@ -169,15 +167,14 @@ struct Sought_line
   double length;   // the given length
   double rounding; // a bound on its error
   Line found;
-  double smallest_difference = std::numeric_limits<double>::infinity();
+  double smallest_difference = infinity;
 };
 
 // Looks for an arc, and for the windows that it goes through.
 struct Line_search : Sought_line<Straight_arc>
 {
   explicit Line_search(const double arc_length, const double rounding_of_length = 0)
-    : Sought_line{
-          arc_length, rounding_of_length, {Intrinsic_triangulation::null_index, 0, {0, 0}, 0, 0}}
+    : Sought_line{arc_length, rounding_of_length, {null_index, 0, {0, 0}, 0, 0}}
   {
   }
 
@@ -207,7 +204,7 @@ struct Line_search : Sought_line<Straight_arc>
     };
     const Unfolding_on_demand unfolding(triangulation);
     const bool carries_edges = triangulation.thin_faces().has_extreme_needles();
-    const auto cross_face = [&](Edge& e, const Window::Index h, const Window::Index next) {
+    const auto cross_face = [&](Edge& e, const Index h, const Index next) {
       const Unfolded_face face = unfolding.face(h);
       const bool goes_right = next == face.right;
       const Plane_vector apex = carries_edges ? e.left + face.left_side(e.vector)
@@ -229,8 +226,8 @@ struct Line_search : Sought_line<Straight_arc>
 template <typename Visitor>
 void find_arc(const Intrinsic_triangulation& triangulation,
               const Cone_rules& rules,
-              const Intrinsic_triangulation::Index source,
-              const Intrinsic_triangulation::Index target,
+              const Index source,
+              const Index target,
               const Visitor& visitor,
               Line_search& search)
 {
@@ -247,8 +244,8 @@ void find_arc(const Intrinsic_triangulation& triangulation,
 // visibility, and with cones that end farther away.
 inline void search_in_doubt(const Intrinsic_triangulation& triangulation,
                             const Cone_rules& rules,
-                            const Intrinsic_triangulation::Index source,
-                            const Intrinsic_triangulation::Index target,
+                            const Index source,
+                            const Index target,
                             Line_search& search)
 {
   for(const double part : {1. / 4, 1. / 64, 1. / 1024})
@@ -262,8 +259,8 @@ inline void search_in_doubt(const Intrinsic_triangulation& triangulation,
 template <typename Visitor>
 void find_arc_of_graph(const Intrinsic_triangulation& triangulation,
                        const Cone_rules& rules,
-                       const Intrinsic_triangulation::Index source,
-                       const Intrinsic_triangulation::Index target,
+                       const Index source,
+                       const Index target,
                        Line_search& search)
 {
   find_arc(triangulation, rules, source, target, Within_reach<Visitor>{{}, search.reach()}, search);
@@ -276,7 +273,7 @@ void find_arc_of_graph(const Intrinsic_triangulation& triangulation,
 template <typename F>
 double report_line(const Intrinsic_triangulation& triangulation,
                    const Line_search& search,
-                   const Intrinsic_triangulation::Index target,
+                   const Index target,
                    F f)
 {
   if(search.found.target != target)
@@ -298,8 +295,8 @@ double report_line(const Intrinsic_triangulation& triangulation,
 template <typename Visitor, typename F>
 double trace_arc(const Intrinsic_triangulation& triangulation,
                  const Cone_rules& rules,
-                 const Intrinsic_triangulation::Index source,
-                 const Intrinsic_triangulation::Index target,
+                 const Index source,
+                 const Index target,
                  const double length,
                  F f)
 {

@@ -29,8 +29,6 @@ namespace CGAL::Approximate_geodesics::internal {
  */
 class Line_in_mesh
 {
-  using Index = Intrinsic_triangulation::Index;
-
 public:
   // The line from `source` to `target` of the given length, up to `rounding`. Those that cross no
   // edge are considered at once.
@@ -91,8 +89,8 @@ template <typename Visitor, typename F>
 double trace_arc_in_mesh(const Intrinsic_triangulation& mesh,
                          const Retriangulation& other,
                          const Cone_rules& rules,
-                         const Intrinsic_triangulation::Index source,
-                         const Intrinsic_triangulation::Index target,
+                         const Index source,
+                         const Index target,
                          const double length,
                          const double rounding,
                          F f)

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
@@ -29,7 +29,7 @@ struct Face_step : Unfolded_face
 {
   double beyond; // of the apex: from the target of the halfedge backward
 
-  bool has_face() const { return apex != Intrinsic_triangulation::null_index; }
+  bool has_face() const { return apex != null_index; }
 
   Plane_vector left_edge(const Plane_vector edge) const
   {
@@ -42,9 +42,8 @@ struct Face_step : Unfolded_face
   }
 };
 
-inline Face_step face_step(const Intrinsic_triangulation& triangulation,
-                           const Intrinsic_triangulation::Index source,
-                           const Intrinsic_triangulation::Index h)
+inline Face_step
+face_step(const Intrinsic_triangulation& triangulation, const Index source, const Index h)
 {
   Apex_position position{0, 0, 0};
   const Unfolded_face face = unfolded_face(triangulation, source, h, &position);
@@ -64,8 +63,6 @@ inline Plane_vector unit_corner(const Face_step& step)
 class Face_steps
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // Throws if a face breaks the triangle inequality.
   explicit Face_steps(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
     : m_steps(unfold_all<Face_step>(triangulation, loop, face_step)), m_winding(triangulation)
@@ -79,7 +76,7 @@ public:
   // `h` may be null_index
   void prefetch(const Index h) const { internal::prefetch(m_steps.data(), h); }
 
-  std::size_t memory() const { return m_steps.capacity() * sizeof(Face_step); }
+  std::size_t memory() const { return memory_of(m_steps); }
 
 private:
   std::vector<Face_step> m_steps;

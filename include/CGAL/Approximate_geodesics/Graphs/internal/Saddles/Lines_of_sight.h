@@ -41,14 +41,12 @@ struct Sight_line
   double length = 0;
   Plane_vector end = {0, 0};
   Sight start = {}; // through the first halfedge
-  std::vector<Intrinsic_triangulation::Index> halfedges = {};
+  std::vector<Index> halfedges = {};
 };
 
 // Looks for a line.
 struct Sight_search : Sought_line<Sight_line>
 {
-  using Index = Intrinsic_triangulation::Index;
-
   Sight_search(const double line_length, const double rounding_of_length)
     : Sought_line{line_length, rounding_of_length, {}}
   {
@@ -92,7 +90,7 @@ void for_each_position(const Intrinsic_triangulation& triangulation,
     const Plane_vector position =
         p.seen_from(triangulation, sight.halfedge).position({sight.left, sight.right, apex});
     const Sight_path path = sight.path_to(position, length(position));
-    if(path.length < std::numeric_limits<double>::infinity())
+    if(path.length < infinity)
       f(position, path.length);
   });
 }
@@ -102,8 +100,6 @@ void for_each_position(const Intrinsic_triangulation& triangulation,
 template <typename Bound>
 struct Tracing_visitor : Sight_visitor_base
 {
-  using Index = Intrinsic_triangulation::Index;
-
   static constexpr bool wants_sights = true;
   static constexpr bool wants_faces = true;
 
@@ -152,8 +148,6 @@ struct Tracing_visitor : Sight_visitor_base
  */
 class Lines_of_sight : public Lines_in_faces
 {
-  using Index = Intrinsic_triangulation::Index;
-
 public:
   using Lines_in_faces::for_each_crossing;
 

@@ -35,7 +35,7 @@ namespace CGAL::Approximate_geodesics::internal {
 class Upper_bounds
 {
 public:
-  using Node = Intrinsic_triangulation::Index;
+  using Node = Index;
 
   explicit Upper_bounds(const std::size_t number_of_nodes) : m_bound(number_of_nodes, infinity) {}
 
@@ -75,14 +75,9 @@ public:
     m_nodes.clear();
   }
 
-  std::size_t memory() const
-  {
-    return m_bound.capacity() * sizeof(double) + m_nodes.capacity() * sizeof(Node);
-  }
+  std::size_t memory() const { return memory_of(m_bound, m_nodes); }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   std::vector<double> m_bound;
   std::vector<Node> m_nodes;
 };
@@ -93,7 +88,7 @@ struct Arc_visitor : Sight_visitor_base, Known
 {
   static constexpr bool knows_arrivals = true;
 
-  void on_vertex(const Intrinsic_triangulation::Index v,
+  void on_vertex(const Index v,
                  const Sight_path& path,
                  const Sight& sight,
                  const Plane_vector apex,
@@ -117,7 +112,7 @@ class Saddle_run : public Geodesic_run_base<Graph>
   using Base::graph;
 
 public:
-  using Node = Intrinsic_triangulation::Index;
+  using Node = Index;
   using Payload = Arrival;
 
   static constexpr bool attaches_by_labels = true;
@@ -129,10 +124,7 @@ public:
     double bound(const Node v) const { return run.bound(v); }
     double label(const Node v) const { return labels.distance(v); }
     const Arrival& arrival(const Node v) const { return run.m_arrival[v]; }
-    bool has_predecessor(const Node v) const
-    {
-      return labels.predecessor(v) != Intrinsic_triangulation::null_index;
-    }
+    bool has_predecessor(const Node v) const { return labels.predecessor(v) != null_index; }
 
     const Saddle_run& run;
     const Labels& labels;
@@ -207,11 +199,7 @@ public:
     return graph().is_parallel() ? (std::numeric_limits<std::size_t>::max)() : 0;
   }
 
-  std::size_t memory() const
-  {
-    return m_bounds.memory() + m_arrival.capacity() * sizeof(Arrival) +
-           m_tasks.capacity() * sizeof(Task);
-  }
+  std::size_t memory() const { return memory_of(m_bounds, m_arrival, m_tasks); }
 
   // Calls `f(node, length, arrival)` for the lines from a point where the search starts.
   template <typename F>
@@ -316,7 +304,7 @@ private:
   double bound(const Node node) const
   {
     const double result = m_bounds[node];
-    return result < std::numeric_limits<double>::infinity() ? result : largest_label(node);
+    return result < infinity ? result : largest_label(node);
   }
 
   // Lists the tasks. Most arcs can be those of a source, so these are divided: the parts differ in
@@ -386,8 +374,7 @@ private:
   Last_edge last_edge(const Node node, const Labels& labels) const
   {
     const Intrinsic_triangulation& t = graph().triangulation();
-    Last_edge result{
-        Intrinsic_triangulation::null_index, std::numeric_limits<double>::infinity(), {}};
+    Last_edge result{null_index, infinity, {}};
     for(Node h = t.first_halfedge(node); h < t.beyond_halfedge(node); ++h)
     {
       const double label = labels.distance(t.target(h)) + t.length(h);

@@ -34,9 +34,7 @@ namespace CGAL::Approximate_geodesics::internal {
  */
 struct Arrival
 {
-  using Index = Intrinsic_triangulation::Index;
-
-  Index halfedge = Intrinsic_triangulation::null_index;
+  Index halfedge = null_index;
   float direction = 0;
 
   static constexpr float ALONG_HALFEDGE = -1;
@@ -58,7 +56,7 @@ struct Arrival
   static Arrival in_unknown_direction(const Index halfedge) { return {halfedge, UNKNOWN}; }
 
   // whether the vertex is where lines start from
-  bool is_none() const { return halfedge == Intrinsic_triangulation::null_index; }
+  bool is_none() const { return halfedge == null_index; }
   bool is_unknown() const { return direction == UNKNOWN; }
   bool has_direction() const { return direction >= 0; }
   bool is_along_halfedge() const { return direction == ALONG_HALFEDGE; }
@@ -137,10 +135,10 @@ struct Sight_ray
 // A path from the tip.
 struct Sight_path
 {
-  double length = std::numeric_limits<double>::infinity();
+  double length = infinity;
   Plane_vector last_line = {0, 0}; // straight to the end
 
-  bool exists() const { return length < std::numeric_limits<double>::infinity(); }
+  bool exists() const { return length < infinity; }
 
   // Whether the last line is so short that paths on the two sides of the vertex where it starts
   // arrive from different directions, with the same length.
@@ -156,8 +154,6 @@ struct Sight_path
  */
 struct Sight
 {
-  using Index = Intrinsic_triangulation::Index;
-
   // A bound on the relative errors of sums of lengths.
   static constexpr double ROUNDING = 1e-12;
 

@@ -48,10 +48,8 @@ struct Sight_visitor_base
 template <typename Visitor>
 class Sight_expansion
 {
-  using Index = Intrinsic_triangulation::Index;
   using Stack = boost::container::small_vector<Sight, 32>;
 
-  static constexpr Index null_index = Intrinsic_triangulation::null_index;
   static constexpr double rounding = Sight::ROUNDING;
 
 public:

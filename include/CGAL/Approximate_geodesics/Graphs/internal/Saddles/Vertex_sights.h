@@ -44,8 +44,6 @@ enum class Bend_kind : std::uint8_t
 class Bends
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // A bound on the errors of angles of faces that are not too thin.
   static constexpr double ROUNDING = 1e-11;
   static constexpr double FLAT = 1e-11;
@@ -76,7 +74,7 @@ public:
   // decide whether a line is found on the way back.
   bool hides_nothing(const Index v) const { return m_bends[v] != Bend_kind::NONE; }
 
-  std::size_t memory() const { return m_bends.capacity() * sizeof(Bend_kind); }
+  std::size_t memory() const { return memory_of(m_bends); }
 
 private:
   // Whether any face is so thin that positions across it lose a third of their digits.
@@ -134,8 +132,6 @@ private:
  */
 class Bend_sectors
 {
-  using Index = Intrinsic_triangulation::Index;
-
 public:
   Bend_sectors(const Intrinsic_triangulation& triangulation, const Face_steps& steps, const Index v)
     : m_triangulation(triangulation), m_steps(steps), m_vertex(v)
@@ -145,10 +141,10 @@ public:
   // One end of a sector: a direction in the face to the left of a halfedge, which is the x axis.
   struct Boundary
   {
-    Index halfedge = Intrinsic_triangulation::null_index;
+    Index halfedge = null_index;
     Plane_vector direction = {1, 0};
 
-    bool exists() const { return halfedge != Intrinsic_triangulation::null_index; }
+    bool exists() const { return halfedge != null_index; }
   };
 
   // The direction at the angle pi counterclockwise from the line; none if there is a border before
@@ -269,7 +265,6 @@ private:
  */
 class Vertex_sights
 {
-  using Index = Intrinsic_triangulation::Index;
   using Boundary = Bend_sectors::Boundary;
 
 public:
@@ -368,7 +363,7 @@ private:
   {
     const Face_step& step = m_steps[h];
     const double distance = m_triangulation.length(h);
-    if(!step.has_face() || step.right == Intrinsic_triangulation::null_index || !(distance > 0) ||
+    if(!step.has_face() || step.right == null_index || !(distance > 0) ||
        !(step.across > 0 || step.along < 0))
       return;
     Sight sight;

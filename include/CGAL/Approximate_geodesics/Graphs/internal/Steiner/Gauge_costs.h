@@ -63,10 +63,7 @@ public:
     return triangulation.is_barrier(h) ? m_cost_back[h] : m_cost[triangulation.opposite(h)];
   }
 
-  std::size_t memory() const
-  {
-    return sizeof(double) * (m_cost.capacity() + m_cost_back.capacity());
-  }
+  std::size_t memory() const { return memory_of(m_cost, m_cost_back); }
 
 private:
   // Returns the cost of the direction of `h`, or of the opposite one, in the face to its left.
@@ -74,7 +71,7 @@ private:
   in_face(const Intrinsic_triangulation& triangulation, const Index h, const double sign)
   {
     if(triangulation.is_border(h))
-      return std::numeric_limits<double>::infinity();
+      return infinity;
     const auto& gauges = triangulation.gauges();
     return gauges.cost(gauges.face(h), sign * gauges.side(h));
   }

@@ -120,17 +120,17 @@ private:
     m_narrowest = h;
   }
 
-  double m_radius = std::numeric_limits<double>::infinity();
-  double m_radius_of_open = std::numeric_limits<double>::infinity(); // of faces not forbidden
+  double m_radius = infinity;
+  double m_radius_of_open = infinity; // of faces not forbidden
   double m_longest_edge = 0;
-  Index m_narrowest = Intrinsic_triangulation::null_index;
+  Index m_narrowest = null_index;
 };
 
 // Returns whether all faces around a vertex have the same weight, so that paths near it are
 // straight. Forbidden faces do not count.
 inline bool are_weights_uniform(const Intrinsic_triangulation& triangulation, const Index v)
 {
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  double smallest = infinity, largest = 0;
   if(triangulation.has_weights())
     for(auto h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
       if(const double weight = triangulation.weight(h); !std::isinf(weight))
@@ -213,7 +213,7 @@ private:
 
   const Sector* m_first;
   const Sector* m_beyond;
-  double m_smallest = std::numeric_limits<double>::infinity();
+  double m_smallest = infinity;
   double m_largest = 0;
   bool m_is_finite = true;
 };
@@ -369,10 +369,7 @@ public:
         "Steiner_graph::epsilon() returns");
   }
 
-  std::size_t memory() const
-  {
-    return m_start.capacity() * sizeof(double) + m_is_given_up.capacity() / 8;
-  }
+  std::size_t memory() const { return memory_of(m_start, m_is_given_up); }
 
 private:
   // rounded positions can increase the distance of two neighbors
@@ -495,7 +492,7 @@ private:
     for(std::size_t i = 0; i < 2; ++i)
     {
       if(sines[i] == 0)
-        return std::numeric_limits<double>::infinity();
+        return infinity;
       const double log_of_ratio = ends[i].log_of_ratio + ROUNDING_OF_LOGARITHM;
       largest_shift = (std::max)(largest_shift, std::sinh(log_of_ratio / 2) / ends[i].sine);
       largest_ratio = (std::max)(largest_ratio, ends[i].sine / sines[i]);

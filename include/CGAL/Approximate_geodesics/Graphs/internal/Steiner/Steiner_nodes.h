@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/prefetch.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -78,8 +78,6 @@ using Accepts_weaker_bound = decltype(std::declval<const Placement&>().accepts_w
 class Points_on_edges
 {
 public:
-  static constexpr Index null_index = Intrinsic_triangulation::null_index;
-
   Points_on_edges() = default;
 
   // Throws std::length_error if there are more points than `limit`, or than `largest_number`, so
@@ -174,11 +172,7 @@ public:
       internal::prefetch(m_position.data(), p);
   }
 
-  std::size_t memory() const
-  {
-    return sizeof(Index) * (m_edge.capacity() + m_first_point.capacity() + m_halfedge.capacity()) +
-           sizeof(float) * m_position.capacity();
-  }
+  std::size_t memory() const { return memory_of(m_edge, m_first_point, m_halfedge, m_position); }
 
 private:
   void number_edges(const Intrinsic_triangulation& triangulation)
@@ -264,8 +258,6 @@ private:
 class Sectors
 {
 public:
-  static constexpr Index null_index = Intrinsic_triangulation::null_index;
-
   Sectors() = default;
 
   explicit Sectors(const Intrinsic_triangulation& triangulation)
@@ -306,10 +298,7 @@ public:
     return next == begin + first ? beyond - 1 : static_cast<Index>(next - begin) - 1;
   }
 
-  std::size_t memory() const
-  {
-    return sizeof(Index) * (m_vertex.capacity() + m_first_halfedge.capacity());
-  }
+  std::size_t memory() const { return memory_of(m_vertex, m_first_halfedge); }
 
 private:
   void divide(const Intrinsic_triangulation& triangulation, const Index v)
@@ -362,8 +351,7 @@ public:
         internal::maximum_number_of_points(triangulation, maximum_number_of_points);
     placement.prepare(triangulation, limit);
     m_points = Points_on_edges(triangulation, placement, limit,
-                               Intrinsic_triangulation::null_index -
-                                   std::size_t(number_of_sectors()) - m_first_point);
+                               null_index - std::size_t(number_of_sectors()) - m_first_point);
     m_first_sector = m_first_point + m_points.number_of_points();
     if(m_points.number_of_points() > 0) // there are arcs across faces
       triangulation.check_triangle_inequality();
@@ -423,7 +411,7 @@ public:
     if(m_sectors.is_empty())
       return v;
     const Index sector = m_sectors.sector(v, h);
-    return sector == Sectors::null_index ? v : node_of_sector(sector);
+    return sector == null_index ? v : node_of_sector(sector);
   }
 
   // Return the nodes at the ends of the edge of `h`, or of its left side.
@@ -453,7 +441,7 @@ public:
       m_points.prefetch(point(node));
   }
 
-  std::size_t memory() const { return m_points.memory() + m_sectors.memory(); }
+  std::size_t memory() const { return memory_of(m_points, m_sectors); }
 
 private:
   Node number_of_points() const { return m_first_sector - m_first_point; }
@@ -517,7 +505,7 @@ protected:
   template <typename F>
   static void offer(const Steiner_nodes::Node node, const double cost, F& f)
   {
-    if(cost < std::numeric_limits<double>::infinity())
+    if(cost < infinity)
       f(node, cost);
   }
 

@@ -214,8 +214,7 @@ private:
   // In a face of weight zero, any difference of two labels decides.
   static double divided(const double label, const double weight)
   {
-    return weight > 0 ? label / weight
-                      : std::copysign(std::numeric_limits<double>::infinity(), label);
+    return weight > 0 ? label / weight : std::copysign(infinity, label);
   }
 
   // Returns by how much the nearer one is better for the point at the distance `y` from the corner,

@@ -25,9 +25,9 @@ namespace CGAL::Approximate_geodesics::internal {
 // whose direction is that of the path.
 struct Step : Segment
 {
-  Index edge = Intrinsic_triangulation::null_index;
+  Index edge = null_index;
 
-  bool is_along_edge() const { return edge != Intrinsic_triangulation::null_index; }
+  bool is_along_edge() const { return edge != null_index; }
 };
 
 /*
@@ -38,8 +38,6 @@ struct Step : Segment
 class Path_steps
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   Path_steps(const Intrinsic_triangulation& triangulation, const std::vector<Intrinsic_point>& path)
     : m_triangulation(triangulation)
   {
@@ -127,8 +125,6 @@ private:
 class Path_sleeves
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // \pre Each point of the path shares a face or an edge with the next.
   Path_sleeves(const Intrinsic_triangulation& triangulation, const Path_steps& path)
     : m_triangulation(triangulation), m_path(path), m_stops(path.points.size())
@@ -209,10 +205,7 @@ private:
       close(stop, before.to.halfedge == after.edge ? RIGHT : LEFT);
   }
 
-  static void close(Stop& stop, const Side side)
-  {
-    stop.angle[side] = std::numeric_limits<double>::infinity();
-  }
+  static void close(Stop& stop, const Side side) { stop.angle[side] = infinity; }
 
   // whether the path may change to the other side of the edge on the way
   bool is_crossable(const std::size_t step) const
@@ -349,7 +342,7 @@ private:
     if(is_in_corner(from, to))
       return to.angle - from.angle;
     if(to.is_inside && !m_triangulation.is_crossable(to.halfedge))
-      return std::numeric_limits<double>::infinity();
+      return infinity;
     return angle_of_fan(m_triangulation, from.halfedge, to.halfedge) - from.angle + to.angle;
   }
 

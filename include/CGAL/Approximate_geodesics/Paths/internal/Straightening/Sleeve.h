@@ -26,8 +26,6 @@ namespace CGAL::Approximate_geodesics::internal {
  */
 struct Gate
 {
-  using Index = Intrinsic_triangulation::Index;
-
   Index halfedge;
   bool keeps_left; // whether the vertex in common with the previous gate is the left one
   double length;
@@ -49,8 +47,6 @@ struct Gate_range
 class Sleeve
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   explicit Sleeve(const Intrinsic_triangulation& triangulation) : m_triangulation(&triangulation) {}
 
   void start_at(const Face_point& p)
@@ -188,8 +184,6 @@ private:
 class Funnel
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // A vertex that the path touches.
   struct Bend : Gate_range
   {

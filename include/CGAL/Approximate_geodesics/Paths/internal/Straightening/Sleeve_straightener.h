@@ -26,8 +26,6 @@ namespace CGAL::Approximate_geodesics::internal {
 class Opposite_fan
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
   // `path` is the shortest path in `sleeve`.
   Opposite_fan(const Sleeve& sleeve, const Funnel& path, const Gate_range& gates)
     : m_sleeve(sleeve),

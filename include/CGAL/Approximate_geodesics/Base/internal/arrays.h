@@ -1,0 +1,69 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_ARRAYS_H
+#define CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_ARRAYS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Returns the number of bytes that the entries of a vector take, or that an object says it takes.
+template <typename T>
+std::size_t memory_of_part(const std::vector<T>& array)
+{
+  return std::is_same_v<T, bool> ? array.capacity() / 8 : array.capacity() * sizeof(T);
+}
+
+template <typename T>
+std::size_t memory_of_part(const T& part)
+{
+  return part.memory();
+}
+
+// Returns the sum of these numbers.
+template <typename... Parts>
+std::size_t memory_of(const Parts&... parts)
+{
+  return (... + memory_of_part(parts));
+}
+
+// Sets the entries with these numbers to a value, or all if they are many: sequential access is
+// faster.
+template <typename T, typename Index>
+void reset(std::vector<T>& array, const std::vector<Index>& numbers, const T value)
+{
+  if(numbers.size() > array.size() / 4)
+    return std::fill(array.begin(), array.end(), value);
+  for(const Index i : numbers)
+    array[i] = value;
+}
+
+// Prefetches the cache line of entry `i` of an array. The entry may lie beyond the end, so the
+// address is computed as an integer, because pointer arithmetic must stay in the array.
+template <typename T>
+void prefetch(const T* const array, const std::size_t i)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(
+      reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(array) + i * sizeof(T)));
+  __asm__ volatile(""); // keeps g++ from removing calls as side-effect free
+#else
+  static_cast<void>(array), static_cast<void>(i);
+#endif
+}
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_BASE_INTERNAL_ARRAYS_H
