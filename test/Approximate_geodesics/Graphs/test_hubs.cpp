@@ -125,7 +125,7 @@ struct Hub_windows : AG::internal::Leave_out_detours
 double windows_per_vertex(const Triangulation& mesh)
 {
   const Cone_triangulation cones(mesh);
-  const Triangulation& t = cones.get(mesh);
+  const Triangulation& t = cones.get();
   const Unfolding unfolding(t);
   const AG::internal::Cone_expansion<Unfolding> expansion(t, unfolding, Cone_rules(0.1));
   std::size_t result = 0;
@@ -171,7 +171,8 @@ TEST(Hubs, have_few_neighbors_in_balanced_fans_of_the_same_surface)
 TEST(Hubs, are_left_alone_if_they_are_small)
 {
   const Triangulation mesh = triangulate(hub_meshes().front(), Balanced_fans::LARGEST_DEGREE);
-  EXPECT_EQ(&Cone_triangulation(mesh).get(mesh), &mesh);
+  const Cone_triangulation cones(mesh);
+  EXPECT_EQ(&cones.get(), &cones.mesh());
 }
 
 // A chain that is bent toward the hub: its vertices can be connected to nothing else.

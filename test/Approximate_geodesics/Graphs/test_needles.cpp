@@ -210,7 +210,8 @@ TEST(Needles, are_refined_beside_balanced_fans)
 TEST(Needles, are_left_alone_where_they_are_few)
 {
   const Triangulation mesh(to_mesh(tube(40, 40, 1)));
-  EXPECT_EQ(&AG::internal::Cone_triangulation(mesh).get(mesh), &mesh);
+  const AG::internal::Cone_triangulation cones(mesh);
+  EXPECT_EQ(&cones.get(), &cones.mesh());
 }
 
 // ----- what they cost
@@ -229,7 +230,7 @@ double windows_per_vertex(const Soup& soup)
 {
   const Triangulation mesh(to_mesh(soup));
   const AG::internal::Cone_triangulation cones(mesh);
-  const Triangulation& t = cones.get(mesh);
+  const Triangulation& t = cones.get();
   const AG::internal::Unfolding unfolding(t);
   const AG::internal::Cone_expansion<AG::internal::Unfolding> expansion(
       t, unfolding, AG::internal::Cone_rules(0.1));

@@ -86,17 +86,15 @@ TEST(Paths_across_faces, have_it_where_faces_have_no_area)
 // through another one are not hidden by that.
 TEST(Paths_across_faces, are_found_again_in_doubt)
 {
-  using AG::internal::Line_search;
   Random random(test_seed());
   for(const Mesh& mesh : {to_mesh(flat_grid(15, 12)), to_mesh(terrain(25, 20, random))})
   {
     const Discrete_geodesic_graph graph(Triangulation(mesh), epsilon(0.1));
     for(Node source = 0; source < graph.number_of_nodes(); source += 11)
       graph.for_each_arc(source, nullptr, [&](const Node target, const double length) {
-        Line_search search{length};
-        AG::internal::search_in_doubt(graph.triangulation(),
-                                      AG::internal::Cone_rules(graph.epsilon()), source, target,
-                                      search);
+        const AG::internal::Cone_rules rules(graph.epsilon());
+        AG::internal::Arc_search search(graph.triangulation(), rules, source, target, length);
+        search.find_in_doubt();
         EXPECT_TRUE(search.is_found());
         EXPECT_EQ(search.found.target, target);
       });

@@ -108,9 +108,10 @@ public:
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Discrete_geodesic_graph(Intrinsic_triangulation triangulation,
                                    const NamedParameters& np = parameters::default_values())
-    : m_triangulation(std::move(triangulation)), m_rules(internal::checked_epsilon(np))
+    : m_rules(internal::checked_epsilon(np)),
+      m_triangulation(
+          internal::without_weights(std::move(triangulation), np, "Discrete_geodesic_graph"))
   {
-    internal::reject_weights(m_triangulation, np, "Discrete_geodesic_graph");
     build<internal::Concurrency_tag<NamedParameters>>();
   }
 
@@ -120,7 +121,7 @@ public:
   /// @{
 
   /// returns the triangulation that the graph was built on.
-  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation.mesh(); }
 
   /// returns the bound that the graph was built for, or, below \f$7.2\cdot10^{-7}\f$, a larger one,
   /// as lengths are rounded.
@@ -138,16 +139,13 @@ public:
 #endif
 
   /// returns the number of nodes.
-  std::size_t number_of_nodes() const
-  {
-    return m_cone_triangulation.get(m_triangulation).number_of_vertices();
-  }
+  std::size_t number_of_nodes() const { return m_triangulation.get().number_of_vertices(); }
 
   /// returns the number of arcs.
   std::size_t number_of_arcs() const { return m_rows.number_of_arcs(); }
 
   /// returns the unit of lengths, that of the triangulation.
-  double unit() const { return m_triangulation.unit(); }
+  double unit() const { return triangulation().unit(); }
 
   /// returns a summary of the lengths of the arcs.
   Arc_lengths arc_lengths() const { return m_rows.arc_lengths(); }
@@ -180,23 +178,20 @@ public:
   }
 
   /// returns where a node is, which may be one of the vertices.
-  Intrinsic_point position(const Node node) const { return m_cone_triangulation.position(node); }
+  Intrinsic_point position(const Node node) const { return m_triangulation.position(node); }
 
   /// attaches a point of the surface by straight lines across the faces around it, like the arcs of
   /// a vertex. So the bound holds for it, too.
   internal::Cones_of_point attach(const Intrinsic_point& point) const
   {
-    return {m_triangulation, m_rules, point};
+    return {triangulation(), m_rules, point};
   }
 
   /// prefetches the arcs of `node`.
   void prefetch(const Node node) const { m_rows.prefetch(node); }
 
   /// returns the number of bytes that the graph takes, its triangulation included.
-  std::size_t memory() const
-  {
-    return internal::memory_of(m_triangulation, m_cone_triangulation, m_rows);
-  }
+  std::size_t memory() const { return internal::memory_of(m_triangulation, m_rows); }
 
   /// returns whether the triangulation is valid, and every edge has arcs that are no longer.
   /// Run time is linear.
@@ -215,8 +210,7 @@ public:
    */
   void save(std::ostream& out) const
   {
-    internal::Arc_file::save(out, m_triangulation, m_cone_triangulation.get(m_triangulation),
-                             m_rules.epsilon, m_rows);
+    internal::Arc_file::save(out, triangulation(), m_triangulation.get(), m_rules.epsilon, m_rows);
   }
 
   /*!
@@ -229,11 +223,9 @@ public:
   static Discrete_geodesic_graph load(std::istream& in, Intrinsic_triangulation triangulation)
   {
     Discrete_geodesic_graph result;
-    result.m_triangulation = std::move(triangulation);
-    result.m_cone_triangulation = internal::Cone_triangulation(result.m_triangulation);
+    result.m_triangulation = internal::Cone_triangulation(std::move(triangulation));
     double epsilon = 0;
-    internal::Arc_file::load(in, result.m_triangulation,
-                             result.m_cone_triangulation.get(result.m_triangulation), epsilon,
+    internal::Arc_file::load(in, result.triangulation(), result.m_triangulation.get(), epsilon,
                              result.m_rows);
     result.m_rules = internal::Cone_rules(epsilon);
     result.m_rows.shrink_to_fit();
@@ -254,20 +246,19 @@ private:
   double
   trace(const Node source, const Node target, const double length, const double rounding, F f) const
   {
-    return m_cone_triangulation.trace<internal::Leave_out_detours>(m_triangulation, m_rules, source,
-                                                                   target, length, rounding, f);
+    return m_triangulation.trace<internal::Leave_out_detours>(m_rules, source, target, length,
+                                                              rounding, f);
   }
 
   template <typename ConcurrencyTag>
   void build()
   {
-    m_cone_triangulation = internal::Cone_triangulation(m_triangulation);
-    const internal::Unfolding unfolding(m_cone_triangulation.get(m_triangulation),
+    const internal::Unfolding unfolding(m_triangulation.get(),
                                         internal::Loop::with_tag<ConcurrencyTag>());
     const Node number_of_nodes = static_cast<Node>(this->number_of_nodes());
     std::vector<internal::Compressed_arcs> blocks((number_of_nodes + SIZE_OF_BLOCK - 1) /
                                                   SIZE_OF_BLOCK);
-    const double unit = internal::unit_of_arcs(m_triangulation);
+    const double unit = internal::unit_of_arcs(triangulation());
     std::atomic<std::size_t> number_done(0);
     CGAL::for_each<ConcurrencyTag>(blocks, [&](internal::Compressed_arcs& block) {
       const Node first = static_cast<Node>(&block - blocks.data()) * SIZE_OF_BLOCK;
@@ -291,30 +282,30 @@ private:
                                     const Node size,
                                     std::atomic<std::size_t>& number_done) const
   {
-    const internal::Cone_expansion<internal::Unfolding> expansion(
-        m_cone_triangulation.get(m_triangulation), unfolding, m_rules);
+    const internal::Cone_expansion<internal::Unfolding> expansion(m_triangulation.get(), unfolding,
+                                                                  m_rules);
     internal::Compressed_arcs result(unit);
     std::vector<internal::Stored_arc> arcs;
     for(Node node = first; node < first + size; ++node)
     {
       internal::check_for_interruption(number_done++, number_of_nodes());
       internal::find_stored_arcs(node, unit, arcs, [&](const auto f) {
-        m_cone_triangulation.for_each_arc(m_triangulation, expansion, node, f);
+        m_triangulation.for_each_arc(expansion, node, f);
       });
       result.append_row(arcs);
     }
     return result;
   }
 
-  Intrinsic_triangulation m_triangulation;
-  internal::Cone_triangulation m_cone_triangulation;
   internal::Cone_rules m_rules{0.1};
+  internal::Cone_triangulation m_triangulation;
   internal::Compressed_arcs m_rows;
 };
 
 inline bool Discrete_geodesic_graph::is_valid() const
 {
-  if(!m_triangulation.is_valid() || m_rows.number_of_rows() != number_of_nodes())
+  const Intrinsic_triangulation& t = triangulation();
+  if(!t.is_valid() || m_rows.number_of_rows() != number_of_nodes())
     return false;
   constexpr double rounding = 1 + 1. / (1 << 22);
   const double smallest_step =
@@ -330,13 +321,13 @@ inline bool Discrete_geodesic_graph::is_valid() const
     });
     if(!is_valid)
       return false;
-    if(v >= m_triangulation.number_of_vertices()) // a point in a face
+    if(v >= t.number_of_vertices()) // a point in a face
       is_valid = m_rows.degree(v) > 0;
     else
-      for(Node h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
+      for(Node h = t.first_halfedge(v); h < t.beyond_halfedge(v); ++h)
       {
-        const Node w = m_triangulation.target(h);
-        const double longest = m_triangulation.length(h) * rounding + smallest_step;
+        const Node w = t.target(h);
+        const double longest = t.length(h) * rounding + smallest_step;
         is_valid = is_valid && (w == v || length_to[w] <= longest);
       }
     if(!is_valid)

@@ -56,12 +56,11 @@ public:
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Edge_graph(Intrinsic_triangulation triangulation,
                       const NamedParameters& np = parameters::default_values())
-    : m_triangulation(std::move(triangulation)),
+    : m_triangulation(internal::without_weights(std::move(triangulation), np, "Edge_graph")),
       m_arc_lengths(summarize_arc_lengths(m_triangulation.lengths()))
   {
     static_assert(!internal::is_given<NamedParameters, internal_np::epsilon_t>,
                   "epsilon: the edge graph has no error bound; use Discrete_geodesic_graph");
-    internal::reject_weights(m_triangulation, np, "Edge_graph");
     for(Node v = 0; v < number_of_nodes(); ++v)
       m_maximum_degree = (std::max)(m_maximum_degree, std::size_t(m_triangulation.degree(v)));
   }

@@ -109,14 +109,13 @@ public:
                                         const NamedParameters& np = parameters::default_values(),
                                         const Arcs arcs = Arcs::FORGOTTEN)
     : m_loop(internal::Loop::with_tag<internal::Concurrency_tag<NamedParameters>>()),
-      m_triangulation(std::move(triangulation)),
-      m_cone_triangulation(m_triangulation),
-      m_unfolding(m_cone_triangulation.get(m_triangulation), m_loop),
       m_rules(internal::checked_epsilon(np)),
-      m_edge_lengths(m_cone_triangulation.edge_lengths(m_triangulation)),
-      m_unit(internal::unit_of_arcs(m_triangulation))
+      m_triangulation(
+          internal::without_weights(std::move(triangulation), np, "Lazy_discrete_geodesic_graph")),
+      m_unfolding(m_triangulation.get(), m_loop),
+      m_edge_lengths(m_triangulation.edge_lengths()),
+      m_unit(internal::unit_of_arcs(this->triangulation()))
   {
-    internal::reject_weights(m_triangulation, np, "Lazy_discrete_geodesic_graph");
     if(arcs == Arcs::KEPT)
       m_arc_cache = internal::Arc_cache(number_of_nodes());
   }
@@ -127,7 +126,7 @@ public:
   /// @{
 
   /// returns the triangulation that the graph was built on.
-  const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+  const Intrinsic_triangulation& triangulation() const { return m_triangulation.mesh(); }
 
   /// returns the bound that holds in the graph.
   double epsilon() const { return m_rules.epsilon; }
@@ -143,13 +142,10 @@ public:
   bool is_parallel() const { return m_loop.is_parallel(); }
 
   /// returns the number of nodes.
-  std::size_t number_of_nodes() const
-  {
-    return m_cone_triangulation.get(m_triangulation).number_of_vertices();
-  }
+  std::size_t number_of_nodes() const { return m_triangulation.get().number_of_vertices(); }
 
   /// returns the unit of lengths, that of the triangulation.
-  double unit() const { return m_triangulation.unit(); }
+  double unit() const { return triangulation().unit(); }
 
   /// returns a summary of the lengths of the mesh's edges. Arcs can be longer.
   const Arc_lengths& arc_lengths() const { return m_edge_lengths; }
@@ -181,19 +177,19 @@ public:
   }
 
   /// returns where a node is, which may be one of the vertices.
-  Intrinsic_point position(const Node node) const { return m_cone_triangulation.position(node); }
+  Intrinsic_point position(const Node node) const { return m_triangulation.position(node); }
 
   /// attaches a point of the surface by straight lines across the faces around it, as far as those
   /// from a vertex are followed. So the bound holds for it, too.
   internal::Cones_of_point attach(const Intrinsic_point& point) const
   {
-    return {m_triangulation, m_rules, point};
+    return {triangulation(), m_rules, point};
   }
 
   /// prefetches what it takes to find the first arcs of `node`.
   void prefetch(const Node node) const
   {
-    const Intrinsic_triangulation& triangulation = m_cone_triangulation.get(m_triangulation);
+    const Intrinsic_triangulation& triangulation = m_triangulation.get();
     const auto h = triangulation.first_halfedge(node);
     triangulation.prefetch(h);
     constexpr Node faces_per_cache_line = 2;
@@ -205,11 +201,11 @@ public:
   /// kept included.
   std::size_t memory() const
   {
-    return internal::memory_of(m_triangulation, m_cone_triangulation, m_unfolding, m_arc_cache);
+    return internal::memory_of(m_triangulation, m_unfolding, m_arc_cache);
   }
 
   /// returns whether the triangulation is valid.
-  bool is_valid() const { return m_triangulation.is_valid(); }
+  bool is_valid() const { return triangulation().is_valid(); }
 
   /// @}
 
@@ -222,7 +218,7 @@ private:
   // whether nodes that are expanded for the first time are expanded together
   bool advances_together() const
   {
-    return !m_arc_cache.is_enabled() && !m_cone_triangulation.has_balanced_fans();
+    return !m_arc_cache.is_enabled() && !m_triangulation.has_balanced_fans();
   }
 
   // With these rules, cones reach at least as far as those of `Cone_front`, so that all arcs of a
@@ -237,11 +233,10 @@ private:
   trace(const Node source, const Node target, const double length, const double rounding, F f) const
   {
     if(!advances_together())
-      return m_cone_triangulation.trace<internal::Leave_out_detours>(
-          m_triangulation, m_rules, source, target, length, rounding, f);
-    else
-      return m_cone_triangulation.trace<internal::Leave_out_nothing>(
-          m_triangulation, rules_of_longest_arcs(), source, target, length, rounding, f);
+      return m_triangulation.trace<internal::Leave_out_detours>(m_rules, source, target, length,
+                                                                rounding, f);
+    return m_triangulation.trace<internal::Leave_out_nothing>(rules_of_longest_arcs(), source,
+                                                              target, length, rounding, f);
   }
 
   template <typename F>
@@ -265,7 +260,7 @@ private:
   {
     using General = internal::Cone_front<true, internal::Unfolding, Labels, Arcs>;
     using Simple = internal::Cone_front<false, internal::Unfolding, Labels, Arcs>;
-    if(General::is_general_needed(m_cone_triangulation.get(m_triangulation)))
+    if(General::is_general_needed(m_triangulation.get()))
       expand_with<General>(nodes, number, labels, arcs);
     else
       expand_with<Simple>(nodes, number, labels, arcs);
@@ -277,8 +272,7 @@ private:
                    const Labels& labels,
                    Arcs& arcs) const
   {
-    Front(m_cone_triangulation.get(m_triangulation), m_unfolding, m_rules.epsilon, labels, arcs)
-        .expand(nodes, number);
+    Front(m_triangulation.get(), m_unfolding, m_rules.epsilon, labels, arcs).expand(nodes, number);
   }
 
   // Finds the arcs of a node that is not expanded together with others.
@@ -290,19 +284,16 @@ private:
   {
     if(m_arc_cache.is_enabled())
       for_each_kept_arc(node, f);
-    else if(!m_cone_triangulation.has_balanced_fans()) // it was expanded before
+    else if(!m_triangulation.has_balanced_fans()) // it was expanded before
       find_arcs(node, f, internal::Leave_out_nothing(), rules_of_longest_arcs());
     else if(was_expanded)
       find_arcs(node, f, internal::Leave_out_detours(), m_rules);
     else // the neighbors of a hub may all see each other: most arcs have a detour
-      find_arcs(node, f,
-                internal::Label_pruning<internal::Leave_out_detours, Labels>{
-                    {},
-                    m_cone_triangulation.get(m_triangulation),
-                    labels,
-                    labels.distance(node),
-                    m_rules.longest_detour},
-                m_rules);
+      find_arcs(
+          node, f,
+          internal::Label_pruning<internal::Leave_out_detours, Labels>{
+              {}, m_triangulation.get(), labels, labels.distance(node), m_rules.longest_detour},
+          m_rules);
   }
 
   template <typename F>
@@ -323,15 +314,14 @@ private:
                  const Visitor& visitor,
                  const internal::Cone_rules& rules) const
   {
-    const Expansion expansion(m_cone_triangulation.get(m_triangulation), m_unfolding, rules);
-    m_cone_triangulation.for_each_arc(m_triangulation, expansion, node, f, visitor);
+    const Expansion expansion(m_triangulation.get(), m_unfolding, rules);
+    m_triangulation.for_each_arc(expansion, node, f, visitor);
   }
 
   internal::Loop m_loop; // declared first: the others are constructed with it
-  Intrinsic_triangulation m_triangulation;
-  internal::Cone_triangulation m_cone_triangulation;
-  internal::Unfolding m_unfolding;
   internal::Cone_rules m_rules;
+  internal::Cone_triangulation m_triangulation;
+  internal::Unfolding m_unfolding;
   Arc_lengths m_edge_lengths;
   double m_unit;                           // of kept arcs
   mutable internal::Arc_cache m_arc_cache; // may be added to by several threads at the same time

@@ -164,11 +164,10 @@ private:
   static Intrinsic_triangulation checked(Intrinsic_triangulation triangulation,
                                          const NamedParameters& np)
   {
-    internal::reject_weights(triangulation, np, "Saddle_vertex_graph");
     if constexpr(internal::is_given<NamedParameters, internal_np::epsilon_t>)
       if(internal::value_of_number(parameters::get_parameter(np, internal_np::epsilon)) != 0)
         internal::reject("Saddle_vertex_graph gives exact distances: epsilon must be 0, if given");
-    return triangulation;
+    return internal::without_weights(std::move(triangulation), np, "Saddle_vertex_graph");
   }
 
   internal::Loop m_loop; // declared first: the others are constructed with it

@@ -94,11 +94,12 @@ constexpr bool limits_points = is_any_given<NamedParameters,
                                             internal_np::maximum_number_of_points_per_edge_t,
                                             internal_np::accept_weaker_bound_t>;
 
-// Rejects weights, barriers and their parameters, for graphs other than Steiner graphs.
+// Returns the triangulation. Rejects weights, barriers and their parameters, for graphs other than
+// Steiner graphs.
 template <typename NamedParameters>
-void reject_weights(const Intrinsic_triangulation& triangulation,
-                    const NamedParameters& /* np */,
-                    const char* const name)
+Intrinsic_triangulation without_weights(Intrinsic_triangulation triangulation,
+                                        const NamedParameters& /* np */,
+                                        const char* const name)
 {
   static_assert(!is_given<NamedParameters, internal_np::face_weight_t>,
                 "face_weight_map: this graph does not support weights; use Steiner_graph");
@@ -120,6 +121,7 @@ void reject_weights(const Intrinsic_triangulation& triangulation,
     reject(std::string(name) + " does not support " +
            (triangulation.has_weights() ? "weights" : "barriers") +
            ", which the triangulation has; use Steiner_graph");
+  return triangulation;
 }
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -491,13 +491,9 @@ public:
     return i == j ? Plane_vector{0, 0} : j == (i + 1) % 3 ? m_edges[i] : -1. * m_edges[j];
   }
 
-  // Calls `f(position)` for the positions of a point in the face.
-  template <typename F>
-  void for_each_position(const Intrinsic_point& p, F f) const
+  Plane_vector position(const Face_point& point) const
   {
-    for_each_face_point(m_triangulation, p, m_halfedges[0], [&](const Face_point& point) {
-      f(point.seen_from(m_triangulation, m_halfedges[0]).position(m_corners));
-    });
+    return point.seen_from(m_triangulation, m_halfedges[0]).position(m_corners);
   }
 
   // The vector from a point of the face to corner `j`, accurate where the point is close to it.

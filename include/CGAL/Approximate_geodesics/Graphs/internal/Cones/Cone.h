@@ -149,19 +149,60 @@ struct Cone_side
  */
 struct Window
 {
+  // The position of the apex of the face ahead.
+  Plane_vector apex(const Unfolded_face& face, const bool has_vector) const
+  {
+    return has_vector ? left_position + face.left_side(edge)
+                      : face.position_of_apex(left_position, right_position);
+  }
+
+  // Moves to a side of that face. Does not change distances.
+  void go_on(const Intrinsic_triangulation& triangulation,
+             const Unfolded_face& face,
+             const Plane_vector apex,
+             const bool goes_left,
+             const bool has_vector)
+  {
+    if(has_vector)
+      edge = goes_left ? face.left_side(edge) : right_side(triangulation, halfedge, face, edge);
+    (goes_left ? right_end : left_end) = face.apex;
+    (goes_left ? right_position : left_position) = apex;
+    halfedge = goes_left ? face.left : face.right;
+  }
+
   Index halfedge;            // its edge; the face ahead is to its left
   Index left_end, right_end; // source and target of the halfedge, ...
   Plane_vector left_position, right_position;
   double left_distance, right_distance; // ... and their distances, if the visitor wants them
-  std::uint32_t trail;                  // the windows before it, as the visitor records them
+  Plane_vector edge;   // from left to right, more accurate than positions: see `Cone_expansion`
+  std::uint32_t trail; // the windows before it, as the visitor records them
 };
+
+// What a vertex sees across the face to the left of `h`, a halfedge that starts there and lies
+// along x.
+inline Window window_across(const Intrinsic_triangulation& triangulation,
+                            const Index source,
+                            const Index h,
+                            const Unfolded_face& face)
+{
+  const double distance = triangulation.length(h);
+  const Plane_vector right{distance, 0};
+  return {face.right,
+          face.apex,
+          triangulation.target(h),
+          {distance * face.along, distance * face.across},
+          right,
+          triangulation.length(triangulation.counterclockwise(source, h)),
+          distance,
+          {},
+          0};
+}
 
 // What a point sees through a side of a face that contains it.
 struct View
 {
   Window window;
-  Plane_vector edge; // from the left to the right end of the window, more accurate than these
-  Index start;       // the opposite of the window's halfedge, inside the face
+  Index start; // the opposite of the window's halfedge, inside the face
 };
 
 /*

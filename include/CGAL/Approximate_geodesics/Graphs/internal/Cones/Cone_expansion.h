@@ -15,7 +15,6 @@
 #include <boost/container/small_vector.hpp>
 
 #include <cstdint>
-#include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -79,12 +78,7 @@ struct Label_pruning : Visitor
 template <typename Unfolding>
 class Cone_expansion
 {
-  struct Stack
-  {
-    boost::container::small_vector<Cone, 32> cones;
-    Plane_vector edge; // of the window ahead, from left to right, if vectors are carried
-    std::vector<Plane_vector> edges; // likewise, of the cones
-  };
+  using Stack = boost::container::small_vector<Cone, 32>;
 
 public:
   Cone_expansion(const Intrinsic_triangulation& triangulation,
@@ -110,7 +104,7 @@ public:
     {
       const double distance = m_triangulation.length(h);
       f(Straight_arc{m_triangulation.target(h), distance, {distance, 0}, h, 0});
-      bool is_open = open_first_cone(cone, cones, source, h, visitor);
+      bool is_open = open_first_cone(cone, source, h, visitor);
       while(is_open || pop(cones, cone))
         is_open = advance(cone, cones, source, h, f, visitor);
     }
@@ -125,31 +119,25 @@ public:
                            dot(window.right_position, window.left_position) < 0; // a straight angle
     if(!has_angle || visitor.prune(window))
       return;
-    Stack cones;
     Cone cone{window,
               side(window.left_position, window.left_distance),
               side(window.right_position, window.right_distance),
               0,
               {}};
     cone.window.trail = visitor.record_window(window.halfedge, 0);
-    cones.edge = view.edge;
+    Stack cones;
     bool is_open = true;
     while(is_open || pop(cones, cone))
       is_open = advance(cone, cones, null_index, view.start, f, visitor);
   }
 
 private:
-  bool pop(Stack& stack, Cone& cone) const
+  static bool pop(Stack& cones, Cone& cone)
   {
-    if(stack.cones.empty())
+    if(cones.empty())
       return false;
-    cone = stack.cones.back();
-    stack.cones.pop_back();
-    if(m_carries_edges)
-    {
-      stack.edge = stack.edges.back();
-      stack.edges.pop_back();
-    }
+    cone = cones.back();
+    cones.pop_back();
     return true;
   }
 
@@ -167,8 +155,7 @@ private:
   // Opens the cone across the face to the left of `h`, from its source. All functions that open a
   // cone or change its window return whether the cone is not empty.
   template <typename Visitor>
-  bool open_first_cone(
-      Cone& cone, Stack& cones, const Index source, const Index h, const Visitor& visitor) const
+  bool open_first_cone(Cone& cone, const Index source, const Index h, const Visitor& visitor) const
   {
     const Unfolded_face& face = m_unfolding.face(h);
     if(face.apex == null_index || face.right == null_index)
@@ -177,18 +164,15 @@ private:
     const bool has_angle = face.across > 0 || face.along < 0; // the latter for a straight angle
     if(!(distance > 0 && has_angle))
       return false;
-    const double distance_of_apex =
-        m_triangulation.length(m_triangulation.counterclockwise(source, h));
-    const Plane_vector right{distance, 0};
-    const Plane_vector left{distance * face.along, distance * face.across};
-    cone.window = {face.right,       face.apex, m_triangulation.target(h),           left, right,
-                   distance_of_apex, distance,  visitor.record_window(face.right, 0)};
-    if(visitor.prune(cone.window))
+    Window& window = cone.window;
+    window = window_across(m_triangulation, source, h, face);
+    window.trail = visitor.record_window(face.right, 0);
+    if(visitor.prune(window))
       return false;
-    cones.edge = right;
-    carry_edge(cones, h, face, false);
-    cone.left = side(left, distance_of_apex);
-    cone.right = side(right, distance);
+    if(m_carries_edges)
+      window.edge = right_side(m_triangulation, h, face, window.right_position);
+    cone.left = side(window.left_position, window.left_distance);
+    cone.right = side(window.right_position, distance);
     cone.has_middle = false;
     cone.depth = 0;
     cone.milestone = Crossing();
@@ -209,16 +193,16 @@ private:
       return false;
     if(face.apex == source && !face.may_return)
       return false; // a shortest path does not come back to a face that it has left
-    const Plane_vector apex = position_of_apex(cone.window, cones, face);
+    const Plane_vector apex = cone.window.apex(face, m_carries_edges);
     if constexpr(Visitor::wants_faces)
       visitor.on_face(cone, apex);
     double slack = 0;
     if constexpr(Visitor::slack > 0)
       slack = Visitor::slack * length(apex);
     if(cone.left.is_passed(apex, cross(cone.left.direction, apex) - slack))
-      return go_on(cone.window, cones, face, apex, false, visitor);
+      return go_on(cone.window, face, apex, false, visitor);
     if(cone.right.is_passed(apex, cross(apex, cone.right.direction) - slack))
-      return go_on(cone.window, cones, face, apex, true, visitor);
+      return go_on(cone.window, face, apex, true, visitor);
 
     const double distance = length(apex);
     if(!(distance > 0)) // the apex is where the source is, and sees the same
@@ -231,39 +215,27 @@ private:
       const bool left = cone.left.serves(apex, distance, cone.left.large_saving);
       const bool right = cone.right.serves(apex, distance, cone.right.large_saving);
       if(left || right)
-        return !(left && right) && pass(cone, cones, face, apex, distance, left, visitor);
+        return !(left && right) && pass(cone, face, apex, distance, left, visitor);
     }
     f(Straight_arc{face.apex, distance, apex, start, cone.window.trail});
     return split(cone, cones, face, apex, distance, visitor);
   }
 
-  Plane_vector
-  position_of_apex(const Window& window, const Stack& stack, const Unfolded_face& face) const
-  {
-    return m_carries_edges ? window.left_position + face.left_side(stack.edge)
-                           : face.position_of_apex(window.left_position, window.right_position);
-  }
-
   // Moves the window to a side of the face ahead of it.
   template <typename Visitor>
   bool go_on(Window& window,
-             Stack& stack,
              const Unfolded_face& face,
              const Plane_vector apex,
              const bool goes_left,
              const Visitor& visitor) const
   {
-    carry_edge(stack, window.halfedge, face, goes_left);
-    return goes_left ? go_left(window, face, apex, visitor) : go_right(window, face, apex, visitor);
-  }
-
-  // Replaces the vector of `h` by that of a side of the face to its left.
-  void
-  carry_edge(Stack& stack, const Index h, const Unfolded_face& face, const bool goes_left) const
-  {
-    if(m_carries_edges)
-      stack.edge =
-          goes_left ? face.left_side(stack.edge) : right_side(m_triangulation, h, face, stack.edge);
+    window.go_on(m_triangulation, face, apex, goes_left, m_carries_edges);
+    if(Visitor::wants_distances)
+      (goes_left ? window.right_distance : window.left_distance) = length(apex);
+    if(window.halfedge == null_index || visitor.prune(window))
+      return false;
+    window.trail = visitor.record_window(window.halfedge, window.trail);
+    return true;
   }
 
   // Whether no arc behind the window is needed. Lines may return to flipped edges, which are not
@@ -295,50 +267,9 @@ private:
     return false;
   }
 
-  // Moves the window to the edge between the apex and its right end.
-  template <typename Visitor>
-  static bool go_right(Window& window,
-                       const Unfolded_face& face,
-                       const Plane_vector apex,
-                       const Visitor& visitor)
-  {
-    window.left_end = face.apex;
-    window.left_position = apex;
-    return enter(face.right, window, window.left_distance, apex, visitor);
-  }
-
-  template <typename Visitor>
-  static bool go_left(Window& window,
-                      const Unfolded_face& face,
-                      const Plane_vector apex,
-                      const Visitor& visitor)
-  {
-    window.right_end = face.apex;
-    window.right_position = apex;
-    return enter(face.left, window, window.right_distance, apex, visitor);
-  }
-
-  // Completes the move of the window to `halfedge`, one end of which is the apex.
-  template <typename Visitor>
-  static bool enter(const Index halfedge,
-                    Window& window,
-                    double& distance_of_apex,
-                    const Plane_vector apex,
-                    const Visitor& visitor)
-  {
-    window.halfedge = halfedge;
-    if(Visitor::wants_distances)
-      distance_of_apex = length(apex);
-    if(halfedge == null_index || visitor.prune(window))
-      return false;
-    window.trail = visitor.record_window(halfedge, window.trail);
-    return true;
-  }
-
   // One of the sides serves the apex, and thus all points seen between the two.
   template <typename Visitor>
   bool pass(Cone& cone,
-            Stack& cones,
             const Unfolded_face& face,
             const Plane_vector apex,
             const double distance,
@@ -347,7 +278,7 @@ private:
   {
     (left ? cone.left : cone.right).move_to(apex, distance);
     cone.has_middle = false;
-    return go_on(cone.window, cones, face, apex, !left, visitor);
+    return go_on(cone.window, face, apex, !left, visitor);
   }
 
   template <typename Visitor>
@@ -361,14 +292,10 @@ private:
     const Cone_side between = side(apex, distance);
     cone.has_middle = false;
     Window window = cone.window;
-    if(go_right(window, face, apex, visitor))
-    {
-      cones.cones.push_back({window, between, cone.right, cone.depth, cone.milestone});
-      if(m_carries_edges)
-        cones.edges.push_back(right_side(m_triangulation, cone.window.halfedge, face, cones.edge));
-    }
+    if(go_on(window, face, apex, false, visitor))
+      cones.push_back({window, between, cone.right, cone.depth, cone.milestone});
     cone.right = between;
-    return go_on(cone.window, cones, face, apex, true, visitor);
+    return go_on(cone.window, face, apex, true, visitor);
   }
 
   const Intrinsic_triangulation& m_triangulation;

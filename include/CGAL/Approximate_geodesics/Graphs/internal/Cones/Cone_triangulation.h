@@ -9,10 +9,11 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_line.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
@@ -20,37 +21,96 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * The triangulation whose faces cones cross, and whose vertices are the nodes of a graph: that of
- * the mesh, or a retriangulation of its surface. The graph stores that of the mesh, too, and passes
- * it as an argument.
+ * Looks in the mesh for an arc of a graph that was built on another triangulation: by the direction
+ * of the arc there, or, if that fails, among all lines within reach.
+ */
+class Line_in_mesh
+{
+public:
+  // The line from `source` to `target` of the given length, up to `rounding`. Those that cross no
+  // edge are considered at once.
+  Line_in_mesh(const Intrinsic_triangulation& mesh,
+               const Intrinsic_point& source,
+               const Intrinsic_point& target,
+               const double length,
+               const double rounding)
+    : m_mesh(mesh),
+      m_target(target),
+      m_lines(mesh, Cone_rules(1e-300), source), // cones end as late as possible
+      m_search(length, rounding)
+  {
+    m_lines.consider_lines_in_faces(target, m_search);
+  }
+
+  bool is_found() const { return m_search.is_found(); }
+
+  // Looks for an arc that was found in the other triangulation.
+  void find(const Retriangulation& other, const Index source, const Straight_arc& arc)
+  {
+    std::optional<Direction_in_mesh> direction = other.direction(source, arc.start);
+    if(!direction)
+      return;
+    direction->angle += angle_of(arc.position);
+    for(double tolerance = 1e-11; tolerance < 1e-3 && !is_found(); tolerance *= 100)
+      m_lines.find_line(m_target, *direction, tolerance, arc.length, m_search);
+  }
+
+  // Looks for any line.
+  void find()
+  {
+    m_lines.find_line(m_target, Within_reach<Leave_out_nothing_in_doubt>{{}, m_search.reach()},
+                      m_search);
+  }
+
+  // Calls `f(h, t)` for the edges of the mesh that the line crosses. Returns its length; throws if
+  // it was not found.
+  template <typename F>
+  double for_each_crossing(F f) const
+  {
+    if(!is_found())
+      reject("the graph has an arc of length " + text_of(m_search.length * m_mesh.unit()) +
+             " that is not in the mesh; was it read from a file that was changed?");
+    return m_lines.trace(m_search, f);
+  }
+
+private:
+  const Intrinsic_triangulation& m_mesh;
+  Intrinsic_point m_target;
+  Cones_of_point m_lines;
+  Line_search m_search;
+};
+
+/*
+ * The triangulation of a mesh, and the one whose faces cones cross, and whose vertices are the
+ * nodes of a graph: the same, or a retriangulation of its surface.
  */
 class Cone_triangulation
 {
 public:
   Cone_triangulation() = default;
 
-  explicit Cone_triangulation(const Intrinsic_triangulation& mesh)
-    : m_other(Retriangulation::make(mesh))
+  explicit Cone_triangulation(Intrinsic_triangulation mesh)
+    : m_mesh(std::move(mesh)), m_other(Retriangulation::make(m_mesh))
   {
   }
 
   bool has_balanced_fans() const { return m_other && m_other->has_balanced_fans(); }
 
-  const Intrinsic_triangulation& get(const Intrinsic_triangulation& mesh) const
-  {
-    return m_other ? m_other->triangulation() : mesh;
-  }
+  const Intrinsic_triangulation& mesh() const { return m_mesh; }
+
+  const Intrinsic_triangulation& get() const { return m_other ? m_other->triangulation() : m_mesh; }
 
   // A summary of the lengths of edges. Nodes in needles are far closer to each other than most
   // edges are long, so the mean is that of the shortest edge of each node.
-  Arc_lengths edge_lengths(const Intrinsic_triangulation& mesh) const
+  Arc_lengths edge_lengths() const
   {
     if(!m_other || !m_other->has_refined_needles())
-      return summarize_arc_lengths(mesh.lengths());
+      return summarize_arc_lengths(m_mesh.lengths());
     const Intrinsic_triangulation& t = m_other->triangulation();
     Arc_lengths result = summarize_arc_lengths(t.lengths());
     double sum = 0;
@@ -72,40 +132,52 @@ public:
   // triangulation, and for the edges of the mesh that are not in it. So every edge of the mesh has
   // an arc that is no longer.
   template <typename Unfolding, typename F, typename Visitor = Leave_out_detours>
-  void for_each_arc(const Intrinsic_triangulation& mesh,
-                    const Cone_expansion<Unfolding>& expansion,
+  void for_each_arc(const Cone_expansion<Unfolding>& expansion,
                     const Index v,
                     F f,
                     const Visitor& visitor = Visitor()) const
   {
     expansion.expand(
         v, [&](const Straight_arc& arc) { f(arc.target, arc.length); }, visitor);
-    if(m_other && v < mesh.number_of_vertices())
-      for(Index h = mesh.first_halfedge(v); h < mesh.beyond_halfedge(v); ++h)
+    if(m_other && v < m_mesh.number_of_vertices())
+      for(Index h = m_mesh.first_halfedge(v); h < m_mesh.beyond_halfedge(v); ++h)
         if(m_other->is_lost(h))
-          f(mesh.target(h), mesh.length(h));
+          f(m_mesh.target(h), m_mesh.length(h));
   }
 
-  // Does what `trace_arc()` does, with edges of the mesh. The error of the length is at most
-  // `rounding`. With `Visitor` and `rules`, cones must find all arcs of the graph, as in
-  // `for_each_arc()`.
+  // Calls `f(h, t)` for every edge of the mesh that an arc of the graph crosses, in this order, and
+  // returns its length, which differs from the given one by at most `rounding`. With `Visitor` and
+  // `rules`, cones must find all arcs of the graph, as in `for_each_arc()`.
   template <typename Visitor, typename F>
-  double trace(const Intrinsic_triangulation& mesh,
-               const Cone_rules& rules,
+  double trace(const Cone_rules& rules,
                const Index source,
                const Index target,
                const double length,
                const double rounding,
                F f) const
   {
+    Arc_search arc(get(), rules, source, target, length, m_other ? rounding : 0);
     if(!m_other)
-      return trace_arc<Visitor>(mesh, rules, source, target, length, f);
-    return trace_arc_in_mesh<Visitor>(mesh, *m_other, rules, source, target, length, rounding, f);
+    {
+      arc.find<Visitor>();
+      return arc.for_each_crossing(f);
+    }
+    Line_in_mesh line(m_mesh, position(source), position(target), length, rounding);
+    if(!line.is_found())
+    {
+      arc.find<Visitor>();
+      if(arc.has_arc())
+        line.find(*m_other, source, arc.found);
+    }
+    if(!line.is_found())
+      line.find();
+    return line.for_each_crossing(f);
   }
 
-  std::size_t memory() const { return m_other ? m_other->memory() : 0; }
+  std::size_t memory() const { return m_mesh.memory() + (m_other ? m_other->memory() : 0); }
 
 private:
+  Intrinsic_triangulation m_mesh;
   std::optional<Retriangulation> m_other;
 };
 

@@ -152,11 +152,7 @@ public:
   double trace(const Line_search& search, F f) const
   {
     if(search.found.trail != 0)
-    {
-      const View v = view(search.found.start);
-      search.for_each_crossing(m_triangulation, v.window.left_position, v.window.right_position,
-                               v.edge, f);
-    }
+      search.for_each_crossing(m_triangulation, view(search.found.start).window, f);
     return search.found.length;
   }
 
@@ -272,15 +268,13 @@ private:
   View view(const Index side) const
   {
     const Face_layout layout(m_triangulation, side);
-    Plane_vector position{0, 0};
-    layout.for_each_position(m_point, [&](const Plane_vector p) { position = p; });
-    Plane_vector left = layout.corner(1) - position, right = layout.corner(0) - position;
-    Plane_vector edge = layout.edge(1, 0);
-    if(m_triangulation.thin_faces().has_extreme_needles()) // see `Cone_expansion`
-      for_each_face_point(m_triangulation, m_point, side, [&](const Face_point& p) {
-        left = layout.vector_to_corner(1, p);
-        right = layout.vector_to_corner(0, p);
-      });
+    const bool has_needles = m_triangulation.thin_faces().has_extreme_needles();
+    Plane_vector left{}, right{}, edge = layout.edge(1, 0);
+    for_each_face_point(m_triangulation, m_point, side, [&](const Face_point& p) {
+      const Plane_vector position = layout.position(p);
+      left = has_needles ? layout.vector_to_corner(1, p) : layout.corner(1) - position;
+      right = has_needles ? layout.vector_to_corner(0, p) : layout.corner(0) - position;
+    });
     if(!(cross(right, left) > 0)) // the face has no area, and the point may be between its corners
     {
       const double sign = is_between(right, left) ? -1 : 1;
@@ -288,15 +282,9 @@ private:
       right = {length(right), 0};
       edge = right - left;
     }
-    const Window window{m_triangulation.opposite(side),
-                        layout.vertex(1),
-                        layout.vertex(0),
-                        left,
-                        right,
-                        length(left),
-                        length(right),
-                        0};
-    return {window, edge, side};
+    return {{m_triangulation.opposite(side), layout.vertex(1), layout.vertex(0), left, right,
+             length(left), length(right), edge, 0},
+            side};
   }
 
   // Whether two points that are in one line with the origin are on either side of it, and far

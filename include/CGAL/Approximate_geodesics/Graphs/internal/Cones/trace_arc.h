@@ -123,22 +123,19 @@ private:
 };
 
 // Calls `f(h, t)` for the halfedges that the line from the origin to `end` crosses, at the part `t`
-// of the way from their source to their target. `edge` has the positions `left` and `right()` of
-// these for the first one; `cross_face(edge, h, next)` makes it the edge of `next`, across the face
-// to the left of `h`.
-template <typename Edge, typename CrossFace, typename F>
+// of the way from their source to their target. `edge(i)` returns the positions of the source and
+// the target of the `i`th one; it is called for one after the other.
+template <typename Edge, typename F>
 void for_each_crossed_edge(const std::vector<Index>& halfedges,
-                           Edge edge,
                            const Plane_vector end,
-                           CrossFace cross_face,
+                           Edge edge,
                            F f)
 {
   Line_walk walk(end);
   for(std::size_t i = 0; i < halfedges.size(); ++i)
   {
-    if(i > 0)
-      cross_face(edge, halfedges[i - 1], halfedges[i]);
-    f(halfedges[i], walk.cross_edge(edge.left, edge.right()));
+    const auto [left, right] = edge(i);
+    f(halfedges[i], walk.cross_edge(left, right));
   }
 }
 
@@ -188,33 +185,23 @@ struct Line_search : Sought_line<Straight_arc>
   // The length of the longest line that is found.
   double reach() const { return (length + rounding) * (1 + TOLERANCE); }
 
-  // Calls `f(h, t)` for the edges that the arc found crosses, the first of which has these ends;
-  // `edge` is the vector from its left to its right end. See `Cone_expansion` for such vectors.
+  // Calls `f(h, t)` for the edges that the arc found crosses, of which `window` is the first.
   template <typename F>
-  void for_each_crossing(const Intrinsic_triangulation& triangulation,
-                         const Plane_vector left,
-                         const Plane_vector right,
-                         const Plane_vector edge,
-                         F f) const
+  void for_each_crossing(const Intrinsic_triangulation& triangulation, Window window, F f) const
   {
-    struct Edge
-    {
-      Plane_vector right() const { return right_end; }
-      Plane_vector left, right_end, vector;
-    };
     const Unfolding_on_demand unfolding(triangulation);
     const bool carries_edges = triangulation.thin_faces().has_extreme_needles();
-    const auto cross_face = [&](Edge& e, const Index h, const Index next) {
-      const Unfolded_face face = unfolding.face(h);
-      const bool goes_right = next == face.right;
-      const Plane_vector apex = carries_edges ? e.left + face.left_side(e.vector)
-                                              : face.position_of_apex(e.left, e.right_end);
-      e.vector =
-          goes_right ? right_side(triangulation, h, face, e.vector) : face.left_side(e.vector);
-      (goes_right ? e.left : e.right_end) = apex;
+    const std::vector<Index> halfedges = tree.halfedges(found.trail);
+    const auto edge = [&](const std::size_t i) {
+      if(i > 0)
+      {
+        const Unfolded_face face = unfolding.face(halfedges[i - 1]);
+        window.go_on(triangulation, face, window.apex(face, carries_edges),
+                     halfedges[i] != face.right, carries_edges);
+      }
+      return std::make_pair(window.left_position, window.right_position);
     };
-    for_each_crossed_edge(tree.halfedges(found.trail), Edge{left, right, edge}, found.position,
-                          cross_face, f);
+    for_each_crossed_edge(halfedges, found.position, edge, f);
   }
 
   static constexpr double TOLERANCE = 1e-6; // single precision, flat faces
@@ -222,88 +209,78 @@ struct Line_search : Sought_line<Straight_arc>
   Window_tree tree;
 };
 
-// Looks for the arc with these rules from one vertex to another.
-template <typename Visitor>
-void find_arc(const Intrinsic_triangulation& triangulation,
-              const Cone_rules& rules,
-              const Index source,
-              const Index target,
-              const Visitor& visitor,
-              Line_search& search)
+// Looks for the arc from one vertex to another in a discrete geodesic graph with these rules.
+class Arc_search : public Line_search
 {
-  const Unfolding_on_demand unfolding(triangulation);
-  const Cone_expansion<Unfolding_on_demand> expansion(triangulation, unfolding, rules);
-  const auto consider = [&](const Straight_arc& arc) {
-    if(arc.target == target)
-      search.consider(arc);
-  };
-  expansion.expand(source, consider, Remembering<Visitor>{visitor, search.tree});
-}
+public:
+  Arc_search(const Intrinsic_triangulation& triangulation,
+             const Cone_rules& rules,
+             const Index source,
+             const Index target,
+             const double length,
+             const double rounding = 0)
+    : Line_search(length, rounding),
+      m_triangulation(triangulation),
+      m_rules(rules),
+      m_source(source),
+      m_target(target)
+  {
+  }
 
-// Looks for an arc of the graph that was not found again, because of rounding: with a tolerance of
-// visibility, and with cones that end farther away.
-inline void search_in_doubt(const Intrinsic_triangulation& triangulation,
-                            const Cone_rules& rules,
-                            const Index source,
-                            const Index target,
-                            Line_search& search)
-{
-  for(const double part : {1. / 4, 1. / 64, 1. / 1024})
-    if(!search.is_found())
-      find_arc(triangulation, rules.farther(part), source, target, Leave_out_nothing_in_doubt(),
-               search);
-}
+  // The arcs of the graph were found with a visitor of this type, or are some of those.
+  template <typename Visitor>
+  void find()
+  {
+    find(Within_reach<Visitor>{{}, reach()}, m_rules);
+    if(!is_found())
+      find(Visitor(), m_rules);
+    find_in_doubt();
+  }
 
-// Looks for an arc of the graph with these rules, whose arcs were found with a visitor of this
-// type.
-template <typename Visitor>
-void find_arc_of_graph(const Intrinsic_triangulation& triangulation,
-                       const Cone_rules& rules,
-                       const Index source,
-                       const Index target,
-                       Line_search& search)
-{
-  find_arc(triangulation, rules, source, target, Within_reach<Visitor>{{}, search.reach()}, search);
-  if(!search.is_found())
-    find_arc(triangulation, rules, source, target, Visitor(), search);
-  search_in_doubt(triangulation, rules, source, target, search);
-}
+  // Looks for an arc that was not found again, because of rounding: with a tolerance of visibility,
+  // and with cones that end farther away.
+  void find_in_doubt()
+  {
+    for(const double part : {1. / 4, 1. / 64, 1. / 1024})
+      if(!is_found())
+        find(Leave_out_nothing_in_doubt(), m_rules.farther(part));
+  }
 
-// Calls `f(h, t)` for the edges that the line found to `target` crosses. Returns its length.
-template <typename F>
-double report_line(const Intrinsic_triangulation& triangulation,
-                   const Line_search& search,
-                   const Index target,
-                   F f)
-{
-  if(search.found.target != target)
-    reject(
-        "the graph has an arc that is not in the mesh; was it read from a file that was changed?");
-  const Straight_arc& arc = search.found;
-  const Plane_vector right{triangulation.length(arc.start), 0};
-  const Unfolded_face face = Unfolding_on_demand(triangulation).face(arc.start);
-  search.for_each_crossing(triangulation, face.position_of_apex({0, 0}, right), right,
-                           right_side(triangulation, arc.start, face, right), f);
-  return arc.length;
-}
+  // Whether there is any arc to the target. It has the length that is closest to the given one.
+  bool has_arc() const { return found.target == m_target; }
 
-// Calls `f(h, t)` for every edge that an arc in a discrete geodesic graph crosses, from its source
-// on: at the point that is at the part `t` of the way from the source to the target of the halfedge
-// `h`. The arcs of the graph were found with a visitor of the given type, or are some of those. Of
-// several arcs between the two vertices, it is the one whose length is closest to the given one.
-// Returns its length.
-template <typename Visitor, typename F>
-double trace_arc(const Intrinsic_triangulation& triangulation,
-                 const Cone_rules& rules,
-                 const Index source,
-                 const Index target,
-                 const double length,
-                 F f)
-{
-  Line_search search{length};
-  find_arc_of_graph<Visitor>(triangulation, rules, source, target, search);
-  return report_line(triangulation, search, target, f);
-}
+  // Calls `f(h, t)` for the edges that the arc crosses, from its source on: at the point that is at
+  // the part `t` of the way from the source to the target of the halfedge `h`. Returns its length.
+  template <typename F>
+  double for_each_crossing(F f) const
+  {
+    if(!has_arc())
+      reject("the graph has an arc that is not in the mesh; was it read from a file that was "
+             "changed?");
+    const Unfolded_face face = Unfolding_on_demand(m_triangulation).face(found.start);
+    Window window = window_across(m_triangulation, m_source, found.start, face);
+    window.edge = right_side(m_triangulation, found.start, face, window.right_position);
+    Line_search::for_each_crossing(m_triangulation, window, f);
+    return found.length;
+  }
+
+private:
+  template <typename Visitor>
+  void find(const Visitor& visitor, const Cone_rules& rules)
+  {
+    const Unfolding_on_demand unfolding(m_triangulation);
+    const Cone_expansion<Unfolding_on_demand> expansion(m_triangulation, unfolding, rules);
+    const auto consider = [&](const Straight_arc& arc) {
+      if(arc.target == m_target)
+        Line_search::consider(arc);
+    };
+    expansion.expand(m_source, consider, Remembering<Visitor>{visitor, tree});
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Cone_rules m_rules;
+  const Index m_source, m_target;
+};
 
 } // namespace CGAL::Approximate_geodesics::internal
 

@@ -31,11 +31,6 @@ struct Face_step : Unfolded_face
 
   bool has_face() const { return apex != null_index; }
 
-  Plane_vector left_edge(const Plane_vector edge) const
-  {
-    return {along * edge.x - across * edge.y, along * edge.y + across * edge.x};
-  }
-
   Plane_vector right_edge(const Plane_vector edge) const
   {
     return {beyond * edge.x + across * edge.y, beyond * edge.y - across * edge.x};

@@ -24,6 +24,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -59,20 +60,19 @@ struct Sight_search : Sought_line<Sight_line>
   template <typename F>
   double for_each_crossing(const Face_steps& steps, F f) const
   {
-    struct Edge
-    {
-      Plane_vector right() const { return left + edge; }
-      Plane_vector left, edge;
+    Plane_vector left = found.start.left, edge = found.start.edge;
+    const auto edge_ahead = [&](const std::size_t i) {
+      if(i > 0)
+      {
+        const Face_step& step = steps[found.halfedges[i - 1]];
+        const bool goes_right = found.halfedges[i] == step.right;
+        if(goes_right)
+          left = left + step.left_side(edge);
+        edge = goes_right ? step.right_edge(edge) : step.left_side(edge);
+      }
+      return std::make_pair(left, left + edge);
     };
-    const auto cross_face = [&](Edge& e, const Index h, const Index next) {
-      const Face_step& step = steps[h];
-      const bool goes_right = next == step.right;
-      if(goes_right)
-        e.left = e.left + step.left_edge(e.edge);
-      e.edge = goes_right ? step.right_edge(e.edge) : step.left_edge(e.edge);
-    };
-    for_each_crossed_edge(found.halfedges, Edge{found.start.left, found.start.edge}, found.end,
-                          cross_face, f);
+    for_each_crossed_edge(found.halfedges, found.end, edge_ahead, f);
     return found.length;
   }
 };
@@ -405,14 +405,7 @@ private:
       {
         const Face_layout layout(triangulation(), side);
         for_each_face_point(triangulation(), point(), side, [&](const Face_point& p) {
-          const auto& weight = p.seen_from(triangulation(), side).weight;
-          const auto corner = [&](const std::size_t j) {
-            Plane_vector result{0, 0};
-            for(std::size_t i = 0; i < 3; ++i)
-              result = result + weight[i] * layout.edge(i, j);
-            return result;
-          };
-          f(side, p, corner(0), corner(1));
+          f(side, p, layout.vector_to_corner(0, p), layout.vector_to_corner(1, p));
         });
       }
     });

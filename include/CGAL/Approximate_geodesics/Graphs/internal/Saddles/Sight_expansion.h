@@ -106,7 +106,7 @@ private:
       m_visitor.on_sight(sight);
     if(has_returned(sight, step.across))
       return false;
-    const Plane_vector left_edge = step.left_edge(sight.edge), p = sight.apex(left_edge, step);
+    const Plane_vector left_edge = step.left_side(sight.edge), p = sight.apex(left_edge, step);
     const Apex apex{step, left_edge, p, length(p), bound(step.apex)};
     if constexpr(Visitor::wants_faces)
       m_visitor.on_face(sight, p);
