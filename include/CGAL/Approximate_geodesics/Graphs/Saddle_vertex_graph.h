@@ -13,7 +13,6 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Saddle_run.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
@@ -104,8 +103,7 @@ public:
                                const NamedParameters& np = parameters::default_values())
     : m_loop(internal::Loop::with_tag<internal::Concurrency_tag<NamedParameters>>()),
       m_edges(checked(std::move(triangulation), np)),
-      m_steps(m_edges.triangulation(), m_loop),
-      m_bends(m_edges.triangulation(), m_steps)
+      m_tables(m_edges.triangulation(), m_loop)
   {
   }
 
@@ -143,14 +141,14 @@ public:
   /// and else all that are of use.
   internal::Lines_of_sight attach(const Intrinsic_point& point) const
   {
-    return {triangulation(), m_steps, m_bends, point};
+    return {triangulation(), m_tables, point};
   }
 
   /// prefetches what it takes to find the first arcs of `node`.
   void prefetch(const Node node) const { m_edges.prefetch(node); }
 
   /// returns the number of bytes that the graph takes, its triangulation included.
-  std::size_t memory() const { return internal::memory_of(m_edges, m_steps, m_bends); }
+  std::size_t memory() const { return internal::memory_of(m_edges, m_tables); }
 
   /// returns whether the triangulation is valid.
   bool is_valid() const { return m_edges.is_valid(); }
@@ -172,8 +170,7 @@ private:
 
   internal::Loop m_loop; // declared first: the others are constructed with it
   Edge_graph m_edges;
-  internal::Face_steps m_steps;
-  internal::Bends m_bends;
+  internal::Sight_tables m_tables;
 };
 
 } // namespace CGAL::Approximate_geodesics

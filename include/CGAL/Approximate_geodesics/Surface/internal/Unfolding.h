@@ -26,6 +26,32 @@ namespace CGAL::Approximate_geodesics::internal {
 // The data for laying out the face to the left of a halfedge that is laid out.
 struct Unfolded_face
 {
+  // That of `h`, which starts from `source`. Also writes the position of the apex, if asked for and
+  // if there is a face.
+  static Unfolded_face of(const Intrinsic_triangulation& triangulation,
+                          const Index source,
+                          const Index h,
+                          Apex_position* const position = nullptr)
+  {
+    if(triangulation.is_border(h))
+      return {null_index, null_index, null_index, triangulation.is_flipped(h), false, 0, 0};
+
+    const auto left = triangulation.counterclockwise(source, h);
+    const auto apex = triangulation.target(left);
+    const auto right = triangulation.counterclockwise(apex, triangulation.opposite(left));
+    const Apex_position p =
+        apex_position(triangulation, h, triangulation.length(left), triangulation.length(right));
+    if(position != nullptr)
+      *position = p;
+    return {apex,
+            triangulation.is_border(left) ? null_index : left,
+            triangulation.is_border(right) ? null_index : right,
+            triangulation.is_flipped(h),
+            triangulation.lines_may_return() || triangulation.is_in_new_face(h),
+            p.along,
+            p.across};
+  }
+
   Index apex;  // the third vertex, or null_index if the halfedge is a border halfedge
   Index left;  // the halfedge from the source to the apex, or null_index if it is a border halfedge
   Index right; // likewise, the one from the apex to the target
@@ -60,83 +86,49 @@ inline Plane_vector right_side(const Intrinsic_triangulation& triangulation,
   return {beyond * edge.x + face.across * edge.y, beyond * edge.y - face.across * edge.x};
 }
 
-// Also writes the position of the apex, if asked for and if there is a face.
-inline Unfolded_face unfolded_face(const Intrinsic_triangulation& triangulation,
-                                   const Index source,
-                                   const Index h,
-                                   Apex_position* const position = nullptr)
-{
-  if(triangulation.is_border(h))
-    return {null_index, null_index, null_index, triangulation.is_flipped(h), false, 0, 0};
-
-  const auto left = triangulation.counterclockwise(source, h);
-  const auto apex = triangulation.target(left);
-  const auto right = triangulation.counterclockwise(apex, triangulation.opposite(left));
-  const Apex_position p =
-      apex_position(triangulation, h, triangulation.length(left), triangulation.length(right));
-  if(position != nullptr)
-    *position = p;
-  return {apex,
-          triangulation.is_border(left) ? null_index : left,
-          triangulation.is_border(right) ? null_index : right,
-          triangulation.is_flipped(h),
-          triangulation.lines_may_return() || triangulation.is_in_new_face(h),
-          p.along,
-          p.across};
-}
-
-// The results of `unfold(triangulation, source, h)` for all halfedges.
-// Throws if a face violates the triangle inequality.
-template <typename Face, typename Unfold>
-std::vector<Face>
-unfold_all(const Intrinsic_triangulation& triangulation, const Loop& loop, Unfold unfold)
-{
-  std::vector<Face> result(triangulation.number_of_halfedges());
-  std::atomic<bool> is_any_suspicious(false);
-  loop.run_blocks(
-      triangulation.number_of_vertices(), [&](const std::size_t first, const std::size_t beyond) {
-        const Intrinsic_triangulation& t = triangulation; // these two are kept in registers
-        Face* const faces = result.data();
-        bool is_suspicious = false;
-        for(Index v = static_cast<Index>(first); v < beyond; ++v)
-          for(Index h = t.first_halfedge(v); h < t.beyond_halfedge(v); ++h)
-          {
-            faces[h] = unfold(t, v, h);
-            is_suspicious = is_suspicious || !(faces[h].across > 0);
-          }
-        if(is_suspicious)
-          is_any_suspicious = true;
-      });
-  if(is_any_suspicious) // a face that violates the triangle inequality has no area
-    triangulation.check_triangle_inequality();
-  return result;
-}
-
 /*
- * The faces of all halfedges, computed in advance: unfolding then takes a few multiplications, and
- * no square root or division.
+ * The data of all halfedges, computed in advance: unfolding then takes a few multiplications, and
+ * no square root or division. `Face` is `Unfolded_face`, or derived from it.
  */
-class Unfolding
+template <typename Face>
+class Unfolded_faces
 {
 public:
   // Throws if a face violates the triangle inequality.
-  explicit Unfolding(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
-    : m_faces(unfold_all<Unfolded_face>(
-          triangulation, loop, [](const auto& t, const Index v, const Index h) {
-            return unfolded_face(t, v, h);
-          }))
+  explicit Unfolded_faces(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
+    : m_faces(triangulation.number_of_halfedges())
   {
+    std::atomic<bool> is_any_suspicious(false);
+    loop.run_blocks(
+        triangulation.number_of_vertices(), [&](const std::size_t first, const std::size_t beyond) {
+          const Intrinsic_triangulation& t = triangulation; // these two are kept in registers
+          Face* const faces = m_faces.data();
+          bool is_suspicious = false;
+          for(Index v = static_cast<Index>(first); v < beyond; ++v)
+            for(Index h = t.first_halfedge(v); h < t.beyond_halfedge(v); ++h)
+            {
+              faces[h] = Face::of(t, v, h);
+              is_suspicious = is_suspicious || !(faces[h].across > 0);
+            }
+          if(is_suspicious)
+            is_any_suspicious = true;
+        });
+    if(is_any_suspicious) // a face that violates the triangle inequality has no area
+      triangulation.check_triangle_inequality();
   }
 
-  const Unfolded_face& face(const Index h) const { return m_faces[h]; }
+  const Face& operator[](const Index h) const { return m_faces[h]; }
 
+  // `h` may be null_index.
   void prefetch(const Index h) const { internal::prefetch(m_faces.data(), h); }
 
   std::size_t memory() const { return memory_of(m_faces); }
 
 private:
-  std::vector<Unfolded_face> m_faces;
+  std::vector<Face> m_faces;
 };
+
+using Unfolding = Unfolded_faces<Unfolded_face>;
 
 // The same interface, if few faces are needed: each is computed when it is asked for.
 class Unfolding_on_demand
@@ -147,9 +139,9 @@ public:
   {
   }
 
-  Unfolded_face face(const Index h) const
+  Unfolded_face operator[](const Index h) const
   {
-    return unfolded_face(m_triangulation, m_triangulation.source(h), h);
+    return Unfolded_face::of(m_triangulation, m_triangulation.source(h), h);
   }
 
 private:

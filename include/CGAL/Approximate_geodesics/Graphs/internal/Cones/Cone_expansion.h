@@ -157,7 +157,7 @@ private:
   template <typename Visitor>
   bool open_first_cone(Cone& cone, const Index source, const Index h, const Visitor& visitor) const
   {
-    const Unfolded_face& face = m_unfolding.face(h);
+    const Unfolded_face& face = m_unfolding[h];
     if(face.apex == null_index || face.right == null_index)
       return false;
     const double distance = m_triangulation.length(h);
@@ -188,7 +188,7 @@ private:
                F& f,
                const Visitor& visitor) const
   {
-    const Unfolded_face& face = m_unfolding.face(cone.window.halfedge);
+    const Unfolded_face& face = m_unfolding[cone.window.halfedge];
     if(has_ended(cone, face))
       return false;
     if(face.apex == source && !face.may_return)

@@ -174,7 +174,7 @@ private:
       const double distance = m_triangulation.length(h);
       const Index target = m_triangulation.target(h);
       m_arcs.append(true, v, label, target, distance);
-      const Unfolded_face& face = m_unfolding.face(h);
+      const Unfolded_face& face = m_unfolding[h];
       const bool has_angle = face.across > 0 || face.along < 0; // the latter for a straight angle
       if(face.apex == null_index || face.right == null_index || !(distance > 0 && has_angle))
         continue;
@@ -198,7 +198,7 @@ private:
   // Takes a cone across the face ahead of it.
   void advance(const Cone& cone)
   {
-    const Unfolded_face& face = m_unfolding.face(cone.halfedge);
+    const Unfolded_face& face = m_unfolding[cone.halfedge];
     const Plane_vector position = position_of_apex(cone, face);
     const bool passes_left =
         cone.left_side.is_passed(position, cross(cone.left_side.direction, position));

@@ -195,7 +195,7 @@ struct Line_search : Sought_line<Straight_arc>
     const auto edge = [&](const std::size_t i) {
       if(i > 0)
       {
-        const Unfolded_face face = unfolding.face(halfedges[i - 1]);
+        const Unfolded_face face = unfolding[halfedges[i - 1]];
         window.go_on(triangulation, face, window.apex(face, carries_edges),
                      halfedges[i] != face.right, carries_edges);
       }
@@ -257,7 +257,7 @@ public:
     if(!has_arc())
       reject("the graph has an arc that is not in the mesh; was it read from a file that was "
              "changed?");
-    const Unfolded_face face = Unfolding_on_demand(m_triangulation).face(found.start);
+    const Unfolded_face face = Unfolding_on_demand(m_triangulation)[found.start];
     Window window = window_across(m_triangulation, m_source, found.start, face);
     window.edge = right_side(m_triangulation, found.start, face, window.right_position);
     Line_search::for_each_crossing(m_triangulation, window, f);

@@ -8,14 +8,10 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
-
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -27,6 +23,14 @@ namespace CGAL::Approximate_geodesics::internal {
  */
 struct Face_step : Unfolded_face
 {
+  static Face_step
+  of(const Intrinsic_triangulation& triangulation, const Index source, const Index h)
+  {
+    Apex_position position{0, 0, 0};
+    const Unfolded_face face = Unfolded_face::of(triangulation, source, h, &position);
+    return {face, position.beyond};
+  }
+
   double beyond; // of the apex: from the target of the halfedge backward
 
   bool has_face() const { return apex != null_index; }
@@ -37,14 +41,6 @@ struct Face_step : Unfolded_face
   }
 };
 
-inline Face_step
-face_step(const Intrinsic_triangulation& triangulation, const Index source, const Index h)
-{
-  Apex_position position{0, 0, 0};
-  const Unfolded_face face = unfolded_face(triangulation, source, h, &position);
-  return {face, position.beyond};
-}
-
 // The angle at the source of a halfedge in the face to its left, as a unit vector. At an edge of
 // length zero, it is a right angle.
 inline Plane_vector unit_corner(const Face_step& step)
@@ -54,29 +50,7 @@ inline Plane_vector unit_corner(const Face_step& step)
   return l > 0 && l < 1e300 ? 1 / l * corner : Plane_vector{0, 1};
 }
 
-// The face steps of all halfedges.
-class Face_steps
-{
-public:
-  // Throws if a face breaks the triangle inequality.
-  explicit Face_steps(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
-    : m_steps(unfold_all<Face_step>(triangulation, loop, face_step)), m_winding(triangulation)
-  {
-  }
-
-  const Face_step& operator[](const Index h) const { return m_steps[h]; }
-
-  const Winding& winding() const { return m_winding; }
-
-  // `h` may be null_index
-  void prefetch(const Index h) const { internal::prefetch(m_steps.data(), h); }
-
-  std::size_t memory() const { return memory_of(m_steps); }
-
-private:
-  std::vector<Face_step> m_steps;
-  Winding m_winding;
-};
+using Face_steps = Unfolded_faces<Face_step>;
 
 } // namespace CGAL::Approximate_geodesics::internal
 

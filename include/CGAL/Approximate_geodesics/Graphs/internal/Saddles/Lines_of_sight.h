@@ -152,10 +152,9 @@ public:
   using Lines_in_faces::for_each_crossing;
 
   Lines_of_sight(const Intrinsic_triangulation& triangulation,
-                 const Face_steps& steps,
-                 const Bends& bends,
+                 const Sight_tables& tables,
                  const Intrinsic_point& point)
-    : Lines_in_faces(triangulation, point), m_steps(steps), m_bends(bends)
+    : Lines_in_faces(triangulation, point), m_tables(tables)
   {
   }
 
@@ -174,10 +173,9 @@ public:
     for_each_corner(on_node);
     Lines_in_faces::for_each_point(points, on_point);
     Visitor<Bound, OnNode, OnPoint> visitor{{}, triangulation(), bound, points, on_node, on_point};
-    Sight_expansion<decltype(visitor)> expansion(m_steps, m_bends, label, visitor);
-    for_each_sight([&](const Sight& sight) {
-      expansion.look(sight, triangulation().source(sight.halfedge),
-                     triangulation().target(sight.halfedge));
+    Sight_expansion<decltype(visitor)> expansion(m_tables, label, visitor);
+    for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
+      expansion.look(sight, left_end, right_end);
     });
   }
 
@@ -206,13 +204,7 @@ public:
     const auto look = [&](const double slack) {
       look_for(
           end, label, [&](const Index v) { return bound(v, slack); },
-          [&](const auto& on_sight) {
-            for_each_sight([&](const Sight& sight) {
-              on_sight(sight, triangulation().source(sight.halfedge),
-                       triangulation().target(sight.halfedge));
-            });
-          },
-          line);
+          [&](const auto& on_sight) { for_each_sight(on_sight); }, line);
     };
     if(!line.is_found())
       look(1e-6);
@@ -223,7 +215,7 @@ public:
       throw Untraceable_line(name_of_package() + "the line from or to vertex " +
                              std::to_string(vertex_at(end)) +
                              " cannot be traced: faces along it are nearly degenerate");
-    return line.for_each_crossing(m_steps, f);
+    return line.for_each_crossing(m_tables.steps, f);
   }
 
   /*
@@ -245,7 +237,7 @@ public:
       consider_lines_in_faces(Intrinsic_point::at_vertex(vertex), line);
     for(double angle = 4 * Arrival::ROUNDING; angle < 1 && !line.is_found(); angle *= 1000)
       look_back(vertex, arrival, angle, line);
-    return line.is_found() ? line.for_each_crossing(m_steps, f) : -1;
+    return line.is_found() ? line.for_each_crossing(m_tables.steps, f) : -1;
   }
 
 private:
@@ -258,7 +250,7 @@ private:
                 Sight_search& line) const
   {
     Tracing_visitor<Bound> visitor{{}, triangulation(), bound, end, line, {}, {}};
-    Sight_expansion<Tracing_visitor<Bound>> expansion(m_steps, m_bends, label, visitor);
+    Sight_expansion<Tracing_visitor<Bound>> expansion(m_tables, label, visitor);
     for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
       visitor.first = sight;
       expansion.look(sight, left_end, right_end);
@@ -279,7 +271,7 @@ private:
     look_for(
         point(), 0, [=](Index) { return length; }, // no part of a line is longer than the whole
         [&](const auto& on_sight) {
-          Vertex_sights(triangulation(), m_steps, m_bends)
+          Vertex_sights(triangulation(), m_tables)
               .for_each_back(vertex, arrival, angle, consider_edge, on_sight);
         },
         line);
@@ -373,16 +365,15 @@ private:
     });
   }
 
-  // Calls `f(sight)` for the sights through the sides of these faces that are not at the border and
-  // do not contain the point.
+  // Calls `f(sight, left_end, right_end)` for the sights through the sides of these faces that are
+  // not at the border and do not contain the point.
   template <typename F>
   void for_each_sight(F f) const
   {
     if(point().is_vertex())
-      return Vertex_sights(triangulation(), m_steps, m_bends)
+      return Vertex_sights(triangulation(), m_tables)
           .for_each(
-              point().vertex, Arrival(), [](Index) {},
-              [&](const Sight& sight, Index, Index) { f(sight); });
+              point().vertex, Arrival(), [](Index) {}, f);
     for_each_side(
         [&](const Index side, const Face_point&, const Plane_vector start, const Plane_vector end) {
           const Index outside = triangulation().opposite(side);
@@ -390,7 +381,7 @@ private:
             return;
           const Sight sight = this->sight(outside, end, start);
           if(sight.left_distance > 0 && sight.right_distance > 0)
-            f(sight);
+            f(sight, triangulation().source(outside), triangulation().target(outside));
         });
   }
 
@@ -419,20 +410,10 @@ private:
       left = {sign * length(left), 0};
       right = {length(right), 0};
     }
-    Sight result;
-    result.halfedge = halfedge;
-    result.left = left;
-    result.right = right;
-    result.edge = right - left;
-    result.left_distance = length(left);
-    result.right_distance = length(right);
-    result.left_ray = Sight_ray(left, result.left_distance);
-    result.right_ray = Sight_ray(right, result.right_distance);
-    return result;
+    return {halfedge, left, right, right - left, length(left), length(right)};
   }
 
-  const Face_steps& m_steps;
-  const Bends& m_bends;
+  const Sight_tables& m_tables;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -29,78 +29,6 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * For each node, a number that its distance does not exceed, or above which the distance is of no
- * interest; infinity if there is none.
- */
-class Upper_bounds
-{
-public:
-  using Node = Index;
-
-  explicit Upper_bounds(const std::size_t number_of_nodes) : m_bound(number_of_nodes, infinity) {}
-
-  double operator[](const Node node) const { return m_bound[node]; }
-
-  void lower(const Node node, const double bound)
-  {
-    m_bound[node] = (std::min)(m_bound[node], bound);
-  }
-
-  // Lowers a bound before the search, and lists the node.
-  void add(const Node node, const double bound)
-  {
-    lower(node, bound);
-    m_nodes.push_back(node);
-  }
-
-  // the nodes whose bounds were found before the search
-  const std::vector<Node>& nodes() const { return m_nodes; }
-
-  void discard(const Node node) { m_bound[node] = infinity; }
-
-  // Discards the bounds of these nodes, and of the listed ones.
-  void forget(const std::vector<Node>& nodes)
-  {
-    if(nodes.size() + m_nodes.size() > m_bound.size() / 4) // sequential access is faster
-      return forget_all();
-    for(const std::vector<Node>* list : {&nodes, &static_cast<const std::vector<Node>&>(m_nodes)})
-      for(const Node node : *list)
-        discard(node);
-    m_nodes.clear();
-  }
-
-  void forget_all()
-  {
-    std::fill(m_bound.begin(), m_bound.end(), infinity);
-    m_nodes.clear();
-  }
-
-  std::size_t memory() const { return memory_of(m_bound, m_nodes); }
-
-private:
-  std::vector<double> m_bound;
-  std::vector<Node> m_nodes;
-};
-
-// Reports arcs to a search. `Known` gives access to its labels.
-template <typename Known, typename F>
-struct Arc_visitor : Sight_visitor_base, Known
-{
-  static constexpr bool knows_arrivals = true;
-
-  void on_vertex(const Index v,
-                 const Sight_path& path,
-                 const Sight& sight,
-                 const Plane_vector apex,
-                 const Plane_vector left_edge)
-  {
-    f(v, path.length, sight.arrival(path, apex, left_edge));
-  }
-
-  F& f;
-};
-
-/*
  * The run of a saddle vertex graph: upper bounds of all distances, without which lines would never
  * end, and the directions in which paths arrive at nodes. A search along edges finds the bounds
  * first.
@@ -117,10 +45,21 @@ public:
 
   static constexpr bool attaches_by_labels = true;
 
-  // The labels and bounds that `Sight_expansion` requires.
-  template <typename Labels>
-  struct Known
+  // Reports arcs, and knows the labels and bounds that `Sight_expansion` requires.
+  template <typename Labels, typename F>
+  struct Arc_visitor : Sight_visitor_base
   {
+    static constexpr bool knows_arrivals = true;
+
+    void on_vertex(const Node v,
+                   const Sight_path& path,
+                   const Sight& sight,
+                   const Plane_vector apex,
+                   const Plane_vector left_edge)
+    {
+      f(v, path.length, sight.arrival(path, apex, left_edge));
+    }
+
     double bound(const Node v) const { return run.bound(v); }
     double label(const Node v) const { return labels.distance(v); }
     const Arrival& arrival(const Node v) const { return run.m_arrival[v]; }
@@ -128,10 +67,13 @@ public:
 
     const Saddle_run& run;
     const Labels& labels;
+    F& f;
   };
 
   explicit Saddle_run(const Graph& searched)
-    : Base(searched), m_bounds(searched.number_of_nodes()), m_arrival(searched.number_of_nodes())
+    : Base(searched),
+      m_bound(searched.number_of_nodes(), infinity),
+      m_arrival(searched.number_of_nodes())
   {
   }
 
@@ -141,7 +83,8 @@ public:
     m_distance_to_goal = search.heuristic();
     search.find_upper_bounds(graph().m_edges, [&](const Node node, const double label) {
       m_limit = search.limit();
-      m_bounds.add(node, (std::min)(label, largest_label(node)));
+      lower_bound(node, (std::min)(label, largest_label(node)));
+      m_bounded_nodes.push_back(node);
     });
     m_limit = search.limit();
   }
@@ -167,7 +110,7 @@ public:
   void on_label(const Node node, const double distance, const Arrival& arrival)
   {
     m_arrival[node] = arrival;
-    m_bounds.lower(node, distance);
+    lower_bound(node, distance);
   }
 
   // Where faces are numerically degenerate, lines may be longer than upper bounds, and be given up.
@@ -177,10 +120,10 @@ public:
   void finish(Search& search)
   {
     constexpr double factor = 1 + 1e-12; // for rounding
-    for(const Node node : m_bounds.nodes())
+    for(const Node node : m_bounded_nodes)
     {
       const double old = search.labels().distance(node);
-      if(!(old > m_bounds[node] * factor && m_bounds[node] < search.limit()))
+      if(!(old > m_bound[node] * factor && m_bound[node] < search.limit()))
         continue;
       const auto [from, label, arrival] = last_edge(node, search.labels());
       if(!(label < old))
@@ -190,16 +133,27 @@ public:
     }
   }
 
-  void discard(const Node node) { m_bounds.discard(node); }
-  void forget(const std::vector<Node>& nodes) { m_bounds.forget(nodes); }
-  void forget_all() { m_bounds.forget_all(); }
+  void discard(const Node node) { m_bound[node] = infinity; }
+
+  void forget(const std::vector<Node>& nodes)
+  {
+    reset(m_bound, nodes, infinity);
+    reset(m_bound, m_bounded_nodes, infinity);
+    m_bounded_nodes.clear();
+  }
+
+  void forget_all()
+  {
+    std::fill(m_bound.begin(), m_bound.end(), infinity);
+    m_bounded_nodes.clear();
+  }
 
   std::size_t largest_batch() const
   {
     return graph().is_parallel() ? (std::numeric_limits<std::size_t>::max)() : 0;
   }
 
-  std::size_t memory() const { return memory_of(m_bounds, m_arrival, m_tasks); }
+  std::size_t memory() const { return memory_of(m_bound, m_bounded_nodes, m_arrival, m_tasks); }
 
   // Calls `f(node, length, arrival)` for the lines from a point where the search starts.
   template <typename F>
@@ -301,9 +255,14 @@ private:
     return m_distance_to_goal ? m_limit - m_distance_to_goal(node) : m_limit;
   }
 
+  void lower_bound(const Node node, const double bound)
+  {
+    m_bound[node] = (std::min)(m_bound[node], bound);
+  }
+
   double bound(const Node node) const
   {
-    const double result = m_bounds[node];
+    const double result = m_bound[node];
     return result < infinity ? result : largest_label(node);
   }
 
@@ -318,7 +277,7 @@ private:
       if(m_arrival[nodes[i]].is_none())
         for(std::size_t part = number_of_parts; part > 0; --part)
           m_tasks.push_back({nodes[i], {part - 1, number_of_parts}});
-      else if(graph().m_bends.is_possible(nodes[i]))
+      else if(graph().m_tables.bends.is_possible(nodes[i]))
         m_tasks.push_back({nodes[i], Sight_part()});
     return m_tasks.size() >= fewest_tasks;
   }
@@ -334,28 +293,20 @@ private:
     constexpr unsigned arcs_between_checks = 256;
     unsigned number = 0;
     const double label = labels.distance(node);
-    for_each_arc(node, part, Known<Labels>{*this, labels},
-                 [&](const Node target, const double length, const Arrival& arrival) {
-                   if(++number % arcs_between_checks == 0)
-                     check_for_interruption();
-                   candidates.make_room(1);
-                   candidates.append(true, node, label, target, length, arrival);
-                 });
-  }
-
-  // Calls `f(target, length, arrival)` for arcs that may be of use.
-  template <typename Known, typename F>
-  void for_each_arc(const Node node, const Sight_part part, const Known& known, F f) const
-  {
+    const auto append = [&](const Node target, const double length, const Arrival& arrival) {
+      if(++number % arcs_between_checks == 0)
+        check_for_interruption();
+      candidates.make_room(1);
+      candidates.append(true, node, label, target, length, arrival);
+    };
+    using Visitor = Arc_visitor<Labels, decltype(append)>;
+    Visitor visitor{{}, *this, labels, append};
+    Sight_expansion<Visitor> expansion(graph().m_tables, label, visitor, part);
     const Intrinsic_triangulation& t = graph().triangulation();
-    using Visitor = Arc_visitor<Known, F>;
-    Visitor visitor{{}, known, f};
-    Sight_expansion<Visitor> expansion(graph().m_steps, graph().m_bends, known.label(node), visitor,
-                                       part);
-    Vertex_sights(t, graph().m_steps, graph().m_bends)
+    Vertex_sights(t, graph().m_tables)
         .for_each(
-            node, known.arrival(node),
-            [&](const Node h) { f(t.target(h), t.length(h), Arrival::along(h)); },
+            node, m_arrival[node],
+            [&](const Node h) { append(t.target(h), t.length(h), Arrival::along(h)); },
             [&](const Sight& sight, const Node left_end, const Node right_end) {
               expansion.look(sight, left_end, right_end);
             });
@@ -402,7 +353,10 @@ private:
     };
   }
 
-  Upper_bounds m_bounds;
+  // For each node, a number that its distance does not exceed, or above which the distance is of no
+  // interest; infinity if there is none.
+  std::vector<double> m_bound;
+  std::vector<Node> m_bounded_nodes;              // before the search
   std::vector<Arrival> m_arrival;                 // meaningful where there is a label
   double m_limit = 0;                             // of labels
   std::function<double(Node)> m_distance_to_goal; // during a search; empty without a heuristic

@@ -160,6 +160,26 @@ struct Sight
   // Edges shorter than this, in units of the triangulation, have no direction.
   static constexpr double SHORTEST_EDGE = 1e-100;
 
+  Sight() = default;
+
+  // Sees all between the ends of the edge.
+  Sight(const Index h,
+        const Plane_vector source,
+        const Plane_vector target,
+        const Plane_vector vector,
+        const double distance_of_source,
+        const double distance_of_target)
+    : halfedge(h),
+      left(source),
+      right(target),
+      edge(vector),
+      left_distance(distance_of_source),
+      right_distance(distance_of_target),
+      left_ray(source, distance_of_source),
+      right_ray(target, distance_of_target)
+  {
+  }
+
   Index halfedge = 0;                         // that of the edge whose face lies ahead, to its left
   Index milestone = 0;                        // one of the halfedges on the way
   std::uint32_t depth = 0;                    // the number of faces on the way

@@ -53,12 +53,15 @@ class Sight_expansion
   static constexpr double rounding = Sight::ROUNDING;
 
 public:
-  Sight_expansion(const Face_steps& steps,
-                  const Bends& bends,
+  Sight_expansion(const Sight_tables& tables,
                   const double label_of_tip,
                   Visitor& visitor,
                   const Sight_part part = Sight_part())
-    : m_steps(steps), m_bends(bends), m_label_of_tip(label_of_tip), m_visitor(visitor), m_part(part)
+    : m_tables(tables),
+      m_steps(tables.steps),
+      m_label_of_tip(label_of_tip),
+      m_visitor(visitor),
+      m_part(part)
   {
   }
 
@@ -154,9 +157,9 @@ private:
   {
     const Crossing here{sight.halfedge, sight.left, sight.right};
     if(BOOST_UNLIKELY(sight.halfedge == sight.milestone) &&
-       m_steps.winding().is_over(here, m_milestones[number_of_milestones(sight.depth) - 1],
-                                 sight.left_ray.direction, sight.right_ray.direction,
-                                 height_of_face))
+       m_tables.winding.is_over(here, m_milestones[number_of_milestones(sight.depth) - 1],
+                                sight.left_ray.direction, sight.right_ray.direction,
+                                height_of_face))
       return true;
     if(Winding::is_milestone(sight.depth))
     {
@@ -192,7 +195,7 @@ private:
     if(!(distance > 0)) // nothing is seen through an edge with both ends where the tip is
       return sight.right_distance > 0 ? 1 : -1;
     const Face_step& step = apex.step;
-    const bool hides_nothing = m_bends.hides_nothing(step.apex);
+    const bool hides_nothing = m_tables.bends.hides_nothing(step.apex);
     const bool is_left_empty =
         hides_nothing && leads_away(step.left, apex.left_edge, sight.left_distance, distance);
     const bool is_right_empty = hides_nothing && leads_away(step.right, step.right_edge(sight.edge),
@@ -306,8 +309,8 @@ private:
     return go_left(sight, apex);
   }
 
+  const Sight_tables& m_tables;
   const Face_steps& m_steps;
-  const Bends& m_bends;
   const double m_label_of_tip;
   Visitor& m_visitor;
   const Sight_part m_part;

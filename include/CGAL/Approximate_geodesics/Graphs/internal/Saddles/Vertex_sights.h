@@ -259,6 +259,22 @@ private:
   const Index m_vertex;
 };
 
+// What is computed in advance for searches for lines of sight.
+struct Sight_tables
+{
+  // Throws if a face breaks the triangle inequality.
+  Sight_tables(const Intrinsic_triangulation& triangulation, const Loop& loop)
+    : steps(triangulation, loop), bends(triangulation, steps), winding(triangulation)
+  {
+  }
+
+  std::size_t memory() const { return memory_of(steps, bends); }
+
+  Face_steps steps;
+  Bends bends;
+  Winding winding;
+};
+
 /*
  * The edges, and the sights across faces, on which paths continue that arrive at a vertex on a
  * given line.
@@ -268,10 +284,8 @@ class Vertex_sights
   using Boundary = Bend_sectors::Boundary;
 
 public:
-  Vertex_sights(const Intrinsic_triangulation& triangulation,
-                const Face_steps& steps,
-                const Bends& bends)
-    : m_triangulation(triangulation), m_steps(steps), m_bends(bends)
+  Vertex_sights(const Intrinsic_triangulation& triangulation, const Sight_tables& tables)
+    : m_triangulation(triangulation), m_steps(tables.steps), m_bends(tables.bends)
   {
   }
 
@@ -366,27 +380,17 @@ private:
     if(!step.has_face() || step.right == null_index || !(distance > 0) ||
        !(step.across > 0 || step.along < 0))
       return;
-    Sight sight;
-    sight.halfedge = step.right;
-    sight.left = {distance * step.along, distance * step.across};
-    sight.right = {distance, 0};
-    sight.edge = step.right_edge(sight.right);
-    sight.left_distance = length(sight.left);
-    sight.right_distance = distance;
-    sight.left_ray = ray(left_direction, unit_corner(step), sight.left, sight.left_distance);
-    sight.right_ray = ray(right_direction, {1, 0}, sight.right, distance);
+    const Plane_vector left{distance * step.along, distance * step.across}, right{distance, 0};
+    Sight sight(step.right, left, right, step.right_edge(right), length(left), distance);
+    const auto narrow = [](Sight_ray& ray, const Plane_vector direction,
+                           const Plane_vector direction_of_vertex,
+                           const double distance_of_vertex) {
+      if(direction.x != direction_of_vertex.x || direction.y != direction_of_vertex.y)
+        ray = Sight_ray::boundary(direction, distance_of_vertex);
+    };
+    narrow(sight.left_ray, left_direction, unit_corner(step), sight.left_distance);
+    narrow(sight.right_ray, right_direction, {1, 0}, distance);
     on_sight(sight, step.apex, m_triangulation.target(h));
-  }
-
-  // The ray in a direction, which may be that of a vertex.
-  static Sight_ray ray(const Plane_vector direction,
-                       const Plane_vector direction_of_vertex,
-                       const Plane_vector vertex,
-                       const double distance)
-  {
-    const bool leads_to_vertex =
-        direction.x == direction_of_vertex.x && direction.y == direction_of_vertex.y;
-    return leads_to_vertex ? Sight_ray(vertex, distance) : Sight_ray::boundary(direction, distance);
   }
 
   const Intrinsic_triangulation& m_triangulation;
