@@ -56,7 +56,8 @@ private:
   Entry m_extracted{0, 0}; // the last extracted entry
 };
 
-// Reverses the order: Boost's heaps are max-heaps.
+// Reverses the order, as for Boost's heaps, which are max-heaps: the largest entry has the smallest
+// key.
 struct Has_larger_key
 {
   bool operator()(const Queue_entry& a, const Queue_entry& b) const { return a.key > b.key; }
@@ -213,8 +214,7 @@ public:
   {
     CGAL_precondition(!is_empty());
     const auto smallest =
-        std::min_element(m_entries.begin(), m_entries.end(),
-                         [](const Entry& a, const Entry& b) { return a.key < b.key; });
+        std::max_element(m_entries.begin(), m_entries.end(), internal::Has_larger_key());
     const Entry result = *smallest;
     *smallest = m_entries.back();
     m_position[smallest->node] = static_cast<Node>(smallest - m_entries.begin());
@@ -397,8 +397,8 @@ private:
   // The keys of a bucket agree in its bit, so they differ from their minimum in a lower bit only.
   void distribute(Bucket& bucket)
   {
-    const auto smallest = std::min_element(
-        bucket.begin(), bucket.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    const auto smallest =
+        std::max_element(bucket.begin(), bucket.end(), internal::Has_larger_key());
     m_least = bits_of(smallest->key);
     for(const Entry& e : bucket)
       bucket_of(e.key).push_back(e);
