@@ -12,7 +12,9 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_computation.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/tags.h>
@@ -144,8 +146,13 @@ approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
     return AG::internal::with_graph<AG::Discrete_geodesic_graph>(
         tmesh, np,
         [&](const auto& graph) {
+          const AG::Mesh_translation surface(tmesh, AG::internal::vertex_index_map(tmesh, np),
+                                             graph.triangulation());
+          const auto all = [&] {
+            return AG::internal::intrinsic_points(surface, vertices(tmesh), "target");
+          };
           return AG::internal::compute_distance_matrix(
-              graph, rows, AG::internal::matrix_points_on_mesh(tmesh, graph, sources, np), np);
+              graph, rows, AG::internal::matrix_points(surface, sources, all, np), np);
         },
         Sequential_tag()); // rows are parallel, so that exact searches need not be
   else
@@ -198,9 +205,10 @@ approximate_geodesic_distance_matrix(const SurfaceGraph& graph,
       "approximate_geodesic_distance_matrix() with a graph reads targets, maximum_distance, "
       "symmetric, concurrency_tag and visitor; pass the others to the graph");
 
+  const auto all = [&] { return AG::internal::all_vertices(graph.triangulation()); };
   if constexpr(AG::internal::check_rows<Rows>())
     return AG::internal::compute_distance_matrix(
-        graph, rows, AG::internal::matrix_points_on_graph(graph.triangulation(), sources, np), np);
+        graph, rows, AG::internal::matrix_points(graph.triangulation(), sources, all, np), np);
   else
     return false;
 }

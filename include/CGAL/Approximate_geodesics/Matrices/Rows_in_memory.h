@@ -20,7 +20,6 @@
 #include <memory>
 #include <new>
 #include <numeric>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -237,17 +236,13 @@ struct Compressed_rows
   // \pre Columns ascend, and the matrix is square.
   void make_symmetric()
   {
-    const Compressed_rows other = transposed();
-    Compressed_rows result;
-    result.starts.assign(starts.size(), 0);
-    for_each_of_both(other, [&](const std::size_t row, Column, T) { ++result.starts[row + 1]; });
-    result.allocate();
-    std::size_t i = 0;
-    for_each_of_both(other, [&](std::size_t, const Column column, const T distance) {
-      result.columns[i] = column;
-      result.distances[i++] = distance;
+    const std::size_t number_of_rows = starts.size() - 1;
+    const Compressed_rows other = collected(number_of_rows, [&](const auto& add) {
+      for(std::size_t row = 0; row < number_of_rows; ++row)
+        for(std::size_t i = starts[row]; i < starts[row + 1]; ++i)
+          add(columns[i], static_cast<Column>(row), distances[i]);
     });
-    *this = std::move(result);
+    *this = collected(number_of_rows, [&](const auto& add) { for_each_of_both(other, add); });
   }
 
 private:
@@ -271,22 +266,19 @@ private:
     }
   }
 
-  Compressed_rows transposed() const
+  // Returns a matrix with the entries for which `for_each(add)` calls `add(row, column, distance)`.
+  template <typename ForEach>
+  static Compressed_rows collected(const std::size_t number_of_rows, const ForEach& for_each)
   {
-    const std::size_t number_of_rows = starts.size() - 1;
     Compressed_rows result;
-    result.starts.assign(starts.size(), 0);
-    for(std::size_t i = 0; i < starts.back(); ++i)
-      ++result.starts[columns[i] + 1];
+    result.starts.assign(number_of_rows + 1, 0);
+    for_each([&](const std::size_t row, Column, T) { ++result.starts[row + 1]; });
     result.allocate();
     std::vector<std::size_t> next = result.starts;
-    for(std::size_t row = 0; row < number_of_rows; ++row)
-      for(std::size_t i = starts[row]; i < starts[row + 1]; ++i)
-      {
-        const std::size_t to = next[columns[i]]++;
-        result.columns[to] = static_cast<Column>(row);
-        result.distances[to] = distances[i];
-      }
+    for_each([&](const std::size_t row, const Column column, const T distance) {
+      result.columns[next[row]] = column;
+      result.distances[next[row]++] = distance;
+    });
     return result;
   }
 

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <ratio>
 #include <type_traits>
 
@@ -174,6 +175,15 @@ template <typename Number>
 double value_of_number(const Number& number)
 {
   return Known_number<Number>::value(number);
+}
+
+// The distance beyond which nothing is reached: infinity by default.
+template <typename NamedParameters>
+double maximum_distance(const NamedParameters& np)
+{
+  return CGAL::to_double(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_distance),
+                                   std::numeric_limits<double>::infinity()));
 }
 
 template <typename NamedParameters, typename... Tags>

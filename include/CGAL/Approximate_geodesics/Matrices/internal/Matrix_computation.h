@@ -76,7 +76,7 @@ public:
     for(const Intrinsic_point& p : points)
     {
       if(!p.is_vertex())
-        m_points.columns.push_back(static_cast<Column>(m_vertices.size()));
+        m_columns_of_points.push_back(static_cast<Column>(m_vertices.size()));
       m_vertices.push_back(p.vertex);
     }
     sort_by_vertex(graph.triangulation().number_of_vertices());
@@ -84,7 +84,7 @@ public:
   }
 
   std::size_t size() const { return m_vertices.size(); }
-  bool are_vertices() const { return m_points.columns.empty(); }
+  bool are_vertices() const { return m_columns_of_points.empty(); }
 
   // Returns the number of columns whose target is a node.
   std::size_t number_at(const Index node) const
@@ -123,15 +123,6 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // Columns whose targets are not vertices. Points are attached to the graph once for all rows,
-  // unless attachment depends on the search.
-  struct Point_columns
-  {
-    std::vector<Column> columns;
-    Points_by_face points;
-    std::vector<std::vector<Last_arc>> arcs; // by point, in units of the graph
-  };
-
   bool is_vertex(const Index node) const { return node + std::size_t(1) < m_first_at.size(); }
 
   static void set(const Column column, const double distance, Distance_row& row)
@@ -143,17 +134,17 @@ private:
   void attach(const Graph& graph, const std::vector<Intrinsic_point>& points)
   {
     std::vector<Intrinsic_point> points_of_columns;
-    for(const Column column : m_points.columns)
+    for(const Column column : m_columns_of_points)
     {
       points_of_columns.push_back(points[column]);
-      std::vector<Last_arc>& arcs = m_points.arcs.emplace_back();
+      std::vector<Last_arc>& arcs = m_arcs.emplace_back();
       if constexpr(!Run_of<Graph>::attaches_by_labels)
         attach_target(graph, points[column])
             .for_each_node([&](const auto node, const double length) {
               arcs.push_back({node, length});
             });
     }
-    m_points.points = Points_by_face(graph.triangulation(), std::move(points_of_columns));
+    m_points = Points_by_face(graph.triangulation(), std::move(points_of_columns));
   }
 
   template <typename SurfaceSearch>
@@ -162,15 +153,15 @@ private:
     if(are_vertices())
       return;
     if constexpr(Run_of<Graph>::attaches_by_labels)
-      for(std::size_t i = 0; i < m_points.columns.size(); ++i)
-        set(m_points.columns[i], search.distance(m_points.points[i]), row);
+      for(std::size_t i = 0; i < m_columns_of_points.size(); ++i)
+        set(m_columns_of_points[i], search.distance(m_points[i]), row);
     else
     {
       std::vector<double> distances = distances_by_line(search);
-      for(std::size_t i = 0; i < m_points.columns.size(); ++i)
+      for(std::size_t i = 0; i < m_columns_of_points.size(); ++i)
       {
         const double distance = (std::min)(distances[i], distance_over_nodes(search, i));
-        set(m_points.columns[i], search.is_known(distance) ? distance : infinity, row);
+        set(m_columns_of_points[i], search.is_known(distance) ? distance : infinity, row);
       }
     }
   }
@@ -182,11 +173,11 @@ private:
   {
     const Graph& graph = search.graph();
     const Source_point& source = search.sources().front();
-    std::vector<double> result(m_points.columns.size(), infinity);
+    std::vector<double> result(m_columns_of_points.size(), infinity);
     if(source.point.is_vertex())
       return result;
     graph.attach(source.point)
-        .for_each_point(m_points.points, [&](const std::size_t i, const double length) {
+        .for_each_point(m_points, [&](const std::size_t i, const double length) {
           result[i] = (std::min)(result[i], source.distance + length * graph.unit());
         });
     return result;
@@ -196,7 +187,7 @@ private:
   double distance_over_nodes(const SurfaceSearch& search, const std::size_t i) const
   {
     double result = infinity;
-    for(const auto& [node, length] : m_points.arcs[i])
+    for(const auto& [node, length] : m_arcs[i])
       result = (std::min)(result, search.search().distance(node) + length * search.graph().unit());
     return result;
   }
@@ -219,7 +210,12 @@ private:
   std::vector<Index> m_vertices;  // by column; null_index if not a vertex
   std::vector<Column> m_first_at; // by vertex, into m_columns
   std::vector<Column> m_columns;  // grouped by vertex
-  Point_columns m_points;
+
+  // Columns whose targets are not vertices. Points are attached to the graph once for all rows,
+  // unless attachment depends on the search.
+  std::vector<Column> m_columns_of_points;
+  Points_by_face m_points;
+  std::vector<std::vector<Last_arc>> m_arcs; // by point, in units of the graph
 };
 
 // What the rows of a distance matrix are computed from. Nothing is copied.
@@ -341,9 +337,7 @@ using Block_of = typename Rows::Block;
 template <typename Rows>
 using Number_of_nearest = decltype(std::declval<const Rows&>().number_of_nearest());
 template <typename Rows>
-using Next_block = decltype(std::declval<Rows&>().next_block());
-template <typename Rows>
-using Number_done = decltype(std::declval<const Rows&>().number_of_rows_done());
+using Next_block = decltype(std::declval<Rows&>().next_block()); // and number_of_rows_done()
 template <typename Rows>
 using Can_be_symmetric = std::bool_constant<Rows::can_be_symmetric>;
 
@@ -531,7 +525,7 @@ private:
 
   std::size_t number_done() const
   {
-    if constexpr(boost::is_detected_v<Number_done, Rows>)
+    if constexpr(boost::is_detected_v<Next_block, Rows>)
       return m_rows.number_of_rows_done();
     else
       return m_done;

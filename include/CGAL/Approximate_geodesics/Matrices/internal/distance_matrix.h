@@ -15,20 +15,16 @@
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_computation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
 
 #include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -37,70 +33,32 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// `read(points, role)` converts points, and `all()` returns the points at all vertices.
-template <typename Read, typename All, typename Sources, typename NamedParameters>
-Matrix_points matrix_points(const Read& read,
-                            [[maybe_unused]] const All& all,
-                            const Sources& sources,
-                            const NamedParameters& np)
-{
-  constexpr bool has_targets = is_given<NamedParameters, internal_np::targets_t>;
-  std::vector<Intrinsic_point> rows = read(sources, "source");
-  if constexpr(has_targets)
-    return {std::move(rows), read(parameters::get_parameter(np, internal_np::targets), "target"),
-            has_targets};
-  else
-    return {std::move(rows), all(), has_targets};
-}
-
-// Reads the points of a mesh.
-
-template <typename TriangleMesh, typename Graph, typename Sources, typename NamedParameters>
-Matrix_points matrix_points_on_mesh(const TriangleMesh& tmesh,
-                                    const Graph& graph,
-                                    const Sources& sources,
-                                    const NamedParameters& np)
-{
-  const Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
-  const auto read = [&](const auto& points, const char* const role) {
-    return intrinsic_points(translation, points, role);
-  };
-  return matrix_points(
-      read, [&] { return read(vertices(tmesh), "target"); }, sources, np);
-}
-
-// Reads a point of a graph: a vertex index or an intrinsic point.
-
-template <typename Point>
-Intrinsic_point
-intrinsic_point(const Intrinsic_triangulation& triangulation, const Point& point, const char* kind)
-{
-  if constexpr(std::is_integral_v<Point>)
-  {
-    if constexpr(std::is_signed_v<Point>)
-      if(point < 0)
-        reject(std::string(kind) + ' ' + std::to_string(point) + " is negative");
-    const auto vertex = triangulation.vertex(static_cast<std::size_t>(point));
-    if(vertex == Intrinsic_triangulation::null_index)
-      reject(std::string(kind) + ' ' + std::to_string(point) +
-             " is not the index of a vertex of the mesh");
-    return Intrinsic_point::at_vertex(vertex);
-  }
-  else
-    return point;
-}
-
+// Reads points of a graph: vertex indices or intrinsic points. Those of a mesh are read by the
+// function of the same name in `Mesh_translation.h`.
 template <typename Points>
 std::vector<Intrinsic_point> intrinsic_points(const Intrinsic_triangulation& triangulation,
                                               const Points& points,
-                                              const char* const kind)
+                                              const char* const role)
 {
   std::vector<Intrinsic_point> result;
   for(const auto& point : points)
   {
-    result.push_back(intrinsic_point(triangulation, point, kind));
+    using Point = std::decay_t<decltype(point)>;
+    if constexpr(std::is_integral_v<Point>)
+    {
+      const auto name = [&] { return std::string(role) + ' ' + std::to_string(point); };
+      if constexpr(std::is_signed_v<Point>)
+        if(point < 0)
+          reject(name() + " is negative");
+      const auto vertex = triangulation.vertex(static_cast<std::size_t>(point));
+      if(vertex == Intrinsic_triangulation::null_index)
+        reject(name() + " is not the index of a vertex of the mesh");
+      result.push_back(Intrinsic_point::at_vertex(vertex));
+    }
+    else
+      result.push_back(point);
     if(!result.back().is_valid(triangulation))
-      reject(std::string(kind) + ' ' + std::to_string(result.size() - 1) +
+      reject(std::string(role) + ' ' + std::to_string(result.size() - 1) +
              " is not a point of the triangulated surface");
   }
   return result;
@@ -117,16 +75,22 @@ inline std::vector<Intrinsic_point> all_vertices(const Intrinsic_triangulation& 
   return result;
 }
 
-template <typename Sources, typename NamedParameters>
-Matrix_points matrix_points_on_graph(const Intrinsic_triangulation& triangulation,
-                                     const Sources& sources,
-                                     const NamedParameters& np)
+// Reads the sources of the rows, and the targets of the columns: `all()` returns the points at all
+// vertices. `surface` is the triangulation, or its translation to the mesh.
+template <typename Surface, typename Sources, typename All, typename NamedParameters>
+Matrix_points matrix_points(const Surface& surface,
+                            const Sources& sources,
+                            [[maybe_unused]] const All& all,
+                            const NamedParameters& np)
 {
-  return matrix_points(
-      [&](const auto& points, const char* const role) {
-        return intrinsic_points(triangulation, points, role);
-      },
-      [&] { return all_vertices(triangulation); }, sources, np);
+  std::vector<Intrinsic_point> rows = intrinsic_points(surface, sources, "source");
+  if constexpr(is_given<NamedParameters, internal_np::targets_t>)
+    return {
+        std::move(rows),
+        intrinsic_points(surface, parameters::get_parameter(np, internal_np::targets), "target"),
+        true};
+  else
+    return {std::move(rows), all(), false};
 }
 
 inline bool are_the_same(const std::vector<Intrinsic_point>& a,
@@ -157,9 +121,7 @@ inline std::vector<std::size_t> order_of_rows(const Intrinsic_triangulation& tri
 template <typename NamedParameters>
 double checked_maximum_distance(const NamedParameters& np)
 {
-  const double result = CGAL::to_double(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_distance),
-                                   std::numeric_limits<double>::infinity()));
+  const double result = maximum_distance(np);
   if(!(result >= 0))
     reject("maximum_distance is " + text_of(result) + "; it must not be negative");
   return result;

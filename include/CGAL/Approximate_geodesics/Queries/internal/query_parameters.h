@@ -34,7 +34,6 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -74,14 +73,6 @@ constexpr bool needs_faces =
                                                  internal_np::epsilon_t,
                                                  internal_np::number_of_points_per_edge_t,
                                                  internal_np::straighten_t>;
-
-template <typename NamedParameters>
-double maximum_distance(const NamedParameters& np)
-{
-  return CGAL::to_double(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_distance),
-                                   std::numeric_limits<double>::infinity()));
-}
 
 // Reads the initial distances of sources or seeds.
 template <typename NamedParameters, typename Source>
