@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
@@ -133,8 +134,8 @@ constexpr bool has_directional_cost =
 template <typename Vector_3>
 double slope(const Vector_3& direction)
 {
-  const double x = CGAL::to_double(direction.x()), y = CGAL::to_double(direction.y());
-  const double z = CGAL::to_double(direction.z()), run = std::sqrt(x * x + y * y);
+  const auto [x, y, z] = space_vector(direction);
+  const double run = std::sqrt(x * x + y * y);
   return run > 0 ? z / run : std::copysign(std::numeric_limits<double>::infinity(), z);
 }
 
@@ -277,8 +278,7 @@ public:
   double operator()(const Face& face, const Vector_3& direction) const
   {
     const std::array<double, 6> a = get(m_tensors, face);
-    const double x = CGAL::to_double(direction.x()), y = CGAL::to_double(direction.y()),
-                 z = CGAL::to_double(direction.z());
+    const auto [x, y, z] = internal::space_vector(direction);
     const double square = a[0] * x * x + a[3] * y * y + a[5] * z * z +
                           2 * (a[1] * x * y + a[2] * x * z + a[4] * y * z);
     return std::isfinite(square) ? std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
@@ -329,9 +329,8 @@ public:
   {
     constexpr double rounding = 1e-12;
     const auto& way = get(m_ways, face);
-    const double x = CGAL::to_double(way.x()), y = CGAL::to_double(way.y());
-    const double length =
-        std::hypot(std::hypot(x, y), CGAL::to_double(way.z())); // does not overflow
+    const auto [x, y, z] = internal::space_vector(way);
+    const double length = std::hypot(std::hypot(x, y), z); // does not overflow
     if(!std::isfinite(length))
       return std::numeric_limits<double>::quiet_NaN();
     const bool is_allowed =
