@@ -114,7 +114,8 @@ double sample_farthest(const Graph& graph,
  * \param number_of_points the number of points. Fewer are chosen if all distances are zero, hence
  *        at most as many as there are vertices.
  * \param sources a vertex, or a range of vertices, treated as if chosen before; they are not
- *        written to `points`. If there are none, the first point is the first vertex.
+ *        written to `points`. If there are none, the first point is the first vertex. They can be
+ *        omitted: named parameters then follow the number of points.
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among
  *           `vertex_point_map`, `edge_length_map`, `epsilon`, `maximum_number_of_points`,
  *           `maximum_number_of_points_per_edge`, `accept_weaker_bound`,
@@ -138,66 +139,45 @@ double sample_farthest(const Graph& graph,
  * \sa `approximate_geodesic_distances()`
  * \sa `voronoi_partition()`
  */
-template <typename TriangleMesh,
-          typename OutputIterator,
-          typename Integer,
-          typename Sources,
-          typename NamedParameters = parameters::Default_named_parameters>
-#ifdef DOXYGEN_RUNNING
-double
-#else
-std::enable_if_t<!internal::is_named_parameters<Sources>, double>
-#endif
-farthest_point_sampling(const TriangleMesh& tmesh,
-                        OutputIterator points,
-                        const Integer number_of_points,
-                        const Sources& sources,
-                        const NamedParameters& np = parameters::default_values())
-{
-  static_assert(
-      !internal::query_ignores_any<NamedParameters>,
-      "farthest_point_sampling() reads epsilon, number_of_points_per_edge, and parameters that "
-      "describe the mesh only; it always searches the whole mesh");
-  static_assert(internal::are_vertices<TriangleMesh, Sources>,
-                "farthest_point_sampling() takes a vertex or a range of vertices as sources");
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
-  internal::check_number_of_points(number_of_points);
-  // precomputing all arcs pays off for ten or more points
-  return internal::with_graph<Discrete_geodesic_graph>(tmesh, np, [&](const auto& graph) {
-    const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
-                                       graph.triangulation());
-    const std::vector<vertex_descriptor> candidates(vertices(tmesh).begin(), vertices(tmesh).end());
-    return internal::sample_farthest(
-        graph, internal::intrinsic_points(translation, sources, "source"), candidates.size(),
-        static_cast<std::size_t>(number_of_points),
-        [&](const std::size_t i) { return translation.node(candidates[i]); },
-        [&](const std::size_t i) { *points++ = candidates[i]; });
-  });
-}
-
-/*!
- * \ingroup PkgApproximateGeodesicsQueries
- *
- * chooses vertices without sources: the first point is the first vertex.
- */
-template <typename TriangleMesh,
-          typename OutputIterator,
-          typename Integer,
-          typename NamedParameters = parameters::Default_named_parameters>
-#ifdef DOXYGEN_RUNNING
-double
-#else
-std::enable_if_t<internal::is_named_parameters<NamedParameters>, double>
-#endif
-farthest_point_sampling(const TriangleMesh& tmesh,
-                        OutputIterator points,
-                        const Integer number_of_points,
-                        const NamedParameters& np = parameters::default_values())
+template <
+    typename TriangleMesh,
+    typename OutputIterator,
+    typename Integer,
+    typename Sources = std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 0>,
+    typename NamedParameters = parameters::Default_named_parameters>
+double farthest_point_sampling(const TriangleMesh& tmesh,
+                               OutputIterator points,
+                               const Integer number_of_points,
+                               const Sources& sources = Sources(),
+                               const NamedParameters& np = parameters::default_values())
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  return farthest_point_sampling(tmesh, points, number_of_points,
-                                 std::array<vertex_descriptor, 0>(), np);
+  if constexpr(internal::is_named_parameters<Sources>) // sources are omitted
+    return farthest_point_sampling(tmesh, points, number_of_points,
+                                   std::array<vertex_descriptor, 0>(), sources);
+  else
+  {
+    static_assert(
+        !internal::query_ignores_any<NamedParameters>,
+        "farthest_point_sampling() reads epsilon, number_of_points_per_edge, and parameters that "
+        "describe the mesh only; it always searches the whole mesh");
+    static_assert(internal::are_vertices<TriangleMesh, Sources>,
+                  "farthest_point_sampling() takes a vertex or a range of vertices as sources");
+
+    internal::check_number_of_points(number_of_points);
+    // precomputing all arcs pays off for ten or more points
+    return internal::with_graph<Discrete_geodesic_graph>(tmesh, np, [&](const auto& graph) {
+      const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
+                                         graph.triangulation());
+      const std::vector<vertex_descriptor> candidates(vertices(tmesh).begin(),
+                                                      vertices(tmesh).end());
+      return internal::sample_farthest(
+          graph, internal::intrinsic_points(translation, sources, "source"), candidates.size(),
+          static_cast<std::size_t>(number_of_points),
+          [&](const std::size_t i) { return translation.node(candidates[i]); },
+          [&](const std::size_t i) { *points++ = candidates[i]; });
+    });
+  }
 }
 
 } // namespace CGAL::Approximate_geodesics
