@@ -143,8 +143,7 @@ public:
             typename = std::enable_if_t<!std::is_same_v<NamedParameters, Graph>>>
   explicit Surface_mesh_shortest_path(const Triangle_mesh& tmesh,
                                       const NamedParameters& np = parameters::default_values())
-    : Surface_mesh_shortest_path(
-          tmesh, Graph_holder{Graph(Intrinsic_triangulation(tmesh, np), np)}, np)
+    : Surface_mesh_shortest_path(Graph(Intrinsic_triangulation(tmesh, np), np), tmesh, np)
   {
     static_assert(
         !internal::query_ignores_any<NamedParameters, internal_np::nb_points_per_distance_unit_t,
@@ -164,7 +163,7 @@ public:
   Surface_mesh_shortest_path(const Triangle_mesh& tmesh,
                              Graph graph,
                              const NamedParameters& np = parameters::default_values())
-    : Surface_mesh_shortest_path(tmesh, Graph_holder{std::move(graph)}, np)
+    : Surface_mesh_shortest_path(std::move(graph), tmesh, np)
   {
     static_assert(
         !internal::ignores_any<NamedParameters>,
@@ -557,18 +556,11 @@ private:
   using Translation = Mesh_translation<Triangle_mesh, Index_function>;
   using Mesh_search = internal::Mesh_search<Graph, PriorityQueue, Translation, Point_function>;
 
-  // Disambiguates the delegated constructor from the one that takes a graph.
-  struct Graph_holder
-  {
-    Graph graph;
-  };
-
+  // The constructor that the others delegate to.
   template <typename NamedParameters>
-  Surface_mesh_shortest_path(const Triangle_mesh& tmesh,
-                             Graph_holder holder,
-                             const NamedParameters& np)
+  Surface_mesh_shortest_path(Graph graph, const Triangle_mesh& tmesh, const NamedParameters& np)
     : Locations(tmesh, internal::vertex_point_map(tmesh, np)),
-      m_graph(std::move(holder.graph)),
+      m_graph(std::move(graph)),
       m_translation(tmesh,
                     internal::function_property_map<vertex_descriptor, std::size_t>(
                         internal::vertex_index_map(tmesh, np)),
