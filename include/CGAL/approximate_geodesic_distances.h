@@ -10,7 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/search_once.h>
 
 namespace CGAL {
 namespace Approximate_geodesics::internal {

@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/search_once.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <optional>

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Queries/internal/search_once.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 
 #include "checks/expect_message.h"
 #include "checks/parts_of_meshes.h"

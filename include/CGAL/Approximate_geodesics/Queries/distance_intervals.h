@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/search_once.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Named_function_parameters.h>
 

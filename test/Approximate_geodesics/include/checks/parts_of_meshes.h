@@ -10,7 +10,7 @@
 #include "meshes/surface_points.h"
 #include "oracles/test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Queries/internal/search_once.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 #include <CGAL/iterator.h>

@@ -124,7 +124,6 @@ class Mesh_part
   using Graph_traits = boost::graph_traits<TriangleMesh>;
 
 public:
-  using Triangle_mesh = TriangleMesh;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
@@ -348,125 +347,106 @@ template <typename TriangleMesh>
 struct Mesh_place
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using Vertex = typename Graph_traits::vertex_descriptor;
 
-  // The vertices, with weights that add up to 1: one, two on an edge, or three in a face; the last
-  // one is repeated with weight 0.
-  std::array<Vertex, 3> corner;
-  std::array<double, 3> weight;
-  std::size_t number_of_corners;
+  Space_vector position;
 
   // A halfedge whose face contains the point; null for an isolated vertex.
   typename Graph_traits::halfedge_descriptor halfedge;
+  typename Graph_traits::vertex_descriptor isolated_vertex = Graph_traits::null_vertex();
 };
 
-// These functions throw `std::invalid_argument` if the point may be invalid.
-
-inline void check_place(const bool is_valid)
-{
-  if(!is_valid)
-    reject("a source or a target may be invalid"); // it is caught
-}
-
-// Returns a halfedge of the edge of `h` with a face to its left.
-template <typename TriangleMesh>
-auto side_of_edge(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
-                  const TriangleMesh& tmesh)
-{
-  if(!is_border(h, tmesh))
-    return h;
-  const auto g = opposite(h, tmesh);
-  check_place(!is_border(g, tmesh));
-  return g;
-}
-
-template <typename TriangleMesh>
-Mesh_place<TriangleMesh>
-checked_place(const TriangleMesh& tmesh,
-              const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
-{
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  check_place(may_be_element(v, Graph_traits::null_vertex(), num_vertices(tmesh), tmesh));
-  const auto h = halfedge(v, tmesh);
-  const bool is_isolated = h == Graph_traits::null_halfedge();
-  const auto side = is_isolated ? h : side_of_edge(h, tmesh);
-  check_place(is_isolated || target(h, tmesh) == v);
-  return {{v, v, v}, {1, 0, 0}, 1, side};
-}
-
-template <typename TriangleMesh>
-Mesh_place<TriangleMesh> checked_place(
-    const TriangleMesh& tmesh,
-    const std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>& point)
-{
-  const auto [h, t] = point;
-  check_point(h, t, tmesh);
-  const auto v = source(h, tmesh), w = target(h, tmesh);
-  return {{v, w, w}, {1 - t, t, 0}, 2, side_of_edge(h, tmesh)};
-}
-
-template <typename TriangleMesh, typename FT>
-Mesh_place<TriangleMesh>
-checked_place(const TriangleMesh& tmesh,
-              const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
-                              std::array<FT, 3>>& location)
-{
-  const auto& [f, coordinates] = location;
-  const std::array<double, 3> weights = checked_weights(f, coordinates, tmesh);
-  check_place(is_linked_triangle(f, tmesh));
-  const auto h = halfedge(f, tmesh), g = next(h, tmesh);
-  return {{source(h, tmesh), source(g, tmesh), source(next(g, tmesh), tmesh)}, weights, 3, h};
-}
-
-template <typename TriangleMesh>
-Mesh_place<TriangleMesh> checked_place(const TriangleMesh& tmesh,
-                                       const Surface_point<TriangleMesh>& point)
-{
-  return std::visit([&](const auto& p) { return checked_place(tmesh, p); }, point);
-}
-
 /*
- * Positions of vertices and other points of a mesh, relative to one of the vertices, which avoids
- * cancellation if the origin is far away.
+ * Positions of vertices and other points of a mesh, relative to the first vertex that is asked for,
+ * which avoids cancellation if the origin is far away.
  */
 template <typename TriangleMesh, typename NamedParameters>
 class Mesh_positions
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Place = Mesh_place<TriangleMesh>;
   using Point_map = decltype(vertex_point_map(std::declval<const TriangleMesh&>(),
                                               std::declval<const NamedParameters&>()));
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
 public:
-  Mesh_positions(const TriangleMesh& tmesh,
-                 const NamedParameters& np,
-                 const vertex_descriptor origin)
-    : m_point_map(vertex_point_map(tmesh, np)),
+  Mesh_positions(const TriangleMesh& tmesh, const NamedParameters& np)
+    : m_mesh(tmesh),
+      m_point_map(vertex_point_map(tmesh, np)),
       m_traits(parameters::choose_parameter<Traits>(
-          parameters::get_parameter(np, internal_np::geom_traits))),
-      m_origin(double_point(get(m_point_map, origin), m_traits))
+          parameters::get_parameter(np, internal_np::geom_traits)))
   {
   }
 
-  Space_vector operator()(const vertex_descriptor v) const
+  Space_vector operator()(const vertex_descriptor v)
   {
-    return difference(double_point(get(m_point_map, v), m_traits), m_origin);
+    const Space_vector p = double_point(get(m_point_map, v), m_traits);
+    if(!m_origin)
+      m_origin = p;
+    return difference(p, *m_origin);
   }
 
-  Space_vector operator()(const Mesh_place<TriangleMesh>& place) const
+  // These functions throw `std::invalid_argument` if the point may be invalid.
+
+  Place place(const vertex_descriptor v)
   {
-    const Space_vector first = (*this)(place.corner[0]);
-    Space_vector result = first;
-    for(std::size_t i = 1; i < place.number_of_corners; ++i)
-      result =
-          linear_combination(result, place.weight[i], difference((*this)(place.corner[i]), first));
-    return result;
+    check(may_be_element(v, Graph_traits::null_vertex(), num_vertices(m_mesh), m_mesh));
+    const halfedge_descriptor h = halfedge(v, m_mesh);
+    if(h == Graph_traits::null_halfedge())
+      return {(*this)(v), h, v};
+    check(target(h, m_mesh) == v);
+    return {(*this)(v), side_of_edge(h)};
+  }
+
+  Place place(const std::pair<halfedge_descriptor, double>& point)
+  {
+    const auto [h, t] = point;
+    check_point(h, t, m_mesh);
+    const halfedge_descriptor side = side_of_edge(h);
+    const Space_vector start = (*this)(source(h, m_mesh));
+    const Space_vector way = difference((*this)(target(h, m_mesh)), start);
+    return {linear_combination(start, t, way), side};
+  }
+
+  template <typename FT>
+  Place place(const std::pair<face_descriptor, std::array<FT, 3>>& location)
+  {
+    const auto& [f, coordinates] = location;
+    const std::array<double, 3> weights = checked_weights(f, coordinates, m_mesh);
+    check(is_linked_triangle(f, m_mesh));
+    const halfedge_descriptor h = halfedge(f, m_mesh), g = next(h, m_mesh);
+    const Space_vector a = (*this)(source(h, m_mesh)), b = (*this)(source(g, m_mesh));
+    const Space_vector c = (*this)(target(g, m_mesh));
+    const Space_vector on_edge = linear_combination(a, weights[1], difference(b, a));
+    return {linear_combination(on_edge, weights[2], difference(c, a)), h};
+  }
+
+  Place place(const Surface_point<TriangleMesh>& point)
+  {
+    return std::visit([this](const auto& p) { return this->place(p); }, point);
   }
 
 private:
+  static void check(const bool is_valid)
+  {
+    if(!is_valid)
+      reject("a source or a target may be invalid"); // it is caught
+  }
+
+  // Returns a halfedge of the edge of `h` with a face to its left.
+  halfedge_descriptor side_of_edge(const halfedge_descriptor h) const
+  {
+    const halfedge_descriptor side = is_border(h, m_mesh) ? opposite(h, m_mesh) : h;
+    check(!is_border(side, m_mesh));
+    return side;
+  }
+
+  const TriangleMesh& m_mesh;
   Point_map m_point_map;
   Traits m_traits;
-  Space_vector m_origin;
+  std::optional<Space_vector> m_origin;
 };
 
 /*
@@ -524,7 +504,7 @@ class Part_growth
 public:
   // All arguments are referred to, not copied. Growth fails beyond `largest_number_of_faces`.
   Part_growth(const TriangleMesh& tmesh,
-              const Positions& positions,
+              Positions& positions,
               const Detour& detour,
               const std::size_t largest_number_of_faces)
     : m_part(tmesh),
@@ -538,7 +518,7 @@ public:
   void start_at(const Mesh_place<TriangleMesh>& place)
   {
     if(place.halfedge == Graph_traits::null_halfedge())
-      m_part.add_vertex(place.corner[0]);
+      m_part.add_vertex(place.isolated_vertex);
     else
       m_entries.push_back(place.halfedge);
   }
@@ -646,7 +626,7 @@ private:
 
   Mesh_part<TriangleMesh> m_part;
   const TriangleMesh& m_mesh;
-  const Positions& m_positions;
+  Positions& m_positions;
   const Detour& m_detour;
   const std::size_t m_largest_number_of_faces;
   std::vector<halfedge_descriptor> m_entries; // whose faces will be added

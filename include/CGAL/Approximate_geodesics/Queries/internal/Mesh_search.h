@@ -9,8 +9,15 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
@@ -18,9 +25,11 @@
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -30,6 +39,8 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -66,79 +77,6 @@ private:
   Visitor& m_visitor;
   const Vertices& m_vertices;
 };
-
-// Writes `value(v, node)` for each vertex of a mesh and its node. If a part of the mesh was
-// searched, vertices outside the part have the null node.
-template <typename Translation, typename VertexMap, typename F>
-void put_for_all(const Translation& translation, VertexMap map, const F& value)
-{
-  using Triangle_mesh = typename Translation::Triangle_mesh;
-  for(const auto v : vertices(whole(translation.mesh())))
-  {
-    bool has_node = true;
-    if constexpr(is_part<Triangle_mesh>)
-      has_node = translation.mesh().number(v) != Triangle_mesh::null_index;
-    put(map, v, value(v, has_node ? translation.node(v) : Intrinsic_triangulation::null_index));
-  }
-}
-
-template <typename Search,
-          typename Translation,
-          typename VertexDistanceMap,
-          typename NamedParameters>
-void write_distances_and_sources(const Search& search,
-                                 const Translation& translation,
-                                 VertexDistanceMap distances,
-                                 [[maybe_unused]] const NamedParameters& np)
-{
-  constexpr bool with_sources = is_given<NamedParameters, internal_np::nearest_source_t>;
-  if constexpr(with_sources)
-    for(const auto node : search.reached_nodes())
-      if(search.source(node) != Search::null_source)
-        break; // the first source that is found allocates memory for all
-  put_for_all(translation, distances, [&](auto /* vertex */, const auto node) {
-    return node == Search::null_node ? std::numeric_limits<double>::infinity()
-                                     : search.distance(node);
-  });
-  if constexpr(with_sources)
-  {
-    const auto map = parameters::get_parameter(np, internal_np::nearest_source);
-    using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
-    put_for_all(translation, map, [&](auto /* vertex */, const auto node) {
-      return static_cast<Value>(node == Search::null_node ? Search::null_source
-                                                          : search.source(node));
-    });
-  }
-}
-
-// Writes the distances of a search, and the other results requested by named parameters, to
-// property maps. All memory is allocated before the first write.
-template <typename Search,
-          typename Translation,
-          typename VertexDistanceMap,
-          typename NamedParameters>
-void write_results(const Search& search,
-                   const Translation& translation,
-                   VertexDistanceMap distances,
-                   const NamedParameters& np)
-{
-  if constexpr(is_given<NamedParameters, internal_np::geodesic_predecessor_t>)
-  {
-    using Graph_traits = boost::graph_traits<typename Translation::Triangle_mesh>;
-    using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-    Vertex_predecessors<Search> predecessors(search);
-    write_distances_and_sources(search, translation, distances, np);
-    put_for_all(translation, parameters::get_parameter(np, internal_np::geodesic_predecessor),
-                [&](const vertex_descriptor v, const auto node) -> vertex_descriptor {
-                  if(node == Search::null_node || !search.is_reached(node))
-                    return Graph_traits::null_vertex();
-                  const auto before = predecessors(node);
-                  return before == Search::null_node ? v : translation.vertex(before);
-                });
-  }
-  else
-    write_distances_and_sources(search, translation, distances, np);
-}
 
 /*
  * A search of a graph in terms of a mesh: the common implementation of the class and of the free
@@ -236,11 +174,44 @@ public:
     return internal::point(m_translation, p, m_point_map, np);
   }
 
-  // Writes the distances and the other results requested by named parameters.
+  // Writes the distances, and the other results requested by named parameters, to property maps.
+  // All memory is allocated before the first write.
   template <typename VertexDistanceMap, typename NamedParameters>
-  void write_results(VertexDistanceMap distances, const NamedParameters& np) const
+  void write_results(VertexDistanceMap distances, [[maybe_unused]] const NamedParameters& np) const
   {
-    internal::write_results(m_search.search(), m_translation, distances, np);
+    using Search = typename Surface_search::Search;
+    constexpr bool with_sources = is_given<NamedParameters, internal_np::nearest_source_t>;
+    constexpr bool with_predecessors =
+        is_given<NamedParameters, internal_np::geodesic_predecessor_t>;
+    const Search& search = m_search.search();
+    std::optional<Vertex_predecessors<Search>> predecessors;
+    if constexpr(with_predecessors)
+      predecessors.emplace(search);
+    if constexpr(with_sources)
+      for(const auto node : search.reached_nodes())
+        if(search.source(node) != Search::null_source)
+          break; // the first source that is found allocates memory for all
+    put_for_all(distances, [&](auto /* vertex */, const auto node) {
+      return node == Search::null_node ? std::numeric_limits<double>::infinity()
+                                       : search.distance(node);
+    });
+    if constexpr(with_sources)
+    {
+      const auto map = parameters::get_parameter(np, internal_np::nearest_source);
+      using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
+      put_for_all(map, [&](auto /* vertex */, const auto node) {
+        return static_cast<Value>(node == Search::null_node ? Search::null_source
+                                                            : search.source(node));
+      });
+    }
+    if constexpr(with_predecessors)
+      put_for_all(parameters::get_parameter(np, internal_np::geodesic_predecessor),
+                  [&](const vertex_descriptor v, const auto node) -> vertex_descriptor {
+                    if(node == Search::null_node || !search.is_reached(node))
+                      return boost::graph_traits<Triangle_mesh>::null_vertex();
+                    const auto before = (*predecessors)(node);
+                    return before == Search::null_node ? v : m_translation.vertex(before);
+                  });
   }
 
 private:
@@ -271,6 +242,20 @@ private:
     {
       Geodesic_visitor_base visitor; // as in the compiled searches
       m_search.run(std::move(sources), stop, visitor);
+    }
+  }
+
+  // Writes `value(v, node)` for each vertex of the mesh and its node. If a part of the mesh was
+  // searched, vertices outside the part have the null node.
+  template <typename VertexMap, typename F>
+  void put_for_all(VertexMap map, const F& value) const
+  {
+    for(const auto v : vertices(whole(m_translation.mesh())))
+    {
+      bool has_node = true;
+      if constexpr(is_part<Triangle_mesh>)
+        has_node = m_translation.mesh().number(v) != Triangle_mesh::null_index;
+      put(map, v, value(v, has_node ? m_translation.node(v) : Intrinsic_triangulation::null_index));
     }
   }
 
@@ -353,6 +338,231 @@ private:
   };
 
   std::unique_ptr<Parts> m_parts;
+};
+
+// Returns no positions for the edge graph, where computing them takes as long as a search.
+template <typename MeshSearch, typename NamedParameters>
+Vertex_positions positions_for_one_run(const MeshSearch& search, const NamedParameters& /* np */)
+{
+  if constexpr(has_crossing_arcs<typename MeshSearch::Surface_search::Graph> &&
+               !is_any_given<NamedParameters, internal_np::edge_length_t, internal_np::visitor_t>)
+    return search.positions();
+  else
+    return Vertex_positions();
+}
+
+// Whether a query reads only edges: it runs along edges, and all `Points` and targets are vertices.
+template <typename TriangleMesh, typename NamedParameters, typename... Points>
+constexpr bool needs_edges_only()
+{
+  if constexpr(needs_faces<NamedParameters> || !(are_vertices<TriangleMesh, Points> && ...))
+    return false;
+  else if constexpr(is_given<NamedParameters, internal_np::targets_t>)
+  {
+    using Targets = decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                                       internal_np::targets));
+    return are_vertices<TriangleMesh, std::decay_t<Targets>>;
+  }
+  else
+    return true;
+}
+
+// Returns whether graphs accept the triangulation of a part. Their messages would give vertices the
+// numbers of the part.
+template <typename NamedParameters>
+bool is_accepted_by_graphs(const Intrinsic_triangulation& triangulation,
+                           [[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::number_of_points_per_edge_t>)
+    if(has_more_points(triangulation, Fixed_number_of_points(np),
+                       maximum_number_of_points(triangulation, maximum_number_of_points(np))))
+      return false;
+  return triangulation.face_without_shape() == Intrinsic_triangulation::null_index;
+}
+
+// Reads a mesh, builds the graph that the named parameters select, and calls `f` with a search of
+// it, for a single run between `Points`, the types of sources and targets. Returns false if a part
+// of a mesh is refused; reading the whole mesh then diagnoses the error.
+template <typename... Points, typename TriangleMesh, typename NamedParameters, typename F>
+bool search_once(const TriangleMesh& tmesh, const NamedParameters& np, const bool finds_path, F f)
+{
+  const auto search_graph = [&](const auto& graph) {
+    Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
+    if(finds_path ||
+       is_any_given<NamedParameters, internal_np::visitor_t, internal_np::geodesic_predecessor_t>)
+      translation.list_vertices();
+    auto point_map = vertex_point_map(tmesh, np);
+    Mesh_search<std::decay_t<decltype(graph)>, Adaptive_bucket_queue, decltype(translation),
+                decltype(point_map)>
+        search(graph, translation, std::move(point_map));
+    f(search);
+  };
+  Intrinsic_triangulation triangulation;
+  Triangulation_builder<TriangleMesh, NamedParameters> builder(triangulation, tmesh, np);
+  if constexpr(needs_edges_only<TriangleMesh, NamedParameters, Points...>())
+    if(builder.try_to_build_edges())
+    {
+      search_graph(Edge_graph(std::move(triangulation), np));
+      return true;
+    }
+  if constexpr(!is_part<TriangleMesh>)
+    builder.build();
+  else if(!builder.try_to_build() || !is_accepted_by_graphs(triangulation, np))
+    return false;
+  try
+  {
+    with_graph_on<Lazy_discrete_geodesic_graph>(std::move(triangulation), np, search_graph);
+  }
+  catch(const Untraceable_line&)
+  {
+    if(!is_part<TriangleMesh>)
+      throw;
+    return false;
+  }
+  return true;
+}
+
+// Whether a part of a mesh can be bounded by positions in space: this requires paths that are at
+// least as long as straight lines and not restricted by barriers. A visitor would observe the size
+// of the part.
+template <typename TriangleMesh, typename NamedParameters>
+constexpr bool may_read_part()
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  return is_hashable<typename Graph_traits::vertex_descriptor> &&
+         is_hashable<typename Graph_traits::halfedge_descriptor> && !has_weights<NamedParameters> &&
+         !is_any_given<NamedParameters, internal_np::edge_length_t, internal_np::visitor_t>;
+}
+
+/*
+ * Finds the part of a mesh that a run can reach, without reading the rest. It fails if the part is
+ * not much smaller than the mesh, or if the mesh is unusual.
+ */
+template <typename TriangleMesh, typename NamedParameters>
+class Part_to_read
+{
+  using Positions = Mesh_positions<TriangleMesh, NamedParameters>;
+  using Growth = Part_growth<TriangleMesh, Positions>;
+
+  static constexpr std::size_t SMALLEST_MESH = 1000; // vertices; smaller meshes are read completely
+
+  // Budgets of faces, as inverse fractions of the number of vertices of the mesh. A failed attempt
+  // costs a few percent of the call.
+  static constexpr std::size_t BETWEEN_POINTS = 8, AROUND_SOURCES = 32;
+
+  // The first limit on the length of a path, relative to the straight line, and the factor by which
+  // it increases until a path is found. Paths along edges are longer.
+  static constexpr double FIRST_LIMIT = needs_faces<NamedParameters> ? 1.1 : 1.2, INCREASE = 1.25;
+
+  static constexpr double margin = 1 + 1e-9; // for rounding, of path lengths
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+public:
+  Part_to_read(const TriangleMesh& tmesh, const NamedParameters& np)
+    : m_mesh(tmesh),
+      m_np(np),
+      m_number_of_vertices(num_vertices(tmesh)),
+      m_maximum_distance(maximum_distance(np)),
+      m_positions(tmesh, np)
+  {
+  }
+
+  // Calls `search(part, limit)` with a part that contains all paths from the nearest source to
+  // `target` up to the limit, and again with a larger limit if it returns a distance beyond it. The
+  // limit is infinite if the part is a whole component of the mesh.
+  // Returns whether the last distance is that on the mesh.
+  template <typename Sources, typename Target, typename Search>
+  bool between(const Sources& sources, const Target& target, Search search)
+  {
+    if(!is_worth_trying([&] {
+         add_sources(sources);
+         m_places.push_back(m_positions.place(target));
+       }))
+      return false;
+    m_detour.target = m_places.back().position;
+    for(double limit = FIRST_LIMIT * m_detour.over(*m_detour.target);;)
+    {
+      limit = (std::min)(limit, m_maximum_distance);
+      Growth growth = growth_up_to(limit, BETWEEN_POINTS);
+      if(!growth.run())
+        return false;
+      const bool is_whole = growth.next_limit() == infinity; // a component of the mesh
+      const double longest = is_whole ? infinity : m_detour.limit;
+      const std::optional<double> distance = search(growth.part(), longest);
+      if(!distance)
+        return false;
+      if(*distance <= longest || limit == m_maximum_distance)
+        return true;
+      limit = *distance < infinity ? *distance : (std::max)(INCREASE * limit, growth.next_limit());
+    }
+  }
+
+  // Finds the part for distances up to the maximum distance.
+  template <typename Sources>
+  std::optional<Mesh_part<TriangleMesh>> around(const Sources& sources)
+  {
+    const auto read_sources = [&] {
+      add_sources(sources);
+      set_initial_distances(m_np, m_detour.starts);
+      for(std::size_t i = 0; i < m_detour.starts.size(); ++i)
+        check_initial_distance(m_detour.starts[i].distance, i);
+    };
+    if(m_maximum_distance == infinity || !is_worth_trying(read_sources))
+      return std::nullopt;
+    Growth growth = growth_up_to(m_maximum_distance, AROUND_SOURCES);
+    return growth.run() ? std::make_optional(std::move(growth.part())) : std::nullopt;
+  }
+
+private:
+  // Fails for points that may be invalid; reading the whole mesh then diagnoses the error.
+  template <typename F>
+  bool is_worth_trying(const F& read_points)
+  {
+    if(m_number_of_vertices < SMALLEST_MESH || !(m_maximum_distance >= 0))
+      return false;
+    try
+    {
+      read_points();
+    }
+    catch(const std::invalid_argument&)
+    {
+      return false;
+    }
+    return !m_detour.starts.empty();
+  }
+
+  template <typename Sources>
+  void add_sources(const Sources& sources)
+  {
+    if constexpr(is_surface_point<TriangleMesh, Sources>)
+      m_places.push_back(m_positions.place(sources));
+    else
+      for(const auto& source : sources)
+        m_places.push_back(m_positions.place(source));
+    for(const auto& place : m_places)
+      m_detour.starts.push_back({place.position, 0});
+  }
+
+  // The budget is smaller for searches along edges, which are faster, and for many sources, which
+  // take longer: work on a part is lost if the part becomes too large.
+  Growth growth_up_to(const double limit, const std::size_t number_of_parts)
+  {
+    m_detour.limit = margin * limit;
+    const std::size_t divisor = number_of_parts * (needs_faces<NamedParameters> ? 1 : 3);
+    Growth result(m_mesh, m_positions, m_detour,
+                  m_number_of_vertices / (divisor * (1 + m_detour.starts.size() / 16)));
+    for(const auto& place : m_places)
+      result.start_at(place);
+    return result;
+  }
+
+  const TriangleMesh& m_mesh;
+  const NamedParameters& m_np;
+  const std::size_t m_number_of_vertices;
+  const double m_maximum_distance;
+  std::vector<Mesh_place<TriangleMesh>> m_places; // the sources, and the target
+  Positions m_positions;
+  Detour m_detour;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal
