@@ -12,12 +12,12 @@
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Object.h>
 #include <CGAL/Ray_3.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/version.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/type_traits/is_detected.hpp>
@@ -27,14 +27,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <variant>
-#include <vector>
-
-#if CGAL_VERSION_NR < 1060001000
-#include <boost/variant.hpp>
-#endif
 
 namespace CGAL {
 
@@ -45,22 +39,6 @@ class AABB_tree;
 
 namespace Approximate_geodesics {
 namespace internal {
-
-// Returns the alternative of type `T` of the result of an intersection, or a null pointer. CGAL 6
-// replaced `boost::variant` by `std::variant`.
-#if CGAL_VERSION_NR < 1060001000
-template <typename T, typename... Types>
-const T* alternative(const boost::variant<Types...>& variant)
-{
-  return boost::get<T>(&variant);
-}
-#endif
-
-template <typename T, typename... Types>
-const T* alternative(const std::variant<Types...>& variant)
-{
-  return std::get_if<T>(&variant);
-}
 
 // Sets weights that do not exceed the tolerance to zero, and normalizes the others.
 inline std::array<double, 3> snapped(std::array<double, 3> weights, const double tolerance)
@@ -183,10 +161,11 @@ Face_location<TriangleMesh> locate(const Ray_3<Kernel>& ray,
     }
   };
   const auto consider_ends = [&](const auto& intersection) {
-    const auto& [where, f] = intersection;
-    if(const auto* p = alternative<typename Kernel::Point_3>(where))
+    const auto f = intersection.second;
+    const Object where(intersection.first);
+    if(const auto* p = object_cast<typename Kernel::Point_3>(&where))
       consider(*p, f);
-    else if(const auto* s = alternative<typename Kernel::Segment_3>(where)) // in the plane of `f`
+    else if(const auto* s = object_cast<typename Kernel::Segment_3>(&where)) // in the plane of `f`
     {
       consider(s->source(), f);
       consider(s->target(), f);
