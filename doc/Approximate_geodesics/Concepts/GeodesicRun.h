@@ -86,7 +86,11 @@ public:
          - `append_in_parallel(loop, n, f)` calls `f(i, part)` for all `i` below `n`, where `part`
   is an object like `candidates`, and appends what was appended to these, in the order of `i`.
            `loop.run(n, g)` has to call `g(i, thread)` for all `i` below `n`, at the same time only
-           with different values of `thread`, all below `loop.number_of_threads()`.
+           with different values of `thread`, all below `loop.number_of_threads()`;
+         - `call_again(node, label)` requests that this function is called again, perhaps without
+           any node, before nodes are expanded with larger labels than this one. `node` is one that
+           was expanded with a smaller label. The last request counts, and none remains after the
+           next call. It is not to be made in searches with a heuristic.
 
   `GeodesicGraph::for_each_arc()` says which arcs may be left out.
   */

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -235,7 +237,15 @@ public:
     m_distances = distances;
     m_counts = counts;
     m_size = m_number_of_arcs = 0;
+    m_next_call = {};
   }
+
+  // Requests that arcs are listed again, perhaps of no node, before the search expands nodes with
+  // larger labels than this one. The node is one with a smaller label.
+  void call_again(const Node node, const double label) { m_next_call = Queue_entry{label, node}; }
+
+  // The request, if there is one.
+  const std::optional<Queue_entry>& next_call() const { return m_next_call; }
 
   // Reserves memory for `number` more arcs.
   void make_room(const std::size_t number)
@@ -421,6 +431,7 @@ private:
   std::size_t m_number_of_arcs = 0;
   const double* m_distances = nullptr;
   bool m_counts = false;
+  std::optional<Queue_entry> m_next_call;
   std::vector<Candidate_list> m_lists; // by thread, for locality
   std::vector<Turn> m_turns;
 };
@@ -576,6 +587,8 @@ private:
         ++number;
       }
     }
+    if(const auto& call = m_candidates.next_call()) // the entry will be stale
+      m_queue.push(call->node, call->key);
     return number;
   }
 

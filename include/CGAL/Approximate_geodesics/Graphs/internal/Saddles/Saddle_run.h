@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Deferred_sights.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
@@ -44,12 +45,15 @@ public:
   using Payload = Arrival;
 
   static constexpr bool attaches_by_labels = true;
+  static constexpr std::size_t sights_in_chunk = 64; // which one thread continues
 
-  // Reports arcs, and knows the labels and bounds that `Sight_expansion` requires.
-  template <typename Labels, typename F>
+  // Appends the arcs from a tip to a list, defers sights, and knows the labels and bounds that
+  // `Sight_expansion` requires.
+  template <typename Labels, typename Candidates>
   struct Arc_visitor : Sight_visitor_base
   {
     static constexpr bool knows_arrivals = true;
+    static constexpr bool defers_sights = true;
 
     void on_vertex(const Node v,
                    const Sight_path& path,
@@ -57,17 +61,44 @@ public:
                    const Plane_vector apex,
                    const Plane_vector left_edge)
     {
-      f(v, path.length, sight.arrival(path, apex, left_edge));
+      append(v, path.length, sight.arrival(path, apex, left_edge));
+    }
+
+    // Can be interrupted, as a source may have many arcs.
+    void append(const Node target, const double length, const Arrival& arrival)
+    {
+      constexpr unsigned arcs_between_checks = 256;
+      if(++number_of_arcs % arcs_between_checks == 0)
+        check_for_interruption();
+      candidates.make_room(1);
+      candidates.append(true, tip, label_of_tip, target, length, arrival);
     }
 
     double bound(const Node v) const { return run.bound(v); }
     double label(const Node v) const { return labels.distance(v); }
     const Arrival& arrival(const Node v) const { return run.m_arrival[v]; }
-    bool has_predecessor(const Node v) const { return labels.predecessor(v) != null_index; }
+    bool has_predecessor(const Node v) const
+    {
+      return labels.predecessor(v) != Intrinsic_triangulation::null_index;
+    }
+
+    bool defer(const Sight& sight, const Crossing& milestone) const
+    {
+      const double smallest_label = label_of_tip + sight.smallest_distance();
+      if(!(smallest_label > horizon))
+        return false;
+      deferred.push_back({sight, milestone, tip, label_of_tip, smallest_label});
+      return true;
+    }
 
     const Saddle_run& run;
     const Labels& labels;
-    F& f;
+    double horizon;
+    Node tip;
+    double label_of_tip;
+    Candidates& candidates;
+    std::vector<Deferred_sight>& deferred;
+    unsigned number_of_arcs = 0;
   };
 
   explicit Saddle_run(const Graph& searched)
@@ -87,24 +118,29 @@ public:
       m_bounded_nodes.push_back(node);
     });
     m_limit = search.limit();
+    m_sights.start(distance_of_horizon());
   }
 
-  // Several threads take part if there is enough to do for them.
+  // Continues the sights that the search has reached, and starts those of the nodes. Several
+  // threads take part if there is enough to do for them.
   template <typename Labels, typename Candidates>
   void expand(const Node* const nodes,
               const std::size_t number,
               const Labels& labels,
               Candidates& candidates)
   {
-    if(graph().is_parallel() && list_tasks(nodes, number))
-      candidates.append_in_parallel(graph().m_loop, m_tasks.size(),
-                                    [&](const std::size_t i, Candidates& part) {
-                                      graph().prefetch(m_tasks[i].node);
-                                      append_arcs(m_tasks[i].node, m_tasks[i].part, labels, part);
-                                    });
-    else
-      for(std::size_t i = 0; i < number; ++i)
-        append_arcs(nodes[i], Sight_part(), labels, candidates);
+    m_sights.advance(label_reached(nodes, number, labels));
+    const std::size_t number_of_chunks =
+        (m_sights.resumed().size() + sights_in_chunk - 1) / sights_in_chunk;
+    append_all(number_of_chunks + number, candidates,
+               [&](const std::size_t i, Candidates& part, std::vector<Deferred_sight>& deferred) {
+                 if(i < number_of_chunks)
+                   append_resumed(i, labels, part, deferred);
+                 else
+                   append_arcs(nodes[i - number_of_chunks], labels, part, deferred);
+               });
+    if(!m_sights.waiting().empty())
+      candidates.call_again(m_sights.waiting().front().tip, m_sights.horizon());
   }
 
   void on_label(const Node node, const double distance, const Arrival& arrival)
@@ -153,7 +189,10 @@ public:
     return graph().is_parallel() ? (std::numeric_limits<std::size_t>::max)() : 0;
   }
 
-  std::size_t memory() const { return memory_of(m_bound, m_bounded_nodes, m_arrival, m_tasks); }
+  std::size_t memory() const
+  {
+    return memory_of(m_bound, m_bounded_nodes, m_arrival) + m_sights.memory();
+  }
 
   // Calls `f(node, length, arrival)` for the lines from a point where the search starts.
   template <typename F>
@@ -244,12 +283,6 @@ public:
   }
 
 private:
-  struct Task
-  {
-    Node node;
-    Sight_part part;
-  };
-
   double largest_label(const Node node) const
   {
     return m_distance_to_goal ? m_limit - m_distance_to_goal(node) : m_limit;
@@ -266,50 +299,109 @@ private:
     return result < infinity ? result : largest_label(node);
   }
 
-  // Lists the tasks. Most arcs can be those of a source, so these are divided: the parts differ in
-  // the sides that they follow where sights are split. Returns whether there are enough tasks for
-  // threads.
-  bool list_tasks(const Node* const nodes, const std::size_t number)
+  // How far away sights are deferred; infinity if they are not. With a heuristic, nodes are not
+  // expanded in the order of their labels. Where the surface is smooth, few sights are useless:
+  // deferring them only takes time, or gives several threads something to do.
+  double distance_of_horizon() const
   {
-    constexpr std::size_t number_of_parts = 64, fewest_tasks = 16;
-    m_tasks.clear();
-    for(std::size_t i = 0; i < number; ++i)
-      if(m_arrival[nodes[i]].is_none())
-        for(std::size_t part = number_of_parts; part > 0; --part)
-          m_tasks.push_back({nodes[i], {part - 1, number_of_parts}});
-      else if(graph().m_tables.bends.is_possible(nodes[i]))
-        m_tasks.push_back({nodes[i], Sight_part()});
-    return m_tasks.size() >= fewest_tasks;
+    constexpr double smooth = 0.02, very_rough = 0.05; // mean excess
+    const double edge = graph().arc_lengths().mean, excess = graph().m_tables.bends.mean_excess();
+    if(m_distance_to_goal || (excess <= smooth && !graph().is_parallel()))
+      return infinity;
+    return edge * (excess <= smooth ? 16 : excess <= very_rough ? 2 : 1);
   }
 
-  // Can be interrupted, as on a convex surface the arcs of the source are the whole search. Not
-  // inline, so that it is compiled once: another compilation may round differently.
-  template <typename Labels, typename Candidates>
-  BOOST_NOINLINE void append_arcs(const Node node,
-                                  const Sight_part part,
-                                  const Labels& labels,
-                                  Candidates& candidates) const
+  // The largest label of nodes that are expanded; the horizon if there are none, as the search may
+  // have come there.
+  template <typename Labels>
+  double
+  label_reached(const Node* const nodes, const std::size_t number, const Labels& labels) const
   {
-    constexpr unsigned arcs_between_checks = 256;
-    unsigned number = 0;
-    const double label = labels.distance(node);
-    const auto append = [&](const Node target, const double length, const Arrival& arrival) {
-      if(++number % arcs_between_checks == 0)
-        check_for_interruption();
-      candidates.make_room(1);
-      candidates.append(true, node, label, target, length, arrival);
-    };
-    using Visitor = Arc_visitor<Labels, decltype(append)>;
-    Visitor visitor{{}, *this, labels, append};
-    Sight_expansion<Visitor> expansion(graph().m_tables, label, visitor, part);
+    if(number == 0)
+      return m_sights.horizon();
+    double result = 0;
+    for(std::size_t i = 0; i < number; ++i)
+      result = (std::max)(result, labels.distance(nodes[i]));
+    return result;
+  }
+
+  // Calls `append(i, part, deferred)` for all `i` below `number`, in parallel if there are enough.
+  template <typename Candidates, typename F>
+  void append_all(const std::size_t number, Candidates& candidates, const F& append)
+  {
+    constexpr std::size_t fewest_tasks = 16;
+    std::vector<Deferred_sight>& waiting = m_sights.waiting();
+    if(!graph().is_parallel() || number < fewest_tasks)
+    {
+      for(std::size_t i = 0; i < number; ++i)
+        append(i, candidates, waiting);
+      return;
+    }
+    m_deferred.resize((std::max)(m_deferred.size(), number));
+    candidates.append_in_parallel(
+        graph().m_loop, number,
+        [&](const std::size_t i, Candidates& part) { append(i, part, m_deferred[i]); });
+    for(std::vector<Deferred_sight>& deferred : m_deferred)
+    {
+      waiting.insert(waiting.end(), deferred.begin(), deferred.end());
+      deferred.clear();
+    }
+  }
+
+  // Continues a part of the sights that the search has reached.
+  template <typename Labels, typename Candidates>
+  void append_resumed(const std::size_t chunk,
+                      const Labels& labels,
+                      Candidates& candidates,
+                      std::vector<Deferred_sight>& deferred) const
+  {
+    check_for_interruption();
     const Intrinsic_triangulation& t = graph().triangulation();
+    const std::vector<Deferred_sight>& sights = m_sights.resumed();
+    const std::size_t beyond = (std::min)(sights.size(), (chunk + 1) * sights_in_chunk);
+    for(std::size_t i = chunk * sights_in_chunk; i < beyond; ++i)
+    {
+      const Deferred_sight& s = sights[i];
+      if(labels.distance(s.tip) < s.label_of_tip) // it is followed with the smaller label
+        continue;
+      const Node h = s.sight.halfedge;
+      auto visitor = arc_visitor(s.tip, s.label_of_tip, labels, candidates, deferred);
+      expansion(visitor).resume(s.sight, s.milestone, t.target(t.opposite(h)), t.target(h));
+    }
+  }
+
+  template <typename Labels, typename Candidates>
+  void append_arcs(const Node node,
+                   const Labels& labels,
+                   Candidates& candidates,
+                   std::vector<Deferred_sight>& deferred) const
+  {
+    const Intrinsic_triangulation& t = graph().triangulation();
+    auto visitor = arc_visitor(node, labels.distance(node), labels, candidates, deferred);
+    auto sights = expansion(visitor);
     Vertex_sights(t, graph().m_tables)
         .for_each(
             node, m_arrival[node],
-            [&](const Node h) { append(t.target(h), t.length(h), Arrival::along(h)); },
+            [&](const Node h) { visitor.append(t.target(h), t.length(h), Arrival::along(h)); },
             [&](const Sight& sight, const Node left_end, const Node right_end) {
-              expansion.look(sight, left_end, right_end);
+              sights.look(sight, left_end, right_end);
             });
+  }
+
+  template <typename Labels, typename Candidates>
+  Arc_visitor<Labels, Candidates> arc_visitor(const Node tip,
+                                              const double label,
+                                              const Labels& labels,
+                                              Candidates& candidates,
+                                              std::vector<Deferred_sight>& deferred) const
+  {
+    return {{}, *this, labels, m_sights.horizon(), tip, label, candidates, deferred};
+  }
+
+  template <typename Visitor>
+  Sight_expansion<Visitor> expansion(Visitor& visitor) const
+  {
+    return {graph().m_tables, visitor.label_of_tip, visitor};
   }
 
   struct Last_edge
@@ -360,7 +452,8 @@ private:
   std::vector<Arrival> m_arrival;                 // meaningful where there is a label
   double m_limit = 0;                             // of labels
   std::function<double(Node)> m_distance_to_goal; // during a search; empty without a heuristic
-  std::vector<Task> m_tasks;
+  Deferred_sights m_sights;
+  std::vector<std::vector<Deferred_sight>> m_deferred; // by task
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

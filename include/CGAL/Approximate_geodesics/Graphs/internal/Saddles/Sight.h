@@ -70,26 +70,6 @@ struct Arrival
   }
 };
 
-/*
- * A part of the sights of a vertex: the first few times that a sight is divided, only one of its
- * two parts is followed, chosen by the binary digits of a number.
- */
-struct Sight_part
-{
-  std::size_t number = 0;
-  std::size_t number_of_parts = 1; // a power of two
-
-  // Which side is followed where a sight is divided for the `i`th time: a positive number for the
-  // right one, a negative one for the left one, 0 for both.
-  int side(const std::uint32_t i) const
-  {
-    constexpr std::uint32_t digits = std::numeric_limits<std::size_t>::digits;
-    if(i >= digits || (number_of_parts >> i) <= 1)
-      return 0;
-    return (number >> i & 1) != 0 ? 1 : -1;
-  }
-};
-
 // The ray that bounds a sight on one side: through a vertex, or on the boundary of a sector.
 struct Sight_ray
 {
@@ -183,12 +163,17 @@ struct Sight
   Index halfedge = 0;                         // that of the edge whose face lies ahead, to its left
   Index milestone = 0;                        // one of the halfedges on the way
   std::uint32_t depth = 0;                    // the number of faces on the way
-  std::uint32_t splits = 0;                   // how often the sight was divided in two parts
   Plane_vector left = {0, 0}, right = {0, 0}; // the positions of source and target
   Plane_vector edge = {0, 0};                 // from one to the other
   double left_distance = 0, right_distance = 0; // of source and target
   double left_bound = 0, right_bound = 0;       // of their labels, with a margin for rounding
   Sight_ray left_ray, right_ray;
+
+  // A lower bound on the distances of all points of the edge, by the triangle inequality.
+  double smallest_distance() const
+  {
+    return (std::max)(0., (left_distance + right_distance - length(edge)) / 2);
+  }
 
   // The position of the apex of the face ahead: that of an end of the edge, plus the vector from
   // there. If the other end is far nearer to the tip, the apex may be, too, and rounding errors of

@@ -19,17 +19,20 @@
 #include <boost/container/small_vector.hpp>
 #include <boost/container/static_vector.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// The base of visitors of sights, which are notified neither of faces nor of sights.
+// The base of visitors of sights, which are notified neither of faces nor of sights, and defer
+// none.
 struct Sight_visitor_base
 {
   static constexpr bool knows_arrivals = false;
   static constexpr bool wants_sights = false;
   static constexpr bool wants_faces = false;
+  static constexpr bool defers_sights = false;
 };
 
 /*
@@ -43,7 +46,9 @@ struct Sight_visitor_base
  * - `label(v)`, `has_predecessor(v)` and `arrival(v)`, if it knows the lengths of real paths,
  *   whether their last line starts from a node, and how they arrive; the latter two are asked for
  *   where the first is finite;
- * - `on_sight(sight)` and `on_face(sight, apex)`, if it has to be notified.
+ * - `on_sight(sight)` and `on_face(sight, apex)`, if it has to be notified;
+ * - `horizon` and `defer(sight, milestone)`, if it defers sights through edges with both ends
+ *   farther than the horizon from where the search starts; `defer()` returns whether it does.
  */
 template <typename Visitor>
 class Sight_expansion
@@ -53,15 +58,8 @@ class Sight_expansion
   static constexpr double rounding = Sight::ROUNDING;
 
 public:
-  Sight_expansion(const Sight_tables& tables,
-                  const double label_of_tip,
-                  Visitor& visitor,
-                  const Sight_part part = Sight_part())
-    : m_tables(tables),
-      m_steps(tables.steps),
-      m_label_of_tip(label_of_tip),
-      m_visitor(visitor),
-      m_part(part)
+  Sight_expansion(const Sight_tables& tables, const double label_of_tip, Visitor& visitor)
+    : m_tables(tables), m_steps(tables.steps), m_label_of_tip(label_of_tip), m_visitor(visitor)
   {
   }
 
@@ -70,12 +68,16 @@ public:
   {
     sight.milestone = null_index;
     sight.depth = 0;
-    sight.splits = 0;
-    sight.left_bound = bound(left_end);
-    sight.right_bound = bound(right_end);
-    bool is_open = !sight.is_useless(m_label_of_tip);
-    while(is_open || pop(sight))
-      is_open = advance(sight);
+    follow(sight, left_end, right_end);
+  }
+
+  // Follows a sight that was deferred, with the milestone that the visitor was given.
+  void
+  resume(const Sight& sight, const Crossing& milestone, const Index left_end, const Index right_end)
+  {
+    m_milestones.resize(number_of_milestones(sight.depth), milestone); // the others are not needed
+    m_milestones.back() = milestone;
+    follow(sight, left_end, right_end);
   }
 
 private:
@@ -88,6 +90,16 @@ private:
   };
 
   double bound(const Index v) const { return m_visitor.bound(v) * (1 + rounding); }
+
+  // Not inline, so that it is compiled once: another compilation may round differently.
+  BOOST_NOINLINE void follow(Sight sight, const Index left_end, const Index right_end)
+  {
+    sight.left_bound = bound(left_end);
+    sight.right_bound = bound(right_end);
+    bool is_open = !sight.is_useless(m_label_of_tip);
+    while(is_open || pop(sight))
+      is_open = advance(sight);
+  }
 
   bool pop(Sight& sight)
   {
@@ -136,10 +148,7 @@ private:
     }
     if(side != 0)
       return side > 0 ? go_right(sight, apex) : go_left(sight, apex);
-    side = useful_side(sight, apex);
-    if(side == 0)
-      side = m_part.side(sight.splits++);
-    return split(sight, apex, side);
+    return split(sight, apex, useful_side(sight, apex));
   }
 
   // Not inline, as few vertices are reached on a line that is not longer than their bounds. It
@@ -269,6 +278,23 @@ private:
     return 0;
   }
 
+  // Like `report()`, it takes a copy.
+  BOOST_NOINLINE bool defer(const Sight sight) const
+  {
+    return m_visitor.defer(sight, m_milestones[number_of_milestones(sight.depth) - 1]);
+  }
+
+  BOOST_FORCEINLINE bool goes_on(const Sight& sight) const
+  {
+    if(sight.halfedge == null_index || sight.is_useless(m_label_of_tip))
+      return false;
+    if constexpr(Visitor::defers_sights)
+      if(BOOST_UNLIKELY(m_label_of_tip + (std::min)(sight.left_distance, sight.right_distance) >
+                        m_visitor.horizon))
+        return !defer(sight);
+    return true;
+  }
+
   // Moves the sight to the edge between the apex and its right end.
   BOOST_FORCEINLINE bool go_right(Sight& sight, const Apex& apex) const
   {
@@ -277,7 +303,7 @@ private:
     sight.edge = apex.step.right_edge(sight.edge);
     sight.left_distance = apex.distance;
     sight.left_bound = apex.bound;
-    return sight.halfedge != null_index && !sight.is_useless(m_label_of_tip);
+    return goes_on(sight);
   }
 
   BOOST_FORCEINLINE bool go_left(Sight& sight, const Apex& apex) const
@@ -287,7 +313,7 @@ private:
     sight.edge = apex.left_edge;
     sight.right_distance = apex.distance;
     sight.right_bound = apex.bound;
-    return sight.halfedge != null_index && !sight.is_useless(m_label_of_tip);
+    return goes_on(sight);
   }
 
   BOOST_FORCEINLINE bool split(Sight& sight, const Apex& apex, const int useful_side)
@@ -313,7 +339,6 @@ private:
   const Face_steps& m_steps;
   const double m_label_of_tip;
   Visitor& m_visitor;
-  const Sight_part m_part;
   Stack m_stack;
   // of the sight that is followed; those on the stack share the first of them
   boost::container::static_vector<Crossing, 33> m_milestones;

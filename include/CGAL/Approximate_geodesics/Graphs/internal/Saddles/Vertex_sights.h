@@ -74,6 +74,13 @@ public:
   // decide whether a line is found on the way back.
   bool hides_nothing(const Index v) const { return m_bends[v] != Bend_kind::NONE; }
 
+  // The mean, over all vertices, of what the angles of saddle vertices exceed 2 pi by. Where it is
+  // large, the surface is rough, and many sights start from each of these vertices.
+  double mean_excess() const
+  {
+    return m_sum_of_excess / static_cast<double>((std::max)(m_bends.size(), std::size_t(1)));
+  }
+
   std::size_t memory() const { return memory_of(m_bends); }
 
 private:
@@ -101,10 +108,10 @@ private:
     return !has_area || !(shortest > (std::max)(Sight::SHORTEST_EDGE, smallest_part * longest));
   }
 
-  static Bend_kind bend(const Intrinsic_triangulation& triangulation,
-                        const Face_steps& steps,
-                        const Index v,
-                        const double largest_at_border)
+  Bend_kind bend(const Intrinsic_triangulation& triangulation,
+                 const Face_steps& steps,
+                 const Index v,
+                 const double largest_at_border)
   {
     Angle_sum sum;
     int number_of_borders = 0;
@@ -118,12 +125,14 @@ private:
     if(number_of_borders > 1)
       return Bend_kind::ANY;
     const double excess = sum.value() - (2 - number_of_borders) * straight_angle;
+    m_sum_of_excess += number_of_borders > 0 ? 0 : (std::max)(0., excess);
     if(excess > (number_of_borders > 0 ? largest_at_border : ROUNDING))
       return number_of_borders > 0 ? Bend_kind::BORDER : Bend_kind::SADDLE;
     return excess >= -FLAT ? Bend_kind::NONE_AS_FLAT : Bend_kind::NONE;
   }
 
   std::vector<Bend_kind> m_bends; // per vertex
+  double m_sum_of_excess = 0;
 };
 
 /*
