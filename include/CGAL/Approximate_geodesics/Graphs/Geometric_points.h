@@ -9,8 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>

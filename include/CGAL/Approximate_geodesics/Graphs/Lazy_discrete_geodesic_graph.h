@@ -9,19 +9,13 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_front.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_run.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_triangulation.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <boost/config.hpp>
 

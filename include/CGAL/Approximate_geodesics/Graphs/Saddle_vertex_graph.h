@@ -9,14 +9,9 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Saddle_run.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Named_function_parameters.h>

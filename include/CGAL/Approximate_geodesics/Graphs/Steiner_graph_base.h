@@ -13,8 +13,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,6 @@
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve_straightener.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
 #include <cmath>

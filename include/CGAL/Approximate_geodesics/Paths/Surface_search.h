@@ -8,10 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>

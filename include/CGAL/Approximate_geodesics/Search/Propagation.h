@@ -12,8 +12,6 @@
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
-#include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
 
 #include <algorithm>
 #include <cmath>

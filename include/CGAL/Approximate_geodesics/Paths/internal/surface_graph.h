@@ -10,7 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <boost/type_traits/detected_or.hpp>
 #include <boost/type_traits/is_detected.hpp>

@@ -8,11 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
-#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
 #include <CGAL/assertions.h>
 
@@ -21,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>

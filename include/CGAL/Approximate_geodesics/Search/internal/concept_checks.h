@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>

@@ -9,9 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
 #include <CGAL/assertions.h>
 
 #include <boost/config.hpp>
@@ -20,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 

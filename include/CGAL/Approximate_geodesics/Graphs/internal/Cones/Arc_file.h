@@ -9,10 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/stored_arcs.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cmath>
 #include <cstdint>

@@ -8,14 +8,11 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace CGAL::Approximate_geodesics::internal {
 

@@ -9,9 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,20 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 namespace CGAL::Approximate_geodesics::internal {
 

@@ -8,10 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 namespace CGAL::Approximate_geodesics::internal {
 

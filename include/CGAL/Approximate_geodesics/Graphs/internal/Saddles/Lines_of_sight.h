@@ -8,20 +8,11 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>

@@ -9,14 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
-#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Deferred_sights.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <boost/config.hpp>
 

@@ -9,8 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <boost/config.hpp>
 

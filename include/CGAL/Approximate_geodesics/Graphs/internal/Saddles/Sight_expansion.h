@@ -8,12 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <boost/config.hpp>
 #include <boost/container/small_vector.hpp>

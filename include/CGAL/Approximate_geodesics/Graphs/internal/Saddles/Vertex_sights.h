@@ -8,11 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_steps.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,10 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <boost/iterator/counting_iterator.hpp>
@@ -19,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 

@@ -10,16 +10,12 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>

@@ -8,16 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>

@@ -10,10 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 

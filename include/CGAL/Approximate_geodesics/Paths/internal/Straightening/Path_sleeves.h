@@ -9,14 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
