@@ -234,7 +234,9 @@ private:
   // graph does not either.
   static constexpr Node SIZE_OF_BLOCK = 1024;
 
-  // With the visitor and the rules by which `rows_of()` has found the arcs.
+  using Expansion = internal::Cone_expansion<internal::Unfolding>;
+
+  // With the visitor and the rules by which `build()` has found the arcs.
   template <typename F>
   double
   trace(const Node source, const Node target, const double length, const double rounding, F f) const
@@ -254,9 +256,20 @@ private:
     const double unit = internal::unit_of_arcs(triangulation());
     std::atomic<std::size_t> number_done(0);
     CGAL::for_each<ConcurrencyTag>(blocks, [&](internal::Compressed_arcs& block) {
+      const Expansion expansion(m_triangulation.get(), unfolding, m_rules);
+      internal::Compressed_arcs rows(unit);
+      std::vector<internal::Stored_arc> arcs;
       const Node first = static_cast<Node>(&block - blocks.data()) * SIZE_OF_BLOCK;
-      const Node size = (std::min)(SIZE_OF_BLOCK, number_of_nodes - first);
-      block = rows_of(unfolding, unit, first, size, number_done);
+      const Node beyond = first + (std::min)(SIZE_OF_BLOCK, number_of_nodes - first);
+      for(Node node = first; node < beyond; ++node)
+      {
+        internal::check_for_interruption(number_done++, number_of_nodes);
+        internal::find_stored_arcs(node, unit, arcs, [&](const auto f) {
+          m_triangulation.for_each_arc(expansion, node, f);
+        });
+        rows.append_row(arcs);
+      }
+      block = std::move(rows);
       return true;
     });
 
@@ -267,27 +280,6 @@ private:
       m_rows.append(block);
       block = internal::Compressed_arcs();
     }
-  }
-
-  internal::Compressed_arcs rows_of(const internal::Unfolding& unfolding,
-                                    const double unit,
-                                    const Node first,
-                                    const Node size,
-                                    std::atomic<std::size_t>& number_done) const
-  {
-    const internal::Cone_expansion<internal::Unfolding> expansion(m_triangulation.get(), unfolding,
-                                                                  m_rules);
-    internal::Compressed_arcs result(unit);
-    std::vector<internal::Stored_arc> arcs;
-    for(Node node = first; node < first + size; ++node)
-    {
-      internal::check_for_interruption(number_done++, number_of_nodes());
-      internal::find_stored_arcs(node, unit, arcs, [&](const auto f) {
-        m_triangulation.for_each_arc(expansion, node, f);
-      });
-      result.append_row(arcs);
-    }
-    return result;
   }
 
   internal::Cone_rules m_rules{0.1};

@@ -105,6 +105,18 @@ public:
     return {h, second, next(second)};
   }
 
+  // Calls `f(h)` for the halfedges that start where `first` does, counterclockwise.
+  template <typename F>
+  void for_each_around(const Index first, F f) const
+  {
+    Index h = first;
+    do
+    {
+      f(h);
+      h = m_halfedges[h].counterclockwise;
+    } while(h != first);
+  }
+
   // Returns whether `h`, which starts from `hub`, can be flipped: its target then lies beyond the
   // new edge or on it, and the angle at the hub between the ends of the new edge is acute. Edges
   // taken from another hub are not flipped, so that other edges separate those of two hubs.

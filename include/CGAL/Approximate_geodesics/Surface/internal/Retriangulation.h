@@ -63,23 +63,13 @@ private:
     const std::vector<Index> first = m_flips.first_halfedges();
     std::vector<std::vector<Index>> spokes;
     for(const Index hub : hubs)
-      spokes.push_back(halfedges_from(first[hub]));
+    {
+      spokes.emplace_back();
+      m_flips.for_each_around(first[hub], [&](const Index h) { spokes.back().push_back(h); });
+    }
     for(std::size_t i = 0; i < hubs.size(); ++i)
       balance(hubs[i], std::move(spokes[i]));
     return true;
-  }
-
-  // Returns the halfedges that start where `first` does, counterclockwise.
-  std::vector<Index> halfedges_from(const Index first) const
-  {
-    std::vector<Index> result;
-    Index h = first;
-    do
-    {
-      result.push_back(h);
-      h = m_flips[h].counterclockwise;
-    } while(h != first);
-    return result;
   }
 
   // Flips edges of `hub`, those next to each other in different rounds; in each of them, only those
@@ -367,14 +357,11 @@ private:
   // room for another vertex in needles whose short side is there.
   void cover(const Index h, const double distance)
   {
-    Index g = h;
-    do
-    {
+    m_flips.for_each_around(h, [&](const Index g) {
       const Index v = m_flips[g].target;
       if(v < m_number_of_vertices && m_flips[g].length < WIDTH_OF_COVER * distance)
         m_covered[v] = distance;
-      g = m_flips[g].counterclockwise;
-    } while(g != h);
+    });
   }
 
   Index insert(const Place& place, const Plane_vector p)
@@ -501,9 +488,7 @@ private:
       t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
       if(first == null_index)
         continue; // an isolated vertex
-      Index h = first;
-      do
-      {
+      flips.for_each_around(first, [&](const Index h) {
         const Edge_flips::Halfedge& halfedge = flips[h];
         m_number[h] = static_cast<Index>(m_number_in_mesh.size());
         m_number_in_mesh.push_back(h);
@@ -511,8 +496,7 @@ private:
         t.m_length.push_back(halfedge.length);
         t.m_is_border.push_back(halfedge.is_border);
         t.m_is_flipped.push_back(halfedge.is_new);
-        h = halfedge.counterclockwise;
-      } while(h != first);
+      });
     }
     t.m_first_halfedge.push_back(static_cast<Index>(m_number_in_mesh.size()));
   }

@@ -450,10 +450,8 @@ public:
     const std::array<double, 3> lengths{triangulation.length(m_halfedges[0]),
                                         triangulation.length(m_halfedges[1]),
                                         triangulation.length(m_halfedges[2])};
-    std::size_t base = 0; // the longest side, as others may have no length
-    for(const std::size_t i : {std::size_t(1), std::size_t(2)})
-      if(lengths[i] > lengths[base])
-        base = i;
+    const auto longest = std::max_element(lengths.begin(), lengths.end()); // others may have none
+    const auto base = static_cast<std::size_t>(longest - lengths.begin());
     const double c = lengths[base], a = lengths[(base + 1) % 3], b = lengths[(base + 2) % 3];
     m_corners[base] = {0, 0};
     m_corners[(base + 1) % 3] = {c, 0};

@@ -294,29 +294,24 @@ public:
 
   Arc_cache() = default;
 
-  explicit Arc_cache(const std::size_t number_of_nodes)
-    : m_number_of_nodes(number_of_nodes), m_arcs(new std::atomic<const Arcs*>[number_of_nodes])
-  {
-    for(std::size_t i = 0; i < number_of_nodes; ++i)
-      m_arcs[i].store(nullptr, std::memory_order_relaxed);
-  }
+  explicit Arc_cache(const std::size_t number_of_nodes) : m_arcs(number_of_nodes) {}
 
-  Arc_cache(Arc_cache&& other) noexcept { swap(other); }
+  Arc_cache(Arc_cache&&) = default;
 
   Arc_cache& operator=(Arc_cache&& other) noexcept
   {
-    swap(other);
+    m_arcs.swap(other.m_arcs);
     return *this;
   }
 
   ~Arc_cache()
   {
-    for(std::size_t i = 0; i < m_number_of_nodes; ++i)
-      delete m_arcs[i].load(std::memory_order_relaxed);
+    for(const auto& arcs : m_arcs)
+      delete arcs.load(std::memory_order_relaxed);
   }
 
   // Whether arcs are kept.
-  bool is_enabled() const { return m_arcs != nullptr; }
+  bool is_enabled() const { return !m_arcs.empty(); }
 
   // The arcs of `node`, found by `find(arcs)` when first asked for.
   template <typename F>
@@ -337,22 +332,15 @@ public:
 
   std::size_t memory() const
   {
-    std::size_t result = m_number_of_nodes * sizeof(std::atomic<const Arcs*>);
-    for(std::size_t i = 0; i < m_number_of_nodes; ++i)
-      if(const Arcs* const arcs = m_arcs[i].load(std::memory_order_acquire))
-        result += sizeof(Arcs) + arcs->capacity() * sizeof(Stored_arc);
+    std::size_t result = memory_of(m_arcs);
+    for(const auto& kept : m_arcs)
+      if(const Arcs* const arcs = kept.load(std::memory_order_acquire))
+        result += sizeof(Arcs) + memory_of(*arcs);
     return result;
   }
 
 private:
-  void swap(Arc_cache& other) noexcept
-  {
-    std::swap(m_number_of_nodes, other.m_number_of_nodes);
-    std::swap(m_arcs, other.m_arcs);
-  }
-
-  std::size_t m_number_of_nodes = 0;
-  std::unique_ptr<std::atomic<const Arcs*>[]> m_arcs;
+  std::vector<std::atomic<const Arcs*>> m_arcs; // null where they are not known
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

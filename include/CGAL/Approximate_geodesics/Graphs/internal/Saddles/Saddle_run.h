@@ -249,10 +249,10 @@ public:
     return found;
   }
 
-  template <typename Labels, typename F>
+  template <typename End, typename Labels, typename F>
   double for_each_crossing_to(const Intrinsic_point& point,
                               const double distance,
-                              const Intrinsic_point& end,
+                              const End& end,
                               const double length,
                               const Labels& labels,
                               const F& f) const
@@ -261,22 +261,13 @@ public:
     const auto bound = [&](const Node v, const double slack) {
       return bound_before(distance * (1 + slack), rounding, labels)(v);
     };
-    return graph().attach(point).for_each_crossing(0, bound, end, length, rounding, f);
-  }
-
-  template <typename Labels, typename F>
-  double for_each_crossing_to(const Intrinsic_point& point,
-                              const double distance,
-                              const Node end,
-                              const double length,
-                              const Labels& labels,
-                              const F& f) const
-  {
-    return for_each_crossing_to(point, distance, Intrinsic_point::at_vertex(end), length, labels,
-                                f);
+    return graph().attach(point).for_each_crossing(0, bound, point_at(end), length, rounding, f);
   }
 
 private:
+  static Intrinsic_point point_at(const Node node) { return Intrinsic_point::at_vertex(node); }
+  static Intrinsic_point point_at(const Intrinsic_point& point) { return point; }
+
   double largest_label(const Node node) const
   {
     return m_distance_to_goal ? m_limit - m_distance_to_goal(node) : m_limit;

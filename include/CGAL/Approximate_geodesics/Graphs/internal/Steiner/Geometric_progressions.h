@@ -91,9 +91,15 @@ public:
     for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
     {
       m_longest_edge = (std::max)(m_longest_edge, triangulation.length(h));
-      if(!triangulation.is_border(h))
-        add_face(h, Face_shape(triangulation, h).distance_to_opposite_edge(),
-                 std::isinf(triangulation.weight(h)));
+      if(triangulation.is_border(h))
+        continue;
+      const double distance = Face_shape(triangulation, h).distance_to_opposite_edge();
+      m_radius = (std::min)(m_radius, distance);
+      if(distance < m_radius_of_open && !std::isinf(triangulation.weight(h)))
+      {
+        m_radius_of_open = distance;
+        m_narrowest = h;
+      }
     }
   }
 
@@ -107,15 +113,6 @@ public:
   Index narrowest_face() const { return m_narrowest; }
 
 private:
-  void add_face(const Index h, const double distance, const bool is_forbidden)
-  {
-    m_radius = (std::min)(m_radius, distance);
-    if(is_forbidden || distance >= m_radius_of_open)
-      return;
-    m_radius_of_open = distance;
-    m_narrowest = h;
-  }
-
   double m_radius = infinity;
   double m_radius_of_open = infinity; // of faces not forbidden
   double m_longest_edge = 0;

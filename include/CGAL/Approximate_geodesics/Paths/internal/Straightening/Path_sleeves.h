@@ -287,7 +287,7 @@ private:
       return;
     if(is_right)
     {
-      sleeve.cross_counterclockwise(back.halfedge, ahead.halfedge);
+      sleeve.cross_around(back.halfedge, ahead.halfedge, false);
       if(ahead.is_inside)
         sleeve.cross(ahead.halfedge);
     }
@@ -295,7 +295,7 @@ private:
     {
       if(back.is_inside)
         sleeve.cross(m_triangulation.opposite(back.halfedge));
-      sleeve.cross_clockwise(back.halfedge, ahead.halfedge);
+      sleeve.cross_around(back.halfedge, ahead.halfedge, true);
     }
   }
 

@@ -82,22 +82,18 @@ public:
     }
   }
 
-  // Crosses the edges between two halfedges with the same source, and all others around it if the
-  // halfedges are the same. \pre The last face is on that side of `first`.
-  void cross_counterclockwise(const Index first, const Index last)
+  // Crosses the edges between two halfedges with the same source, clockwise or counterclockwise,
+  // and all others around it if the halfedges are the same. \pre The last face is on that side of
+  // `first`.
+  void cross_around(const Index first, const Index last, const bool is_clockwise)
   {
-    const Index v = m_triangulation->source(first);
-    for(Index h = m_triangulation->counterclockwise(v, first); h != last;
-        h = m_triangulation->counterclockwise(v, h))
-      cross(h);
-  }
-
-  void cross_clockwise(const Index first, const Index last)
-  {
-    const Index v = m_triangulation->source(first);
-    for(Index h = m_triangulation->clockwise(v, first); h != last;
-        h = m_triangulation->clockwise(v, h))
-      cross(m_triangulation->opposite(h));
+    const Intrinsic_triangulation& t = *m_triangulation;
+    const Index v = t.source(first);
+    const auto next = [&](const Index h) {
+      return is_clockwise ? t.clockwise(v, h) : t.counterclockwise(v, h);
+    };
+    for(Index h = next(first); h != last; h = next(h))
+      cross(is_clockwise ? t.opposite(h) : h);
   }
 
   void end_at(const Face_point& p)

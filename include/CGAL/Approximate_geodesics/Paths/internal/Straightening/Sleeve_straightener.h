@@ -64,10 +64,8 @@ public:
       for(std::size_t i = m_gates.first; i < first_of_last_turn; ++i)
         sleeve.cross(m_sleeve.gates()[i].halfedge);
     }
-    else if(m_gates.is_left)
-      sleeve.cross_clockwise(m_first, m_last);
     else
-      sleeve.cross_counterclockwise(m_first, m_last);
+      sleeve.cross_around(m_first, m_last, m_gates.is_left);
   }
 
 private:
