@@ -176,7 +176,7 @@ public:
   /// than the requested one. Run time is \cgalBigO{n}.
   double epsilon(const Intrinsic_triangulation& triangulation) const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    using internal::infinity;
     if(raised_weight(triangulation) != Intrinsic_triangulation::null_index)
       return infinity;
     double of_crossings = m_epsilon_of_crossings, of_vicinities = 0;

@@ -20,6 +20,7 @@
 #include <boost/config.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -252,21 +253,15 @@ private:
   BOOST_NOINLINE void
   expand(const Node* const nodes, const std::size_t number, const Labels& labels, Arcs& arcs) const
   {
-    using General = internal::Cone_front<true, internal::Unfolding, Labels, Arcs>;
-    using Simple = internal::Cone_front<false, internal::Unfolding, Labels, Arcs>;
-    if(General::is_general_needed(m_triangulation.get()))
-      expand_with<General>(nodes, number, labels, arcs);
+    const Intrinsic_triangulation& t = m_triangulation.get();
+    const auto expand_with = [&](const auto is_general) {
+      using Front = internal::Cone_front<is_general, internal::Unfolding, Labels, Arcs>;
+      Front(t, m_unfolding, m_rules.epsilon, labels, arcs).expand(nodes, number);
+    };
+    if(internal::needs_general_front(t))
+      expand_with(std::true_type());
     else
-      expand_with<Simple>(nodes, number, labels, arcs);
-  }
-
-  template <typename Front, typename Labels, typename Arcs>
-  void expand_with(const Node* const nodes,
-                   const std::size_t number,
-                   const Labels& labels,
-                   Arcs& arcs) const
-  {
-    Front(m_triangulation.get(), m_unfolding, m_rules.epsilon, labels, arcs).expand(nodes, number);
+      expand_with(std::false_type());
   }
 
   // Finds the arcs of a node that is not expanded together with others.

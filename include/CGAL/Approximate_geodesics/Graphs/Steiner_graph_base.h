@@ -33,9 +33,6 @@ namespace internal {
 template <typename Costs>
 class Steiner_arcs : Steiner_view
 {
-  using Node = Index;
-  using Face = Viewpoint::Face;
-
 public:
   explicit Steiner_arcs(const Costs& costs) : Steiner_view(costs), m_costs(costs) {}
 
@@ -50,7 +47,7 @@ public:
       expand_sector(node, f);
     else if(!m_nodes.is_divided(node))
       expand_vertex(node, f);
-    else if(labels.predecessor(node) == null_node) // a path may start there, but not go through
+    else if(labels.predecessor(node) == null_index) // a path may start there, but not go through
       m_nodes.for_each_sector(node, [&](const Node sector) { f(sector, 0.); });
   }
 
@@ -74,9 +71,6 @@ public:
   }
 
 private:
-  static constexpr Node null_node = Intrinsic_triangulation::null_index;
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   // ----- arcs from vertices
 
   template <typename F>
@@ -154,7 +148,7 @@ private:
       f(left.toward_target, left.cost_to_target);
 
     const Node origin = labels.predecessor(node);
-    if(origin == left.toward_source || origin == left.toward_target || origin == null_node)
+    if(origin == left.toward_source || origin == left.toward_target || origin == null_index)
     {
       if(m_triangulation.is_open(h))
         m_costs.expand_face(left, m_triangulation.halfedges_of_face(h), labels, f);
@@ -226,7 +220,6 @@ private:
 template <typename Costs>
 class Steiner_attachment : Steiner_view, public Lines_of_point<Costs>
 {
-  using Node = Steiner_nodes::Node;
   using Lines = Lines_of_point<Costs>;
   using Lines::m_costs;
   using Lines::m_point;
@@ -292,7 +285,7 @@ private:
     const double length = m_triangulation.length(h);
     const auto offer_at = [&](const Node node, const double part) {
       const double cost = m_costs.along(h, part >= t);
-      if(cost < std::numeric_limits<double>::infinity())
+      if(cost < infinity)
         f(node, cost * length * std::abs(part - t));
     };
     offer_at(m_nodes.at_source(m_triangulation, h), 0);

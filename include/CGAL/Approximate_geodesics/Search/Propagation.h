@@ -120,6 +120,17 @@ public:
   /// what the graph needs for a search: its `Run`, or `Geodesic_run_base`.
   using Run = internal::Run_of<Graph>;
 
+  /// a seed, and the data that the graph's `Run` stores about the line to it.
+  struct Entry
+  {
+    Seed seed;                     ///< the seed.
+    typename Run::Payload payload; ///< the data.
+  };
+
+  /// finds the seeds with the help of the graph's `Run`, after it has started. If it is empty, the
+  /// given seeds are entered; otherwise they only serve to find upper bounds of distances.
+  using Find_entries = std::function<std::vector<Entry>()>;
+
   /// @}
 
   /// what `predecessor()` returns if there is none.
@@ -161,6 +172,7 @@ public:
    *              reached.
    * \param stop when the run may end early
    * \param visitor a model of `GeodesicVisitor` for vertices of type `Node`
+   * \param find_entries finds the seeds, for lines that are found from upper bounds
    *
    * \throws std::invalid_argument if a node does not exist, or if the distance of a seed or the
    *         maximum distance is negative or not a number.
@@ -169,36 +181,15 @@ public:
    * operation of the queue.
    */
   template <typename Visitor = Geodesic_visitor_base>
-  void run(const std::vector<Seed>& seeds, const Stop_rule& stop, Visitor&& visitor = Visitor())
-  {
-    run(seeds, stop, visitor, {});
-  }
-
-  /// \cond SKIP_IN_MANUAL
-
-  // A seed, and the data that the graph's `Run` stores about the line to it.
-  struct Entry
-  {
-    Seed seed;
-    typename Run::Payload payload;
-  };
-
-  // Finds the seeds with the help of the graph's `Run`, after it has started. If it is empty, the
-  // given seeds are entered; otherwise they only serve to find upper bounds of distances.
-  using Find_entries = std::function<std::vector<Entry>()>;
-
-  template <typename Visitor>
   void run(const std::vector<Seed>& seeds,
            const Stop_rule& stop,
-           Visitor&& visitor,
-           const Find_entries& find_entries)
+           Visitor&& visitor = Visitor(),
+           const Find_entries& find_entries = {})
   {
     check(seeds, stop);
     forget();
     search(seeds, stop, visitor, internal::No_heuristic(), find_entries);
   }
-
-  /// \endcond
 
   /// finds the distances from the nearest of the seeds to all nodes.
   void run(const std::vector<Seed>& seeds) { run(seeds, Stop_rule()); }
@@ -219,23 +210,15 @@ public:
    *        of the distance from this node to the goal, in units of the graph. Consistent means that
    *        for each arc, the value at its start is at most the length of the arc plus the value at
    *        its end. Rounding errors are tolerated.
+   * \param find_entries finds the seeds, for lines that are found from upper bounds
    *
    * \throws std::invalid_argument as `run()` does.
    */
   template <typename AStarHeuristic>
-  void
-  run_toward(const std::vector<Seed>& seeds, const Stop_rule& stop, const AStarHeuristic& heuristic)
-  {
-    run_toward(seeds, stop, heuristic, {});
-  }
-
-  /// \cond SKIP_IN_MANUAL
-
-  template <typename AStarHeuristic>
   void run_toward(const std::vector<Seed>& seeds,
                   const Stop_rule& stop,
                   const AStarHeuristic& heuristic,
-                  const Find_entries& find_entries)
+                  const Find_entries& find_entries = {})
   {
     check(seeds, stop);
     forget();
@@ -246,8 +229,6 @@ public:
       search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_entries);
     }
   }
-
-  /// \endcond
 
   /*!
    * adds seeds to those of the last run, and lowers the distances of the nodes that are nearer to

@@ -242,11 +242,8 @@ public:
   // The request, if there is one.
   const std::optional<Queue_entry>& next_call() const { return m_next_call; }
 
-  // Reserves memory for `number` more arcs.
-  void make_room(const std::size_t number)
-  {
-    reserve(number + 1);
-  } // a rejected one is written, too
+  // Reserves memory for `number` more arcs, and one that is rejected, which is written, too.
+  void make_room(const std::size_t number) { reserve(number + 1); }
 
   // Appends an arc of a node with this label, unless `is_arc` is false.
   void append(const bool is_arc,

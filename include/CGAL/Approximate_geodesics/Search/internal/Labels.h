@@ -117,8 +117,7 @@ public:
   void forget(const Labels& labels)
   {
     if(m_has_roots)
-      for(const Node node : labels.order())
-        m_seed[node] = UNKNOWN;
+      reset(m_seed, labels.order(), UNKNOWN);
     m_has_roots = false;
   }
 

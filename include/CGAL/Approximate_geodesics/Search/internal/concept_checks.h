@@ -26,17 +26,15 @@ namespace CGAL::Approximate_geodesics::internal {
 
 // Arguments that convert only to integers, or only to floating-point numbers: a node is not a
 // distance.
-struct Some_node
+template <template <typename> class Is>
+struct Some_number
 {
-  template <typename T, typename = std::enable_if_t<std::is_integral_v<T>>>
+  template <typename T, typename = std::enable_if_t<Is<T>::value>>
   operator T() const;
 };
 
-struct Some_key
-{
-  template <typename T, typename = std::enable_if_t<std::is_floating_point_v<T>>>
-  operator T() const;
-};
+using Some_node = Some_number<std::is_integral>;
+using Some_key = Some_number<std::is_floating_point>;
 
 struct Some_function
 {

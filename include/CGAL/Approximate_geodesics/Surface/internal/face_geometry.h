@@ -379,6 +379,10 @@ void for_each_face_point(const Intrinsic_triangulation& triangulation,
       f(Face_point::on_edge(side, 1 - p.t));
 }
 
+// The end of a line, which is a vertex or any point.
+inline Intrinsic_point point_at(const Index v) { return Intrinsic_point::at_vertex(v); }
+inline Intrinsic_point point_at(const Intrinsic_point& point) { return point; }
+
 // A straight line through a face, or along an edge.
 struct Segment
 {

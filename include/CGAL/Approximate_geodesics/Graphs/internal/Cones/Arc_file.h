@@ -30,6 +30,8 @@ class Arc_file
   // "AGDGG", followed by CR, SUB and LF, which copies in text mode change
   static constexpr std::uint64_t SIGNATURE = 0x0a1a0d4747444741;
   static constexpr std::uint32_t VERSION = 4;
+  static constexpr double SHARES[] = {Cone_rules::SHARE_OF_ENDS, Cone_rules::SHARE_OF_DETOURS,
+                                      Cone_rules::SHARE_OF_BENDS};
   static constexpr const char* CONTENTS = "the graph"; // in messages
 
 public:
@@ -49,9 +51,8 @@ public:
     const std::uint32_t mark = fingerprint(triangulation);
     writer.write(mark);
     writer.write(epsilon);
-    writer.write(double(Cone_rules::SHARE_OF_ENDS));
-    writer.write(double(Cone_rules::SHARE_OF_DETOURS));
-    writer.write(double(Cone_rules::SHARE_OF_BENDS));
+    for(const double share : SHARES)
+      writer.write(share);
     writer.write(nodes.number_of_vertices());
     writer.write(&nodes == &triangulation ? mark : fingerprint(nodes));
     for(Index v = 0; v < rows.number_of_rows(); ++v)
@@ -128,12 +129,9 @@ private:
   // Paths are found by computing arcs again, by the same rules.
   static void check_shares(Binary_reader& reader)
   {
-    const auto ends = reader.read<double>();
-    const auto detours = reader.read<double>();
-    const auto bends = reader.read<double>();
-    if(ends != Cone_rules::SHARE_OF_ENDS || detours != Cone_rules::SHARE_OF_DETOURS ||
-       bends != Cone_rules::SHARE_OF_BENDS)
-      reject("the graph of the file was built by other rules than those of this version");
+    for(const double share : SHARES)
+      if(reader.read<double>() != share)
+        reject("the graph of the file was built by other rules than those of this version");
   }
 
   // Nodes inside long thin faces have to be where they were when the graph was built.

@@ -91,6 +91,12 @@ private:
   std::size_t m_size = 0;
 };
 
+// Whether cones on a triangulation need a front that is general.
+inline bool needs_general_front(const Intrinsic_triangulation& triangulation)
+{
+  return triangulation.lines_may_return() || triangulation.thin_faces().has_extreme_needles();
+}
+
 /*
  * Finds arcs of several vertices that a search with these labels may need. The cones of all of them
  * advance together, a face at a time. Whether a cone is split, passes a vertex or ends is
@@ -114,11 +120,6 @@ class Cone_front
   using End = typename Cone::End;
 
 public:
-  static bool is_general_needed(const Intrinsic_triangulation& triangulation)
-  {
-    return triangulation.lines_may_return() || triangulation.thin_faces().has_extreme_needles();
-  }
-
   Cone_front(const Intrinsic_triangulation& triangulation,
              const Unfolding& unfolding,
              const double epsilon,

@@ -67,18 +67,12 @@ public:
     });
   }
 
-  // Calls `f(h, t)` for the edges that the line of the given length to the vertex `v` crosses.
+  // Calls `f(h, t)` for the edges that the line of the given length to a vertex or a point crosses.
   // Returns its length.
-  template <typename F>
-  double for_each_crossing(const Index v, const double length, F f) const
+  template <typename End, typename F>
+  double for_each_crossing(const End& vertex_or_point, const double length, F f) const
   {
-    return for_each_crossing(Intrinsic_point::at_vertex(v), length, f);
-  }
-
-  // The same for the line to any point.
-  template <typename F>
-  double for_each_crossing(const Intrinsic_point& end, const double length, F f) const
-  {
+    const Intrinsic_point end = point_at(vertex_or_point);
     Line_search search{length};
     consider_lines_in_faces(end, search);
     find_line(end, Within_reach<Leave_out_nothing>{{}, search.reach()}, search);

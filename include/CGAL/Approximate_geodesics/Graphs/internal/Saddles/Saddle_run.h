@@ -265,9 +265,6 @@ public:
   }
 
 private:
-  static Intrinsic_point point_at(const Node node) { return Intrinsic_point::at_vertex(node); }
-  static Intrinsic_point point_at(const Intrinsic_point& point) { return point; }
-
   double largest_label(const Node node) const
   {
     return m_distance_to_goal ? m_limit - m_distance_to_goal(node) : m_limit;

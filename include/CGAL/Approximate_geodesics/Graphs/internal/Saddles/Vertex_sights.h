@@ -161,8 +161,7 @@ public:
       return {};
     Plane_vector angle = turned_right(corner(h), way_back(arrival));
     angle = turned_left(angle.y > 0 ? angle : Plane_vector{1, 0}, slack());
-    if(angle.y <= 0 &&
-       angle.x < 0) // the rest of the face and the slack are a straight angle already
+    if(is_straight(angle)) // the rest of the face and the slack
       angle = {-1, 0};
     for(Index n = m_triangulation.degree(m_vertex); n > 0; --n)
     {
@@ -170,7 +169,7 @@ public:
       if(!m_steps[h].has_face())
         return {};
       const Plane_vector next = turned_left(angle, corner(h));
-      if(!(next.y > 0) && (next.x < 0 || next.y < 0))
+      if(is_straight(next) || next.y < 0)
         return {h, {-angle.x, angle.y}};
       angle = next;
     }
@@ -182,7 +181,7 @@ public:
   {
     Index h = side(arrival);
     Plane_vector angle = turned_left(way_back(arrival), slack());
-    if(angle.y <= 0 && angle.x < 0) // the line and the slack are a straight angle already
+    if(is_straight(angle)) // the line and the slack
       angle = {-1, 0};
     for(Index n = m_triangulation.degree(m_vertex); n > 0; --n)
     {
@@ -190,7 +189,7 @@ public:
       if(!m_steps[h].has_face())
         return {};
       const Plane_vector c = corner(h), next = turned_left(angle, c);
-      if(!(next.y > 0) && (next.x < 0 || next.y < 0))
+      if(is_straight(next) || next.y < 0)
         return {h, turned_right(c, {-angle.x, angle.y})};
       angle = next;
     }
@@ -241,6 +240,9 @@ private:
   {
     return 1 / std::sqrt(1 + angle * angle) * Plane_vector{1, angle};
   }
+
+  // Whether a sum of angles of less than pi and a small angle is a straight angle, or more.
+  static bool is_straight(const Plane_vector angle) { return angle.y <= 0 && angle.x < 0; }
 
   static Plane_vector slack() { return unit_vector(Arrival::ROUNDING); }
 

@@ -83,9 +83,6 @@ private:
  */
 class Gauge_costs : public Steiner_view
 {
-  using Node = Steiner_nodes::Node;
-  using Face = Viewpoint::Face;
-
 public:
   static constexpr bool are_symmetric = false;
   using Edges = Edge_costs;

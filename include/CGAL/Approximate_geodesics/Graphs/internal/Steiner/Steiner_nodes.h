@@ -488,30 +488,6 @@ private:
 };
 
 /*
- * References to the data that costs and arcs are computed from.
- */
-class Steiner_view
-{
-protected:
-  Steiner_view(const Intrinsic_triangulation& triangulation, const Steiner_nodes& nodes)
-    : m_triangulation(triangulation), m_nodes(nodes), m_points(nodes.points())
-  {
-  }
-
-  // Calls `f`, unless the cost is infinite.
-  template <typename F>
-  static void offer(const Steiner_nodes::Node node, const double cost, F& f)
-  {
-    if(cost < infinity)
-      f(node, cost);
-  }
-
-  const Intrinsic_triangulation& m_triangulation;
-  const Steiner_nodes& m_nodes;
-  const Points_on_edges& m_points;
-};
-
-/*
  * A point on an edge as a node of the face to the left of a halfedge of the edge.
  */
 struct Viewpoint
@@ -530,6 +506,33 @@ struct Viewpoint
   double from_source, from_target;       // distances from the ends of the halfedge
   Node toward_source, toward_target;     // neighbors on the edge
   double cost_to_source, cost_to_target; // costs of the arcs to the neighbors
+};
+
+/*
+ * References to the data that costs and arcs are computed from.
+ */
+class Steiner_view
+{
+protected:
+  using Node = Steiner_nodes::Node;
+  using Face = Viewpoint::Face;
+
+  Steiner_view(const Intrinsic_triangulation& triangulation, const Steiner_nodes& nodes)
+    : m_triangulation(triangulation), m_nodes(nodes), m_points(nodes.points())
+  {
+  }
+
+  // Calls `f`, unless the cost is infinite.
+  template <typename F>
+  static void offer(const Node node, const double cost, F& f)
+  {
+    if(cost < infinity)
+      f(node, cost);
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Steiner_nodes& m_nodes;
+  const Points_on_edges& m_points;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

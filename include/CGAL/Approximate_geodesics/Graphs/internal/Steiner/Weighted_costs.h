@@ -260,9 +260,7 @@ inline std::pair<Index, Index> cell(const Point_row& row,
  */
 class Weighted_costs : public Steiner_view, public Line_weights
 {
-  using Node = Steiner_nodes::Node;
   using Row = Point_row;
-  using Face = Viewpoint::Face;
 
 public:
   // whether opposite directions have the same cost
