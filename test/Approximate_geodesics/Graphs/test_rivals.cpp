@@ -28,7 +28,9 @@ using CGAL::Approximate_geodesics::internal::Reached_point;
 struct Contest
 {
   Contest(Random& random, const double label, const double spread)
-    : corner(1, 1, random.between(0.1, 1.9)), weight(std::pow(10, random.between(-3, 3)))
+    : corner(1, 1, random.between(0.1, 1.9)),
+      weight(std::pow(10, random.between(-3, 3))),
+      row(0, 200, nullptr, 1, true, corner, weight)
   {
     double x[3] = {random.between(0, 1), random.between(0, 1), random.between(0, 1)};
     std::sort(x, x + 3);
@@ -47,11 +49,11 @@ struct Contest
     return (std::min)(cost(points[0], rank), cost(points[2], rank)) < cost(points[1], rank);
   }
 
-  auto worthwhile() const { return cell(row, corner, weight, points[1], points[0], points[2]); }
+  auto worthwhile() const { return cell(row, points[1], points[0], points[2]); }
 
-  Point_row row{0, 200, nullptr, 1, true};
   Corner corner;
   double weight;
+  Point_row row;
   Reached_point points[3]; // by their distance from the corner
 };
 
@@ -85,20 +87,18 @@ TEST(Rivals, win_by_sums_that_are_smaller_after_rounding)
 // rounding. If none of two were better, both would look at the whole row.
 TEST(Rivals, win_if_they_are_at_the_same_place)
 {
-  const Point_row row(0, 200, nullptr, 1, true);
-  const Corner corner(1, 1, 1);
+  const Point_row row(0, 200, nullptr, 1, true, Corner(1, 1, 1), 1);
   const Reached_point here{1, 0.5};
-  const auto [first, beyond] = cell(row, corner, 1, here, here, {1, 0.75});
+  const auto [first, beyond] = cell(row, here, here, {1, 0.75});
   EXPECT_EQ(first, beyond);
 }
 
 // Beside labels that are this large, sums are the same wherever a path goes on.
 TEST(Rivals, share_the_row_where_sums_are_the_same)
 {
-  const Point_row row(0, 200, nullptr, 1, true);
-  const Corner corner(1, 1, 0.2);
+  const Point_row row(0, 200, nullptr, 1, true, Corner(1, 1, 0.2), 1);
   const double label = 1e200;
-  const auto [first, beyond] = cell(row, corner, 1, {label, 0.5}, {label, 0.25}, {label, 0.75});
+  const auto [first, beyond] = cell(row, {label, 0.5}, {label, 0.25}, {label, 0.75});
   EXPECT_LT(beyond - first, 100);
   EXPECT_GT(first, 0);
   EXPECT_LT(beyond, row.size());

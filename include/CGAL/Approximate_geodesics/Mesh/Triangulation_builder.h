@@ -9,8 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>

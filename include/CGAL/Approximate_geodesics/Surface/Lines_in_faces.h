@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace CGAL::Approximate_geodesics {
 
@@ -101,7 +100,6 @@ private:
   // Returns infinity if there is no edge that both points lie on.
   double cost_along_edge(const Intrinsic_point& end) const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const Index h = m_point.halfedge, opposite = m_triangulation.opposite(h);
     if(!m_point.is_on_edge() || !end.is_on_edge() ||
        (end.halfedge != h && end.halfedge != opposite))

@@ -26,7 +26,8 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * The points of an edge, ranked by their distance from the end that is at a corner of a face.
+ * The points of an edge, ranked by their distance from the end that is at a corner of a face, which
+ * has this weight.
  */
 class Point_row
 {
@@ -38,12 +39,16 @@ public:
             const Index size,
             const float* const positions,
             const double length,
-            const bool starts_at_first_end)
+            const bool starts_at_first_end,
+            const Corner& corner,
+            const double weight)
     : m_first_node(first_node),
       m_size(size),
       m_positions(positions),
       m_length(length),
-      m_is_reversed(starts_at_first_end ? 0 : 1)
+      m_is_reversed(starts_at_first_end ? 0 : 1),
+      m_corner(corner),
+      m_weight(weight)
   {
   }
 
@@ -52,6 +57,9 @@ public:
   // Returns the length of the edge.
   double length() const { return m_length; }
 
+  const Corner& corner() const { return m_corner; }
+  double weight() const { return m_weight; }
+
   double distance_from_corner(const Index rank) const
   {
     const Index i = m_is_reversed == 0 ? rank : m_size - 1 - rank;
@@ -59,22 +67,17 @@ public:
   }
 
   // Calls `f(node, costs, number)` for blocks of consecutive points, which have the ranks from
-  // `first` to before `beyond`. Costs are `weight` times the distances from the point on the other
-  // side of the corner, at the distance `x` from the corner.
+  // `first` to before `beyond`. Costs are those from the point on the other side of the corner, at
+  // the distance `x` from the corner.
   template <typename F>
-  void for_each_block(const Index first,
-                      const Index beyond,
-                      const Corner& corner,
-                      const double x,
-                      const double weight,
-                      F f) const
+  void for_each_block(const Index first, const Index beyond, const double x, F f) const
   {
     const Index begin = first + m_is_reversed * (m_size - beyond - first);
     const Index end = begin + (beyond - first);
     if(m_positions == nullptr)
-      measure(begin, end, corner, x, weight, equal_parts(), f);
+      measure(begin, end, x, equal_parts(), f);
     else
-      measure(begin, end, corner, x, weight, stored_positions(), f);
+      measure(begin, end, x, stored_positions(), f);
   }
 
 private:
@@ -121,12 +124,12 @@ private:
   template <typename Distance_from_corner, typename F>
   void measure(Index begin,
                const Index end,
-               const Corner& corner,
                const double x,
-               const double weight,
                const Distance_from_corner& distance_from_corner,
                F& f) const
   {
+    const Corner corner = m_corner; // `f` cannot change these two
+    const double weight = m_weight;
     const auto cost = [&](const Index i) {
       return weight * corner.distance(x, distance_from_corner(i));
     };
@@ -147,6 +150,8 @@ private:
   const float* m_positions;
   double m_length;
   Index m_is_reversed; // 0 or 1
+  Corner m_corner;
+  double m_weight;
 };
 
 // The label of a point, and its distance from a corner.
@@ -171,23 +176,16 @@ struct Reached_point
 class Rivals
 {
 public:
-  Rivals(const Reached_point& nearer,
-         const Reached_point& farther,
-         const Point_row& row,
-         const Corner& corner,
-         const double weight)
-    : m_row(row),
-      m_corner(corner),
-      m_nearer(nearer.distance_from_corner),
-      m_farther(farther.distance_from_corner)
+  Rivals(const Reached_point& nearer, const Reached_point& farther, const Point_row& row)
+    : m_row(row), m_nearer(nearer.distance_from_corner), m_farther(farther.distance_from_corner)
   {
     const double gap = m_farther - m_nearer;
     if(nearer.label != farther.label)
-      m_head_start = divided(farther.label - nearer.label, weight);
+      m_head_start = divided(farther.label - nearer.label, row.weight());
     else if(gap == 0)
       m_head_start = (std::numeric_limits<double>::min)(); // ties go to the nearer one
     constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    const double label = divided((std::min)(nearer.label, farther.label), weight);
+    const double label = divided((std::min)(nearer.label, farther.label), row.weight());
     m_doubt = (std::min)(SMALLEST_DIFFERENCE * gap, rounding * (label + m_farther + row.length()));
   }
 
@@ -218,9 +216,10 @@ private:
   // times a positive number.
   double lead_of_nearer(const double y, const double allowance) const
   {
-    const double sum = m_corner.distance(m_nearer, y) + m_corner.distance(m_farther, y);
+    const Corner& corner = m_row.corner();
+    const double sum = corner.distance(m_nearer, y) + corner.distance(m_farther, y);
     return (m_head_start + allowance) * sum +
-           (m_farther - m_nearer) * (m_farther + m_nearer - (2 - m_corner.opening()) * y);
+           (m_farther - m_nearer) * (m_farther + m_nearer - (2 - corner.opening()) * y);
   }
 
   // Returns the first rank for which `f` is false.
@@ -234,7 +233,6 @@ private:
   }
 
   const Point_row& m_row;
-  const Corner& m_corner;
   double m_nearer, m_farther; // distances from the corner
   double m_head_start = 0;    // of the nearer one
   double m_doubt;
@@ -245,14 +243,12 @@ private:
  * points on the same side of the corner, one nearer to it and one farther from it.
  */
 inline std::pair<Index, Index> cell(const Point_row& row,
-                                    const Corner& corner,
-                                    const double weight,
                                     const Reached_point& point,
                                     const Reached_point& nearer,
                                     const Reached_point& farther)
 {
-  const auto first = Rivals(nearer, point, row, corner, weight).end_of_nearer();
-  return {first, (std::max)(first, Rivals(point, farther, row, corner, weight).start_of_farther())};
+  const auto first = Rivals(nearer, point, row).end_of_nearer();
+  return {first, (std::max)(first, Rivals(point, farther, row).start_of_farther())};
 }
 
 /*
@@ -310,14 +306,14 @@ public:
   void expand_corner(const Node v, const Index h, F& f) const
   {
     const Index next = m_triangulation.next(h);
-    const Row opposite = row(next, true);
-    if(opposite.size() == 0)
+    if(m_points.number_of_points(m_points.edge(next)) == 0)
       return;
     const double x = m_triangulation.length(h);
     const double third = m_triangulation.length(m_triangulation.counterclockwise(v, h));
-    // at the target of `h`
-    const Corner corner = corner_of_face(m_triangulation, next, x, opposite.length(), third);
-    visit(opposite, {0, opposite.size()}, corner, x, m_triangulation.weight(h), f);
+    const Corner at_target =
+        corner_of_face(m_triangulation, next, x, m_triangulation.length(next), third);
+    const Row opposite = row(next, true, at_target, m_triangulation.weight(h));
+    visit(opposite, {0, opposite.size()}, x, f);
   }
 
   // Enumerates the arcs from a viewpoint across a face, whose first halfedge is that of the
@@ -327,22 +323,20 @@ public:
   {
     const double weight = m_triangulation.weight(view.halfedge);
     const double length = m_triangulation.length(view.halfedge);
-    const Row at_target = row(face[1], true), at_source = row(face[2], false);
-
-    const Corner corner =
-        corner_of_face(m_triangulation, face[1], length, at_target.length(), at_source.length());
+    const double left = m_triangulation.length(face[2]), right = m_triangulation.length(face[1]);
+    const auto expand = [&](const Row& row, const bool is_at_source) {
+      visit(row, worthwhile(row, view, is_at_source, labels),
+            is_at_source ? view.from_source : view.from_target, f);
+    };
+    const Corner at_target = corner_of_face(m_triangulation, face[1], length, right, left);
     f(m_nodes.at_corner(m_triangulation.target(face[1]), face[2]),
-      weight * corner.distance(view.from_target, at_target.length()));
-    if(at_target.size() > 0)
-      visit(at_target, worthwhile(at_target, corner, weight, view, false, labels), corner,
-            view.from_target, weight, f);
-    if(at_source.size() > 0)
-    {
-      const Corner other_corner =
-          corner_of_face(m_triangulation, face[0], length, at_source.length(), at_target.length());
-      visit(at_source, worthwhile(at_source, other_corner, weight, view, true, labels),
-            other_corner, view.from_source, weight, f);
-    }
+      weight * at_target.distance(view.from_target, right));
+    if(m_points.number_of_points(m_points.edge(face[1])) > 0)
+      expand(row(face[1], true, at_target, weight), false);
+    if(m_points.number_of_points(m_points.edge(face[2])) > 0)
+      expand(row(face[2], false, corner_of_face(m_triangulation, face[0], length, left, right),
+                 weight),
+             true);
   }
 
 private:
@@ -350,24 +344,19 @@ private:
   static constexpr Index LONG_ROW = 16;
 
   // Returns the points of the edge of `h`, ranked from its source or its target.
-  Row row(const Index h, const bool is_from_source) const
+  Row row(const Index h, const bool is_from_source, const Corner& corner, const double weight) const
   {
     const Index e = m_points.edge(h), first = m_points.first_point(e);
     return Row(m_nodes.node_of_point(first), m_points.number_of_points(e),
                m_points.positions(first), m_triangulation.length(h),
-               m_points.is_first(h) == is_from_source);
+               m_points.is_first(h) == is_from_source, corner, weight);
   }
 
   // Enumerates the arcs to points of a row, from the point at the distance `x` from its corner.
   template <typename F>
-  void visit(const Row& row,
-             const std::pair<Index, Index> ranks,
-             const Corner& corner,
-             const double x,
-             const double weight,
-             F& f) const
+  void visit(const Row& row, const std::pair<Index, Index> ranks, const double x, F& f) const
   {
-    row.for_each_block(ranks.first, ranks.second, corner, x, weight,
+    row.for_each_block(ranks.first, ranks.second, x,
                        [&f](const Node first, const double* const costs, const Index number) {
                          if constexpr(std::is_invocable_v<F, Node, const double*, std::size_t>)
                            f(first, costs, std::size_t(number));
@@ -381,8 +370,6 @@ private:
   // than its neighbors. The row starts from the corner at the source or target of its halfedge.
   template <typename Labels>
   std::pair<Index, Index> worthwhile(const Row& row,
-                                     const Corner& corner,
-                                     const double weight,
                                      const Viewpoint& view,
                                      const bool is_at_source,
                                      const Labels& labels) const
@@ -403,8 +390,8 @@ private:
         rival(view.toward_source, view.cost_to_source, is_at_source ? 0 : length);
     const Reached_point at_target =
         rival(view.toward_target, view.cost_to_target, is_at_source ? length : 0);
-    return is_at_source ? cell(row, corner, weight, point, at_source, at_target)
-                        : cell(row, corner, weight, point, at_target, at_source);
+    return is_at_source ? cell(row, point, at_source, at_target)
+                        : cell(row, point, at_target, at_source);
   }
 
   // Returns the distance of a point on the edge of `h` from the source or the target of `h`.
