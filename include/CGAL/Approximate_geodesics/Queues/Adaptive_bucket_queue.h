@@ -470,7 +470,7 @@ private:
     while(m_round.empty())
     {
       if(m_is_in_order && nearest_index() == m_current)
-        take_out_in_order();
+        move_nearest_to(m_round);
       else if(m_is_in_order || current_bucket().empty())
         open_next_bucket();
       else if(shall_be_put_in_order())
@@ -494,7 +494,7 @@ private:
     const bool circle_is_empty = m_size == m_heap.size();
     open_bucket(circle_is_empty ? nearest_index() : m_current + 1);
     while(nearest_index() - m_first_in_circle < m_number_in_circle)
-      move_nearest_into_circle();
+      move_nearest_to(bucket(nearest_index()));
   }
 
   // The number of entries extracted from the current bucket.
@@ -527,15 +527,10 @@ private:
     current_bucket().clear();
   }
 
-  void take_out_in_order()
+  // Moves the entry with the smallest key from the heap.
+  void move_nearest_to(Bucket& entries)
   {
-    m_round.push_back(m_heap.top());
-    m_heap.pop();
-  }
-
-  void move_nearest_into_circle()
-  {
-    bucket(nearest_index()).push_back(m_heap.top());
+    entries.push_back(m_heap.top());
     m_heap.pop();
   }
 
