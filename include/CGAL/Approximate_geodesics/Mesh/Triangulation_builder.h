@@ -291,7 +291,7 @@ private:
     m_result.m_unit = lengths.unit;
     m_result.m_lines_may_return = is_given<NamedParameters, internal_np::edge_length_t>;
     if(!lengths.points.empty())
-      m_result.m_thin_faces = thin_faces(std::move(lengths.sharp_faces), lengths.points, m_result);
+      m_result.m_thin_faces = thin_faces(lengths.sharp_corners, lengths.points, m_result);
   }
 
   void copy_weights()

@@ -84,7 +84,9 @@ struct Edge_lengths
   std::vector<double> of_halfedge;
   double unit = 1;
   std::vector<Space_vector> points; // of vertices, in that unit; empty if lengths were given
-  std::vector<Index> sharp_faces;   // those that may be thin
+
+  // The halfedges to the right of sharp corners, whose faces may be thin; by block of vertices.
+  std::vector<std::vector<Index>> sharp_corners;
 };
 
 template <typename Connectivity>
@@ -247,68 +249,41 @@ inline Thin_face thin_face(const Space_vector& p, const Space_vector& q, const S
   return result;
 }
 
-/*
- * Collects the faces that may be thin, while lengths are computed: those with an angle that is
- * almost as small as the smallest one of a thin face, 2.2 degrees.
- */
-class Sharp_corners
+// A halfedge, and the vector along it.
+struct Halfedge_vector
 {
-public:
-  // Adds the next halfedge, counterclockwise around a vertex, and its vector `way`.
-  void add(const Intrinsic_triangulation& triangulation, const Index h, const Space_vector& way)
-  {
-    const Side side{way, dot(way, way), h};
-    if(m_is_first)
-      m_first = side;
-    else
-      add_corner(triangulation, m_last, side);
-    m_last = side;
-    m_is_first = false;
-  }
-
-  // Must be called after the last halfedge of a vertex.
-  void finish(const Intrinsic_triangulation& triangulation)
-  {
-    if(!m_is_first)
-      add_corner(triangulation, m_last, m_first);
-    m_is_first = true;
-  }
-
-  // Returns the first halfedges of the faces.
-  const std::vector<Index>& faces() const { return m_faces; }
-
-private:
-  struct Side
-  {
-    Space_vector way;
-    double squared_length;
-    Index halfedge;
-  };
-
-  void add_corner(const Intrinsic_triangulation& triangulation, const Side& right, const Side& left)
-  {
-    constexpr double squared_cosine = 1 - 1. / 256; // of 3.6 degrees: a margin for rounding
-    constexpr double smallest = 0x1p-960;           // below it, products may underflow
-    const double scalar_product = dot(right.way, left.way);
-    const double product = right.squared_length * left.squared_length;
-    const bool is_sharp =
-        scalar_product > 0 && scalar_product * scalar_product > squared_cosine * product;
-    if((is_sharp || product < smallest) && !triangulation.is_border(right.halfedge))
-      m_faces.push_back(triangulation.first_of_face(right.halfedge));
-  }
-
-  std::vector<Index> m_faces;
-  Side m_first{}, m_last{};
-  bool m_is_first = true;
+  Index halfedge;
+  Space_vector way;
+  double squared_length;
 };
 
-// Selects the thin faces among `faces`: those whose shapes cannot be computed accurately from
-// lengths. Faces are given by their first halfedges. `points` are the vertices in the unit of the
-// triangulation.
-inline Thin_faces thin_faces(std::vector<Index> faces,
+// Adds `right` if the corner between two halfedges is sharp: the angle is almost as small as the
+// smallest one of a thin face, 2.2 degrees.
+inline void add_if_sharp(const Halfedge_vector& right,
+                         const Halfedge_vector& left,
+                         std::vector<Index>& sharp_corners)
+{
+  constexpr double squared_cosine = 1 - 1. / 256; // of 3.6 degrees: a margin for rounding
+  constexpr double smallest = 0x1p-960;           // below it, products may underflow
+  const double scalar_product = dot(right.way, left.way);
+  const double product = right.squared_length * left.squared_length;
+  const bool is_sharp =
+      scalar_product > 0 && scalar_product * scalar_product > squared_cosine * product;
+  if(is_sharp || product < smallest)
+    sharp_corners.push_back(right.halfedge);
+}
+
+// Selects the thin faces among those with sharp corners: those whose shapes cannot be computed
+// accurately from lengths. `points` are the vertices in the unit of the triangulation.
+inline Thin_faces thin_faces(const std::vector<std::vector<Index>>& sharp_corners,
                              const std::vector<Space_vector>& points,
                              const Intrinsic_triangulation& triangulation)
 {
+  std::vector<Index> faces; // by their first halfedges
+  for(const std::vector<Index>& share : sharp_corners)
+    for(const Index h : share)
+      if(!triangulation.is_border(h))
+        faces.push_back(triangulation.first_of_face(h));
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   Thin_faces result;
@@ -335,27 +310,34 @@ Edge_lengths straight_lengths(std::vector<Space_vector> points,
   result.unit = scale_points(points, connectivity, loop);
   result.of_halfedge.resize(connectivity.number_of_halfedges());
   constexpr bool finds_corners = std::is_same_v<Connectivity, Intrinsic_triangulation>;
-  std::vector<Sharp_corners> corners(points.size() / Loop::SIZE_OF_BLOCK + 1); // per block
+  result.sharp_corners.resize(points.size() / Loop::SIZE_OF_BLOCK + 1);
   loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
-    [[maybe_unused]] Sharp_corners& share = corners[first / Loop::SIZE_OF_BLOCK];
+    [[maybe_unused]] std::vector<Index>& share = result.sharp_corners[first / Loop::SIZE_OF_BLOCK];
     const Connectivity& c = connectivity; // these three stay in registers
     const Space_vector* const point = points.data();
     double* const lengths = result.of_halfedge.data();
     for(Index v = static_cast<Index>(first); v < beyond; ++v)
     {
+      [[maybe_unused]] Halfedge_vector first_side{}, last_side{};
       for(Index h = c.first_halfedge(v); h < c.beyond_halfedge(v); ++h)
       {
         const Space_vector way = difference(point[v], point[c.target(h)]);
         lengths[h] = accurate_length(way);
         if constexpr(finds_corners)
-          share.add(c, h, way);
+        {
+          const Halfedge_vector side{h, way, dot(way, way)};
+          if(h > c.first_halfedge(v))
+            add_if_sharp(last_side, side, share);
+          else
+            first_side = side;
+          last_side = side;
+        }
       }
       if constexpr(finds_corners)
-        share.finish(c);
+        if(c.degree(v) > 0)
+          add_if_sharp(last_side, first_side, share);
     }
   });
-  for(const Sharp_corners& share : corners)
-    result.sharp_faces.insert(result.sharp_faces.end(), share.faces().begin(), share.faces().end());
   result.points = std::move(points);
   return result;
 }
