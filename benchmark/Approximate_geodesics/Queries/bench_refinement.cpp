@@ -124,9 +124,11 @@ private:
   double refined_length(const Vertex source, const Vertex target, const double tolerance) const
   {
     const AG::Intrinsic_triangulation triangulation(m_expected.mesh());
-    AG::internal::Selective_refinement<Node_counting_queue> refinement(
-        triangulation, triangulation.vertex(source.idx()), triangulation.vertex(target.idx()));
-    return refinement.run(AG::Fixed_number_of_points(NUMBER_OF_FIRST_POINTS), 0, tolerance).length;
+    return AG::internal::selective_refinement<Node_counting_queue>(
+               triangulation, triangulation.vertex(source.idx()),
+               triangulation.vertex(target.idx()),
+               AG::Fixed_number_of_points(NUMBER_OF_FIRST_POINTS), 0, tolerance)
+        .first.length;
   }
 
   void add_full_graph(const std::size_t m)

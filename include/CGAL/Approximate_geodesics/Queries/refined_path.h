@@ -55,7 +55,10 @@ public:
       m_is_near(triangulation.number_of_vertices(), false)
   {
     for(const Intrinsic_point& p : path.points)
-      mark_vertices_of_faces(triangulation, p);
+      p.for_each_face(triangulation, [&](const Index h) {
+        for(const Index side : triangulation.halfedges_of_face(h))
+          m_is_near[triangulation.source(side)] = true;
+      });
     for(std::size_t ring = 0; ring < number_of_rings; ++ring)
       mark_neighbors(triangulation);
   }
@@ -80,26 +83,6 @@ public:
   std::size_t memory() const { return m_is_near.capacity() / 8; }
 
 private:
-  // Marks the vertices of the faces that contain a point of the path.
-  void mark_vertices_of_faces(const Intrinsic_triangulation& triangulation,
-                              const Intrinsic_point& p)
-  {
-    if(p.is_vertex())
-    {
-      m_is_near[p.vertex] = true;
-      for(Index h = triangulation.first_halfedge(p.vertex);
-          h < triangulation.beyond_halfedge(p.vertex); ++h)
-        m_is_near[triangulation.target(h)] = true;
-    }
-    else
-      for(const Index h : {p.halfedge, triangulation.opposite(p.halfedge)})
-      {
-        m_is_near[triangulation.target(h)] = true;
-        if(!triangulation.is_border(h))
-          m_is_near[triangulation.target(triangulation.next(h))] = true;
-      }
-  }
-
   void mark_neighbors(const Intrinsic_triangulation& triangulation)
   {
     const std::vector<bool> was_near = m_is_near;
@@ -113,86 +96,58 @@ private:
   std::vector<bool> m_is_near; // per vertex
 };
 
-/*
- * Refines a path between two vertices by repeated searches: each graph has twice as many points per
- * edge as the previous one, in a narrowing corridor around the last path.
- */
-template <typename PriorityQueue = Adaptive_bucket_queue>
-class Selective_refinement
+// Returns the mean number of points per edge.
+template <typename Placement>
+std::size_t mean_number_of_points(const Steiner_graph<Placement>& graph)
 {
-  using Index = Intrinsic_triangulation::Index;
+  if constexpr(std::is_same_v<Placement, Fixed_number_of_points>)
+    return graph.placement().number_of_points(graph.triangulation(), 0);
+  const std::size_t number_of_edges = graph.triangulation().number_of_halfedges() / 2;
+  return graph.number_of_points() / (std::max)(number_of_edges, std::size_t(1));
+}
 
-public:
-  Selective_refinement(const Intrinsic_triangulation& triangulation,
-                       const Index source,
-                       const Index target)
-    : m_triangulation(triangulation), m_source(source), m_target(target)
+// Refines the path found with the first placement, which has at most `maximum_number_of_points`
+// points (0 selects the default), by repeated searches: each graph has twice as many points per
+// edge as the previous one, in a narrowing corridor around the last path. Stops when the relative
+// gain in length does not exceed the tolerance. Returns the path, which is empty if the target is
+// not reached, and a lower bound on the length of all paths, 0 if there is none.
+template <typename PriorityQueue = Adaptive_bucket_queue, typename Placement>
+std::pair<Path, double> selective_refinement(const Intrinsic_triangulation& triangulation,
+                                             const Intrinsic_triangulation::Index source,
+                                             const Intrinsic_triangulation::Index target,
+                                             Placement first_placement,
+                                             const std::size_t maximum_number_of_points,
+                                             const double relative_tolerance)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr std::size_t largest_number_of_points = 4096;
+  const auto find_path = [&](const auto& graph) {
+    Propagation<std::decay_t<decltype(graph)>, PriorityQueue> search(graph);
+    search.run({{source}}, {infinity, {target}});
+    return tree_path(search, target);
+  };
+  const Steiner_graph<Placement> graph(triangulation, std::move(first_placement),
+                                       maximum_number_of_points);
+  Path path = find_path(graph);
+  if(path.points.empty())
+    return {path, infinity};
+  const double lower_bound = smallest_distance(path.length, graph.epsilon());
+  std::size_t number_of_rings = 3; // around a coarse path
+  for(std::size_t n = mean_number_of_points(graph); n < largest_number_of_points;)
   {
+    n = 2 * n + 1; // equally spaced points stay points
+    Path refined = find_path(Steiner_graph<Points_near_path>(
+        triangulation, Points_near_path(triangulation, path, number_of_rings, n),
+        (std::numeric_limits<std::size_t>::max)())); // no limit: few edges have points
+    number_of_rings -= (std::min)(number_of_rings, std::size_t(1));
+    const double gain = path.length - refined.length;
+    if(gain > 0)
+      path = std::move(refined);
+    if(gain <= relative_tolerance * path.length)
+      break;
   }
-
-  // Refines the path found with the first placement, with at most `maximum_number_of_points`
-  // points; 0 selects the default. Stops when the relative gain in length does not exceed the
-  // tolerance.
-  template <typename Placement>
-  Path run(Placement first_placement,
-           const std::size_t maximum_number_of_points,
-           const double relative_tolerance)
-  {
-    const Steiner_graph<Placement> graph(m_triangulation, std::move(first_placement),
-                                         maximum_number_of_points);
-    Path result = search(graph);
-    m_lower_bound = result.points.empty() ? std::numeric_limits<double>::infinity()
-                                          : smallest_distance(result.length, graph.epsilon());
-    std::size_t number_of_points = mean_number_of_points(graph);
-    std::size_t number_of_rings = LARGEST_NUMBER_OF_RINGS;
-    while(!result.points.empty() && number_of_points < LARGEST_NUMBER_OF_POINTS)
-    {
-      number_of_points = 2 * number_of_points + 1; // equally spaced points stay points
-      Path refined = search(Steiner_graph<Points_near_path>(
-          m_triangulation,
-          Points_near_path(m_triangulation, result, number_of_rings, number_of_points),
-          (std::numeric_limits<std::size_t>::max)())); // no limit: few edges have points
-      number_of_rings -= (std::min)(number_of_rings, std::size_t(1));
-      const double gain = result.length - refined.length;
-      if(gain > 0)
-        result = std::move(refined);
-      if(gain <= relative_tolerance * result.length)
-        break;
-    }
-    return result;
-  }
-
-  // Returns a lower bound on the length of all paths from the error bound of the first graph; 0 if
-  // it has none.
-  double lower_bound() const { return m_lower_bound; }
-
-private:
-  static constexpr std::size_t LARGEST_NUMBER_OF_POINTS = 4096;
-  static constexpr std::size_t LARGEST_NUMBER_OF_RINGS = 3; // around a coarse path
-
-  // Returns an empty path if the target is not reached. The length is in the unit of the mesh.
-  template <typename Placement>
-  Path search(const Steiner_graph<Placement>& graph) const
-  {
-    Propagation<Steiner_graph<Placement>, PriorityQueue> search(graph);
-    search.run({{m_source}}, {std::numeric_limits<double>::infinity(), {m_target}});
-    return tree_path(search, m_target);
-  }
-
-  // The mean over all edges.
-  template <typename Placement>
-  static std::size_t mean_number_of_points(const Steiner_graph<Placement>& graph)
-  {
-    if constexpr(std::is_same_v<Placement, Fixed_number_of_points>)
-      return graph.placement().number_of_points(graph.triangulation(), 0);
-    const std::size_t number_of_edges = graph.triangulation().number_of_halfedges() / 2;
-    return graph.number_of_points() / (std::max)(number_of_edges, std::size_t(1));
-  }
-
-  const Intrinsic_triangulation& m_triangulation;
-  Index m_source, m_target;
-  double m_lower_bound = 0;
-};
+  return {std::move(path), lower_bound};
+}
 
 template <typename NamedParameters>
 double relative_tolerance(const NamedParameters& np)
@@ -225,14 +180,13 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
   const Intrinsic_triangulation triangulation(tmesh, np);
   Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), triangulation);
   translation.list_vertices();
-  Selective_refinement refinement(triangulation, translation.node(source),
-                                  translation.node(target));
-  const Path path = refinement.run(first_placement, maximum_number_of_points(np), tolerance);
+  const auto [path, lower_bound] =
+      selective_refinement(triangulation, translation.node(source), translation.node(target),
+                           first_placement, maximum_number_of_points(np), tolerance);
   const auto point_map = vertex_point_map(tmesh, np);
   for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
     *points++ = point(translation, *p, point_map, np);
-  return {refinement.lower_bound(),
-          path.points.empty() ? std::numeric_limits<double>::infinity() : path.length};
+  return {lower_bound, path.points.empty() ? std::numeric_limits<double>::infinity() : path.length};
 }
 
 } // namespace internal
