@@ -341,23 +341,8 @@ template <typename TriangleMesh>
 constexpr bool is_part<Mesh_part<TriangleMesh>> = true;
 
 /*
- * A point of the surface of a mesh that has not been read yet.
- */
-template <typename TriangleMesh>
-struct Mesh_place
-{
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-
-  Space_vector position;
-
-  // A halfedge whose face contains the point; null for an isolated vertex.
-  typename Graph_traits::halfedge_descriptor halfedge;
-  typename Graph_traits::vertex_descriptor isolated_vertex = Graph_traits::null_vertex();
-};
-
-/*
- * Positions of vertices and other points of a mesh, relative to the first vertex that is asked for,
- * which avoids cancellation if the origin is far away.
+ * Positions of vertices and other points of a mesh that has not been read yet, relative to the
+ * first vertex that is asked for, which avoids cancellation if the origin is far away.
  */
 template <typename TriangleMesh, typename NamedParameters>
 class Mesh_positions
@@ -366,12 +351,20 @@ class Mesh_positions
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
-  using Place = Mesh_place<TriangleMesh>;
   using Point_map = decltype(vertex_point_map(std::declval<const TriangleMesh&>(),
                                               std::declval<const NamedParameters&>()));
   using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
 
 public:
+  struct Place
+  {
+    Space_vector position;
+
+    // A halfedge whose face contains the point; null for an isolated vertex.
+    halfedge_descriptor halfedge;
+    vertex_descriptor isolated_vertex = Graph_traits::null_vertex();
+  };
+
   Mesh_positions(const TriangleMesh& tmesh, const NamedParameters& np)
     : m_mesh(tmesh),
       m_point_map(vertex_point_map(tmesh, np)),
@@ -515,7 +508,7 @@ public:
   {
   }
 
-  void start_at(const Mesh_place<TriangleMesh>& place)
+  void start_at(const typename Positions::Place& place)
   {
     if(place.halfedge == Graph_traits::null_halfedge())
       m_part.add_vertex(place.isolated_vertex);

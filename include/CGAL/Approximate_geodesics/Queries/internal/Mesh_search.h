@@ -560,7 +560,7 @@ private:
   const NamedParameters& m_np;
   const std::size_t m_number_of_vertices;
   const double m_maximum_distance;
-  std::vector<Mesh_place<TriangleMesh>> m_places; // the sources, and the target
+  std::vector<typename Positions::Place> m_places; // the sources, and the target
   Positions m_positions;
   Detour m_detour;
 };
