@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
@@ -26,7 +27,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <variant>
 
@@ -151,7 +151,7 @@ Face_location<TriangleMesh> locate(const Ray_3<Kernel>& ray,
                                    const double tolerance)
 {
   Face_location<TriangleMesh> result(boost::graph_traits<TriangleMesh>::null_face(), {0, 0, 0});
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = infinity;
   const auto consider = [&](const auto& p, const auto f) {
     const Space_vector way = space_vector(p - ray.source());
     if(dot(way, way) < smallest)

@@ -24,7 +24,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -82,8 +81,6 @@ public:
   std::vector<Index>& index_of_vertex() { return m_index_of_vertex; }
 
 private:
-  static constexpr Index null_index = (std::numeric_limits<Index>::max)();
-
   // Smaller patches slow down searches on small meshes.
   static constexpr std::size_t SIZE_OF_PATCH = 32768; // vertices
 

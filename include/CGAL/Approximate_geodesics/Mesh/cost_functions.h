@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
@@ -136,7 +137,7 @@ double slope(const Vector_3& direction)
 {
   const auto [x, y, z] = space_vector(direction);
   const double run = std::sqrt(x * x + y * y);
-  return run > 0 ? z / run : std::copysign(std::numeric_limits<double>::infinity(), z);
+  return run > 0 ? z / run : std::copysign(infinity, z);
 }
 
 } // namespace internal
@@ -200,7 +201,7 @@ public:
   {
     const double s = internal::slope(direction);
     if(!(std::abs(s) <= STEEPEST_SLOPE))
-      return std::numeric_limits<double>::infinity();
+      return internal::infinity;
     return ((((280.5 * s - 58.7) * s - 76.8) * s + 51.9) * s + 19.6) * s + 2.5;
   }
 };
@@ -243,7 +244,7 @@ public:
     const double square = CGAL::to_double(drift * drift);
     const double radicand = m_speed * m_speed - square + ahead * ahead;
     const double progress = radicand < 0 ? 0 : ahead + std::sqrt(radicand);
-    return progress <= 0 ? std::numeric_limits<double>::infinity() : 1 / progress;
+    return progress <= 0 ? internal::infinity : 1 / progress;
   }
 
 private:
@@ -335,7 +336,7 @@ public:
       return std::numeric_limits<double>::quiet_NaN();
     const bool is_allowed =
         CGAL::to_double(way * direction) >= (m_smallest_cosine - rounding) * length;
-    return is_allowed ? m_cost : std::numeric_limits<double>::infinity();
+    return is_allowed ? m_cost : internal::infinity;
   }
 
 private:

@@ -26,7 +26,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -72,7 +71,7 @@ Face_weights weights_of_faces(const TriangleMesh& tmesh,
                               const Intrinsic_triangulation& triangulation)
 {
   Face_weights result;
-  result.of_halfedge.resize(halfedges.size(), std::numeric_limits<double>::infinity());
+  result.of_halfedge.resize(halfedges.size(), infinity);
   for(Index h = 0; h < halfedges.size(); ++h)
   {
     if(is_border(halfedges[h], tmesh))

@@ -23,7 +23,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <queue>
 #include <string>
 #include <type_traits>
@@ -63,7 +62,7 @@ double sample_farthest(const Graph& graph,
   using Entry = std::pair<double, std::size_t>; // with `~i`: among equal distances, the first one
   std::priority_queue<Entry> queue;
   for(std::size_t i = 0; i < number_of_candidates; ++i)
-    queue.emplace(std::numeric_limits<double>::infinity(), ~i);
+    queue.emplace(infinity, ~i);
   const auto find_farthest = [&] {
     while(!queue.empty())
     {

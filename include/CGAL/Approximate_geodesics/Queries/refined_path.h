@@ -75,10 +75,7 @@ public:
                : 0;
   }
 
-  double epsilon(const Intrinsic_triangulation& /* triangulation */) const
-  {
-    return std::numeric_limits<double>::infinity();
-  }
+  double epsilon(const Intrinsic_triangulation& /* triangulation */) const { return infinity; }
 
   std::size_t memory() const { return m_is_near.capacity() / 8; }
 
@@ -119,7 +116,6 @@ std::pair<Path, double> selective_refinement(const Intrinsic_triangulation& tria
                                              const std::size_t maximum_number_of_points,
                                              const double relative_tolerance)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr std::size_t largest_number_of_points = 4096;
   const auto find_path = [&](const auto& graph) {
     Propagation<std::decay_t<decltype(graph)>, PriorityQueue> search(graph);
@@ -186,7 +182,7 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
   const auto point_map = vertex_point_map(tmesh, np);
   for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
     *points++ = point(translation, *p, point_map, np);
-  return {lower_bound, path.points.empty() ? std::numeric_limits<double>::infinity() : path.length};
+  return {lower_bound, path.points.empty() ? infinity : path.length};
 }
 
 } // namespace internal

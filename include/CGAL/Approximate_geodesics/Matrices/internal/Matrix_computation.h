@@ -24,7 +24,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
-#include <limits>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -47,15 +46,12 @@ struct Matrix_points
 // Limits of the searches for the rows of a distance matrix.
 struct Row_limits
 {
-  double maximum_distance = std::numeric_limits<double>::infinity();
+  double maximum_distance = infinity;
   std::size_t number_of_nearest = 0;    // columns; 0: all
   std::vector<Intrinsic_point> targets; // if any, a search may stop after them
 
   // Whether a search may reach a small part of the columns only.
-  bool are_given() const
-  {
-    return number_of_nearest > 0 || maximum_distance < std::numeric_limits<double>::infinity();
-  }
+  bool are_given() const { return number_of_nearest > 0 || maximum_distance < infinity; }
 };
 
 /*
@@ -102,8 +98,7 @@ public:
     else
     {
       row.set_all([&](const Column c) {
-        return m_vertices[c] == Intrinsic_triangulation::null_index ? infinity
-                                                                    : nodes.distance(m_vertices[c]);
+        return m_vertices[c] == null_index ? infinity : nodes.distance(m_vertices[c]);
       });
       write_points(search, row);
     }
@@ -121,8 +116,6 @@ public:
   }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   bool is_vertex(const Index node) const { return node + std::size_t(1) < m_first_at.size(); }
 
   static void set(const Column column, const double distance, Distance_row& row)
@@ -197,13 +190,13 @@ private:
   {
     m_first_at.assign(number_of_vertices + 1, 0);
     for(const Index v : m_vertices)
-      if(v != Intrinsic_triangulation::null_index)
+      if(v != null_index)
         ++m_first_at[v + 1];
     std::partial_sum(m_first_at.begin(), m_first_at.end(), m_first_at.begin());
     m_columns.resize(m_first_at.back());
     std::vector<Column> next(m_first_at.begin(), m_first_at.end() - 1);
     for(std::size_t c = 0; c < size(); ++c)
-      if(m_vertices[c] != Intrinsic_triangulation::null_index)
+      if(m_vertices[c] != null_index)
         m_columns[next[m_vertices[c]]++] = static_cast<Column>(c);
   }
 
@@ -327,7 +320,7 @@ private:
   const Row_limits& m_limits;
   Search m_search;
   Distance_row m_row;
-  double m_expected_distance = std::numeric_limits<double>::infinity(); // of the nearest columns
+  double m_expected_distance = infinity; // of the nearest columns
 };
 
 // Detection of the optional members of models of `DistanceRowSink`.
@@ -406,8 +399,7 @@ public:
     const double seconds = std::chrono::duration<double>(Clock::now() - m_start).count();
     const double rate = double(number_done - m_done_before) / seconds;
     m_visitor.on_progress({m_number_of_rows, number_done, rate,
-                           rate > 0 ? double(m_number_of_rows - number_done) / rate
-                                    : std::numeric_limits<double>::infinity()});
+                           rate > 0 ? double(m_number_of_rows - number_done) / rate : infinity});
   }
 
 private:

@@ -15,7 +15,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -261,8 +260,6 @@ private:
     Index target;
     Index counterclockwise;
   };
-
-  static constexpr Index null_index = (std::numeric_limits<Index>::max)();
 
   // Returns an invalid index, which is not less than the size, for a null vertex.
   std::size_t checked_index(const vertex_descriptor v) const

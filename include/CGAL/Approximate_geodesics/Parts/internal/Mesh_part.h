@@ -29,7 +29,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -52,10 +51,6 @@ template <typename Descriptor>
 class Descriptor_table
 {
 public:
-  using Index = std::uint32_t;
-
-  static constexpr Index null_index = (std::numeric_limits<Index>::max)();
-
   Descriptor_table() : m_entries(std::size_t(1) << 10) {}
 
   // Returns the number of `d`, or `null_index` if there is no entry.
@@ -127,9 +122,6 @@ public:
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
-  using Index = typename Descriptor_table<vertex_descriptor>::Index;
-
-  static constexpr Index null_index = Descriptor_table<vertex_descriptor>::null_index;
 
   // The mesh is referred to, not copied.
   explicit Mesh_part(const TriangleMesh& tmesh) : m_mesh(&tmesh) {}
@@ -456,7 +448,7 @@ struct Detour
 
   double over(const Space_vector& p) const
   {
-    double result = std::numeric_limits<double>::infinity();
+    double result = infinity;
     for(const Start& start : starts)
       result = (std::min)(result, start.distance + accurate_length(difference(p, start.position)));
     return target ? result + accurate_length(difference(p, *target)) : result;
@@ -625,7 +617,7 @@ private:
   std::vector<halfedge_descriptor> m_entries; // whose faces will be added
   std::vector<Vertex> m_vertices;             // by number in the part
   double m_largest_detour = 0;
-  double m_next_limit = std::numeric_limits<double>::infinity();
+  double m_next_limit = infinity;
 };
 
 } // namespace Approximate_geodesics::internal

@@ -37,7 +37,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -192,8 +191,7 @@ public:
         if(search.source(node) != Search::null_source)
           break; // the first source that is found allocates memory for all
     put_for_all(distances, [&](auto /* vertex */, const auto node) {
-      return node == Search::null_node ? std::numeric_limits<double>::infinity()
-                                       : search.distance(node);
+      return node == Search::null_node ? infinity : search.distance(node);
     });
     if constexpr(with_sources)
     {
@@ -254,8 +252,8 @@ private:
     {
       bool has_node = true;
       if constexpr(is_part<Triangle_mesh>)
-        has_node = m_translation.mesh().number(v) != Triangle_mesh::null_index;
-      put(map, v, value(v, has_node ? m_translation.node(v) : Intrinsic_triangulation::null_index));
+        has_node = m_translation.mesh().number(v) != null_index;
+      put(map, v, value(v, has_node ? m_translation.node(v) : null_index));
     }
   }
 
@@ -377,7 +375,7 @@ bool is_accepted_by_graphs(const Intrinsic_triangulation& triangulation,
     if(has_more_points(triangulation, Fixed_number_of_points(np),
                        maximum_number_of_points(triangulation, maximum_number_of_points(np))))
       return false;
-  return triangulation.face_without_shape() == Intrinsic_triangulation::null_index;
+  return triangulation.face_without_shape() == null_index;
 }
 
 // Reads a mesh, builds the graph that the named parameters select, and calls `f` with a search of
@@ -455,7 +453,6 @@ class Part_to_read
   static constexpr double FIRST_LIMIT = needs_faces<NamedParameters> ? 1.1 : 1.2, INCREASE = 1.25;
 
   static constexpr double margin = 1 + 1e-9; // for rounding, of path lengths
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
 public:
   Part_to_read(const TriangleMesh& tmesh, const NamedParameters& np)
