@@ -10,57 +10,15 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/error_bounds.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <boost/property_map/property_map.hpp>
-#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Approximate_geodesics {
-namespace internal {
-
-// A bound on the relative rounding error of sums of lengths.
-constexpr double rounding_of_distances = 1e-12;
-
-// Returns a lower bound on the exact distance if a search with the error bound `epsilon` has found
-// `distance`. `cost_to_corner` is the largest cost from a source to the nearest vertex.
-inline double
-smallest_distance(const double distance, const double epsilon, const double cost_to_corner = 0)
-{
-  if(std::isinf(epsilon))
-    return std::isinf(distance) ? distance : 0;
-  const double detour = cost_to_corner > 0 ? (2 + epsilon) * cost_to_corner : 0;
-  return (std::max)(distance - detour, 0.) / (1 + epsilon) * (1 - rounding_of_distances);
-}
-
-template <typename Graph>
-using Cost_to_corner =
-    decltype(std::declval<const Graph&>().cost_to_corner(std::declval<Intrinsic_point>()));
-
-// Returns the largest finite cost from a source to a corner of its face, which extends the error
-// bound of some graphs; 0 for other graphs.
-template <typename Graph>
-double largest_cost_to_corner([[maybe_unused]] const Graph& graph,
-                              [[maybe_unused]] const std::vector<Source_point>& sources)
-{
-  double result = 0;
-  if constexpr(boost::is_detected_v<Cost_to_corner, Graph>)
-    for(const Source_point& source : sources)
-    {
-      const double cost = graph.unit() * graph.cost_to_corner(source.point);
-      if(!std::isinf(cost))
-        result = (std::max)(result, cost);
-    }
-  return result;
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsQueries
@@ -131,8 +89,10 @@ void distance_intervals(const TriangleMesh& tmesh,
     search.run_from(sources, np);
     const auto& distances = search.search().search();
     const double epsilon = distances.graph().epsilon();
-    const double cost_to_corner =
-        internal::largest_cost_to_corner(distances.graph(), search.source_points(sources));
+    double cost_to_corner = 0;
+    for(const Source_point& source : search.source_points(sources))
+      cost_to_corner =
+          (std::max)(cost_to_corner, internal::cost_to_corner(distances.graph(), source.point));
     for(const auto v : vertices(tmesh))
     {
       const double upper = distances.distance(search.translation().node(v));

@@ -262,17 +262,21 @@ template <typename Graph>
 class Row_search
 {
 public:
-  explicit Row_search(const Matrix_input<Graph>& input)
-    : m_columns(input.columns),
+  using Input = Matrix_input<Graph>;
+
+  explicit Row_search(const Input& input)
+    : m_sources(input.points.sources),
+      m_columns(input.columns),
       m_limits(input.limits),
       m_search(input.graph),
       m_row(input.columns.size())
   {
   }
 
-  // Returns the distances from `source`. The reference is valid until the next call.
-  const Distance_row& find(const Intrinsic_point& source)
+  // Returns the distances from a source. The reference is valid until the next call.
+  const Distance_row& find(const std::size_t row)
   {
+    const Intrinsic_point& source = m_sources[row];
     m_row.clear();
     if(m_limits.number_of_nearest > 0 && m_columns.are_vertices())
       search_nearest(source);
@@ -316,6 +320,7 @@ private:
     return nearest.is_enough() || distance >= m_limits.maximum_distance;
   }
 
+  const std::vector<Intrinsic_point>& m_sources;
   const Matrix_columns<Graph>& m_columns;
   const Row_limits& m_limits;
   Search m_search;
@@ -412,15 +417,16 @@ private:
 };
 
 /*
- * Computes the rows of a distance matrix with one or several threads. Sinks receive blocks of rows
- * as they are completed; function objects receive single rows in order.
+ * Computes the rows of a distance matrix with one or several threads, each of which has a `Search`.
+ * Sinks receive blocks of rows as they are completed; function objects receive single rows in
+ * order.
  */
-template <typename Graph, typename Rows, typename Visitor>
+template <typename Search, typename Rows, typename Visitor>
 class Matrix_computation
 {
 public:
   // All are referred to, not copied.
-  Matrix_computation(const Matrix_input<Graph>& input,
+  Matrix_computation(const typename Search::Input& input,
                      const Distance_matrix_plan& plan,
                      Rows& rows,
                      Visitor& visitor)
@@ -478,7 +484,7 @@ private:
 
   void work()
   {
-    Row_search<Graph> search(m_input);
+    Search search(m_input);
     if constexpr(is_row_sink<Rows>)
       compute_blocks(search);
     else
@@ -486,7 +492,7 @@ private:
     m_is_finished = true;
   }
 
-  void compute_blocks(Row_search<Graph>& search)
+  void compute_blocks(Search& search)
   {
     typename Rows::Block block;
     while(const std::optional<std::size_t> number = next_block())
@@ -496,7 +502,7 @@ private:
       {
         if(!goes_further())
           return;
-        m_rows.collect(block, row, search.find(m_input.points.sources[row]));
+        m_rows.collect(block, row, search.find(row));
       }
       m_rows.add(*number, block);
       m_done += rows.size();
@@ -523,10 +529,10 @@ private:
       return m_done;
   }
 
-  void compute_rows(Row_search<Graph>& search)
+  void compute_rows(Search& search)
   {
     for(std::size_t row = m_next++; row < m_plan.number_of_rows(); row = m_next++)
-      if(!goes_further() || !hand_over(row, search.find(m_input.points.sources[row])))
+      if(!goes_further() || !hand_over(row, search.find(row)))
         return;
   }
 
@@ -565,7 +571,7 @@ private:
     m_turn.notify_all();
   }
 
-  const Matrix_input<Graph>& m_input;
+  const typename Search::Input& m_input;
   const Distance_matrix_plan& m_plan;
   Rows& m_rows;
 

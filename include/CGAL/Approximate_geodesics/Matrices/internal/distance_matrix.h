@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/Matrix_computation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/error_bounds.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -153,9 +154,6 @@ bool wants_symmetry(const Matrix_points& points, const NamedParameters& np)
   return result;
 }
 
-template <typename Graph>
-using Epsilon_of = decltype(std::declval<const Graph&>().epsilon());
-
 // Returns the accessible properties of a graph; the first row depends on the others.
 template <typename Graph>
 std::vector<double> facts_of_graph(const Graph& graph)
@@ -180,8 +178,24 @@ Matrix_facts facts_of_matrix(const Matrix_input<Graph>& input)
                       points.targets,        limits.maximum_distance, limits.number_of_nearest,
                       Distance_row()};
   if(!points.sources.empty())
-    result.first_row = Row_search<Graph>(input).find(points.sources.front());
+    result.first_row = Row_search<Graph>(input).find(0);
   return result;
+}
+
+// Computes rows as the named parameters say. Returns false if their visitor stopped the
+// computation.
+template <typename Search, typename Rows, typename NamedParameters>
+bool compute_rows(const typename Search::Input& input,
+                  const Distance_matrix_plan& plan,
+                  Rows& rows,
+                  const NamedParameters& np)
+{
+  auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
+                                              Distance_matrix_visitor_base());
+  auto& unwrapped = std::ref(visitor).get(); // of a `std::reference_wrapper`
+  using Visitor = std::remove_reference_t<decltype(unwrapped)>;
+  return Matrix_computation<Search, Rows, Visitor>(input, plan, rows, unwrapped)
+      .run(loop_over_rows(input.graph, np));
 }
 
 // Returns whether the matrix was completed.
@@ -204,14 +218,9 @@ bool compute_distance_matrix(const Graph& graph,
       order_of_rows(graph.triangulation(), points.sources), columns.size(), limits.maximum_distance,
       limits.number_of_nearest, [&] { return facts_of_matrix(input); }, is_symmetric);
 
-  auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
-                                              Distance_matrix_visitor_base());
-  auto& unwrapped = std::ref(visitor).get(); // of a `std::reference_wrapper`
   if constexpr(is_row_sink<Rows>)
     rows.start(plan);
-  Matrix_computation<Graph, Rows, std::remove_reference_t<decltype(unwrapped)>> computation(
-      input, plan, rows, unwrapped);
-  const bool is_done = computation.run(loop_over_rows(graph, np));
+  const bool is_done = compute_rows<Row_search<Graph>>(input, plan, rows, np);
   if constexpr(is_row_sink<Rows>)
     return rows.finish(is_done);
   else
