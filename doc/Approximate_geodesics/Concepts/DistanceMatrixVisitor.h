@@ -4,7 +4,8 @@
 
 The concept `DistanceMatrixVisitor` describes an object that watches the computation of a distance
 matrix, and may end it. It is passed as the named parameter `visitor` to
-`CGAL::approximate_geodesic_distance_matrix()`.
+`CGAL::approximate_geodesic_distance_matrix()`, and to
+`CGAL::approximate_geodesic_pair_distances()`, where a row is a source.
 
 If several threads compute, any of them calls, but only one at a time: the visitor needs no lock for
 itself. It does for what other threads of the program change, such as a flag that says that the user

@@ -18,12 +18,16 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/error_bounds.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for users of the class
+#include <CGAL/approximate_geodesic_pair_distances.h>
 
 #include <boost/iterator/transform_iterator.hpp>
 
@@ -524,6 +528,64 @@ public:
 
   /// @}
 
+  /*!
+   * \name Lists of Pairs
+   *
+   * One search finds all pairs with the same source, as in `approximate_geodesic_pair_distances()`.
+   * Results have the order of the pairs; there are none if the visitor stopped the computation. The
+   * named parameters are `maximum_distance`, `concurrency_tag`, and `visitor`, a
+   * `DistanceMatrixVisitor`. Each call makes workspaces; `Surface_search` keeps its own.
+   *
+   * \tparam PairRange a model of `ConstRange` of `std::pair`s of points of type
+   *         `vertex_descriptor`, `Face_location` or `Surface_point`
+   */
+  /// @{
+
+  /// returns the distance from the source to the target of each pair, infinity if there is no path.
+  template <typename PairRange, typename NamedParameters = parameters::Default_named_parameters>
+  std::vector<double> distances(const PairRange& pairs,
+                                const NamedParameters& np = parameters::default_values()) const
+  {
+    return find_pairs(
+        pairs, np, [](const auto& search, const Intrinsic_point& p) { return search.distance(p); });
+  }
+
+  /// returns an interval that contains the distance on the surface, for each pair. Its margins are
+  /// those of `distance_intervals()`, and a relative 2.4e-7 if the error bound is not `0`, as arcs
+  /// may be stored in single precision. Without an error bound, it begins with `0`.
+  template <typename PairRange, typename NamedParameters = parameters::Default_named_parameters>
+  std::vector<std::pair<double, double>>
+  distance_intervals(const PairRange& pairs,
+                     const NamedParameters& np = parameters::default_values()) const
+  {
+    return find_pairs(pairs, np, [&](const auto& search, const Intrinsic_point& p) {
+      return internal::distance_interval(search, p, internal::maximum_distance(np));
+    });
+  }
+
+  /// returns the points of a shortest path from the source to the target of each pair, none if
+  /// there is no path. Another named parameter is `straighten`.
+  template <typename PairRange, typename NamedParameters = parameters::Default_named_parameters>
+  std::vector<std::vector<Point_3>>
+  paths(const PairRange& pairs, const NamedParameters& np = parameters::default_values()) const
+  {
+    const auto find = [&](const auto& search, const Intrinsic_point& end) {
+      Path path = search.find_path(end);
+      internal::straighten_if_wanted(m_graph.triangulation(), np, path);
+      return internal::from_source_to_target(m_graph, std::move(path));
+    };
+    std::vector<std::vector<Point_3>> result;
+    for(const Path& path : find_pairs<internal_np::straighten_t>(pairs, np, find))
+    {
+      std::vector<Point_3>& points = result.emplace_back();
+      for(const Intrinsic_point& p : path.points)
+        points.push_back(point_of(p));
+    }
+    return result;
+  }
+
+  /// @}
+
   /// \name Access
   /// @{
 
@@ -603,6 +665,18 @@ private:
     std::for_each(path.points.begin(), path.points.end(), f);
     result.first = path.length + result.second.base()->source.distance;
     return result;
+  }
+
+  template <typename... Read, typename PairRange, typename NamedParameters, typename Find>
+  auto find_pairs(const PairRange& pairs, const NamedParameters& np, const Find& find) const
+  {
+    static_assert(!internal::ignores_any<NamedParameters, internal_np::maximum_distance_t,
+                                         internal_np::visitor_t, Read...>,
+                  "lists of pairs read maximum_distance, concurrency_tag and visitor; paths also "
+                  "straighten");
+    auto found =
+        internal::find_pairs(m_graph, internal::point_pairs(m_translation, pairs), np, find);
+    return found ? *std::move(found) : typename decltype(found)::value_type();
   }
 
   Point_3 point_of(const Intrinsic_point& p) const

@@ -9,7 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/error_bounds.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -339,6 +342,36 @@ public:
 
   /// @}
 
+  /*!
+   * \name Pairs
+   *
+   * These functions find each pair by a search from its source that ends at its target, or the
+   * other way around if distances are those to the sources. One search serves all pairs with the
+   * same start. Results have the order of the pairs; those of the last run are lost.
+   *
+   * They throw `std::invalid_argument` if a point is not a point of the surface.
+   * `approximate_geodesic_pair_distances()` does the same by several threads.
+   */
+  /// @{
+
+  /// returns the distance from the source to the target of each pair, infinity if there is no path.
+  std::vector<double> distances(const std::vector<Point_pair>& pairs,
+                                double maximum_distance = std::numeric_limits<double>::infinity());
+
+  /// returns an interval that contains the distance on the surface, for each pair. Its margins are
+  /// those of `distance_intervals()`, and a relative 2.4e-7 if the error bound is not `0`, as arcs
+  /// may be stored in single precision. Without an error bound, it begins with `0`.
+  std::vector<std::pair<double, double>>
+  distance_intervals(const std::vector<Point_pair>& pairs,
+                     double maximum_distance = std::numeric_limits<double>::infinity());
+
+  /// returns a shortest path from the source to the target of each pair; it has no points if there
+  /// is none.
+  std::vector<Path> paths(const std::vector<Point_pair>& pairs,
+                          double maximum_distance = std::numeric_limits<double>::infinity());
+
+  /// @}
+
   /// \name Access
   /// @{
 
@@ -596,6 +629,42 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
                         internal::Euclidean_heuristic<Graph>(*m_graph, positions, target), entries);
                   else
                     m_search.run_toward(seeds, rule, internal::No_heuristic(), entries);
+                });
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+std::vector<double>
+Surface_search<SurfaceGraph, PriorityQueue>::distances(const std::vector<Point_pair>& pairs,
+                                                       const double maximum_distance)
+{
+  return internal::Pairs_by_start(*m_graph, pairs)
+      .find_all(*this, maximum_distance,
+                [](const Surface_search& search, const Intrinsic_point& p) {
+                  return search.distance(p);
+                });
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+std::vector<std::pair<double, double>>
+Surface_search<SurfaceGraph, PriorityQueue>::distance_intervals(
+    const std::vector<Point_pair>& pairs, const double maximum_distance)
+{
+  return internal::Pairs_by_start(*m_graph, pairs)
+      .find_all(*this, maximum_distance,
+                [&](const Surface_search& search, const Intrinsic_point& p) {
+                  return internal::distance_interval(search, p, maximum_distance);
+                });
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+std::vector<Path>
+Surface_search<SurfaceGraph, PriorityQueue>::paths(const std::vector<Point_pair>& pairs,
+                                                   const double maximum_distance)
+{
+  return internal::Pairs_by_start(*m_graph, pairs)
+      .find_all(*this, maximum_distance,
+                [](const Surface_search& search, const Intrinsic_point& p) {
+                  return internal::from_source_to_target(search.graph(), search.find_path(p));
                 });
 }
 

@@ -21,9 +21,11 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/approximate_geodesic_pair_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace AG = CGAL::Approximate_geodesics;
@@ -175,6 +177,24 @@ void compute_matrices_wrongly(const Mesh& mesh, const AG::Edge_graph& graph)
   // approximate_geodesic_distance_matrix() with a graph reads targets, maximum_distance
   CGAL::approximate_geodesic_distance_matrix(graph, rows, std::vector<int>(),
                                              parameters::epsilon(0.1));
+
+  const std::vector<std::pair<Vertex, Vertex>> pairs;
+  const AG::Surface_mesh_shortest_path<Mesh> shortest_paths(mesh);
+  std::vector<double> numbers;
+
+  // approximate_geodesic_pair_distances() does not read one of these named parameters
+  CGAL::approximate_geodesic_pair_distances(mesh, pairs, std::back_inserter(numbers),
+                                            parameters::targets(vertices));
+
+  // approximate_geodesic_pair_distances() with a graph reads maximum_distance
+  CGAL::approximate_geodesic_pair_distances(graph, std::vector<AG::Point_pair>(),
+                                            std::back_inserter(numbers), parameters::epsilon(0.1));
+
+  // pairs: a range of std::pair
+  CGAL::approximate_geodesic_pair_distances(mesh, vertices, std::back_inserter(numbers));
+
+  // lists of pairs read maximum_distance, concurrency_tag and visitor
+  shortest_paths.distances(pairs, parameters::straighten(true));
 
   // symmetric: only supported by sinks that keep all rows and columns
   CGAL::approximate_geodesic_distance_matrix(graph, function, std::vector<int>(),

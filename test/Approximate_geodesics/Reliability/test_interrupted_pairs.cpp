@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "checks/distance_matrices.h"
+#include "checks/failing_allocation.h"
+
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/approximate_geodesic_pair_distances.h>
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// Lists of pairs that end for want of memory: nothing was written then.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+namespace parameters = CGAL::parameters;
+using namespace geodesics_test;
+
+class Interrupted_pairs : public testing::Test
+{
+protected:
+  using Pairs = std::vector<std::pair<Surface_point, Surface_point>>;
+
+  Pairs pairs()
+  {
+    Random random(test_seed());
+    const auto points = random_surface_points(m_mesh, 4, random);
+    return {{points[0], points[1]},
+            {Vertex(3), Vertex(40)},
+            {points[0], Vertex(9)},
+            {points[2], points[3]},
+            {Vertex(3), Vertex(3)}};
+  }
+
+  template <typename NamedParameters>
+  void expect_survival_with(const NamedParameters& np) const
+  {
+    expect_survival<Values>(
+        {[&] { return Values(m_pairs.size(), -1); },
+         [&](Values& values) {
+           CGAL::approximate_geodesic_pair_distances(m_mesh, m_pairs, values.begin(), np);
+         },
+         [](Values& values) { return values; },
+         [&](Values& values) { EXPECT_EQ(values, Values(m_pairs.size(), -1)); }});
+  }
+
+  const Mesh m_mesh = small_terrain();
+  const Pairs m_pairs = pairs();
+};
+
+TEST_F(Interrupted_pairs, along_edges) { expect_survival_with(parameters::maximum_distance(5)); }
+
+TEST_F(Interrupted_pairs, across_faces) { expect_survival_with(parameters::epsilon(1.)); }
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_F(Interrupted_pairs, of_several_threads)
+{
+  expect_survival_with(parameters::concurrency_tag(CGAL::Parallel_tag()));
+}
+#endif
+
+TEST_F(Interrupted_pairs, with_paths)
+{
+  using Paths = AG::Surface_mesh_shortest_path<Mesh, Discrete_geodesic_graph>;
+  const Paths paths(m_mesh, parameters::epsilon(0.5));
+  expect_survival([&] {
+    Values result;
+    for(const auto& path : paths.paths(m_pairs, parameters::straighten(true)))
+      for(const Point& p : path)
+        result.insert(result.end(), {p.x(), p.y(), p.z()});
+    return result;
+  });
+}
+
+// A workspace can be used again.
+TEST_F(Interrupted_pairs, of_a_search)
+{
+  const Graph graph{Triangulation(m_mesh)};
+  std::vector<AG::Point_pair> pairs;
+  for(const auto& [source, target] : m_pairs)
+  {
+    const auto ends = intrinsic_points(m_mesh, graph.triangulation(), {source, target});
+    pairs.emplace_back(ends[0], ends[1]);
+  }
+  AG::Surface_search<Graph> search(graph);
+  expect_survival([&] { return search.distances(pairs); });
+}
+
+} // namespace
