@@ -11,6 +11,8 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
@@ -30,6 +32,7 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -289,16 +292,86 @@ public:
     internal::Solver_visitor visitor(watch);
     Path path = m_graph->find_path(intrinsic_point(source, "source"),
                                    intrinsic_point(target, "target"), positions(), visitor);
-    if(path.points.empty())
-      return std::numeric_limits<double>::infinity();
-    internal::straighten_if_wanted(m_graph->triangulation(), parameters::straighten(straighten),
-                                   path);
-    std::size_t size = coordinates.size();
-    coordinates.resize(size + 3 * path.points.size());
-    for(auto p = path.points.rbegin(); p != path.points.rend(); ++p, size += 3)
-      write(m_translation->point(*p, m_mesh.points(), Simple_cartesian<double>()),
-            coordinates.data() + size);
-    return path.length;
+    if(!path.points.empty())
+      internal::straighten_if_wanted(m_graph->triangulation(), parameters::straighten(straighten),
+                                     path);
+    append_coordinates(path.points.rbegin(), path.points.rend(), coordinates);
+    return length_of(path);
+  }
+
+  /*!
+   * finds the distances from sources to targets, the first source to the first target and so on.
+   * Pairs with the same source share a search.
+   *
+   * \param sources the sources
+   * \param targets as many targets
+   * \param distances receives one number per pair, infinity if the target is not reached
+   * \param options the range of the searches, and the number of threads
+   * \param watch is called during the run
+   */
+  void find_pair_distances(const std::vector<Solver_point>& sources,
+                           const std::vector<Solver_point>& targets,
+                           double* const distances,
+                           const Solver_pair_options& options = Solver_pair_options(),
+                           const Solver_watch& watch = Solver_watch()) const
+  {
+    std::vector<double> found;
+    with_pairs(sources, targets, options, watch,
+               [&](const std::vector<Point_pair>& pairs, internal::Solver_visitor& visitor) {
+                 found = m_graph->find_distances(pairs, options.maximum_distance, visitor);
+               });
+    std::copy(found.begin(), found.end(), distances);
+  }
+
+  /// finds intervals that contain the distances on the surface: writes the lower and the upper end
+  /// for each pair. The lower end is `0` if there is no error bound.
+  void find_pair_intervals(const std::vector<Solver_point>& sources,
+                           const std::vector<Solver_point>& targets,
+                           double* ends,
+                           const Solver_pair_options& options = Solver_pair_options(),
+                           const Solver_watch& watch = Solver_watch()) const
+  {
+    std::vector<std::pair<double, double>> found;
+    with_pairs(sources, targets, options, watch,
+               [&](const std::vector<Point_pair>& pairs, internal::Solver_visitor& visitor) {
+                 found = m_graph->find_intervals(pairs, options.maximum_distance, visitor);
+               });
+    for(const auto& [lower, upper] : found)
+    {
+      *ends++ = lower;
+      *ends++ = upper;
+    }
+  }
+
+  /*!
+   * returns the points of a shortest path from each source to its target, three coordinates each.
+   * If there is no path, it has no points.
+   *
+   * \param sources the sources
+   * \param targets as many targets
+   * \param lengths if not null, receives the length of each path, infinity if there is none
+   * \param options the range of the searches, the kind of paths, and the number of threads
+   * \param watch is called during the run
+   */
+  std::vector<std::vector<double>>
+  find_paths(const std::vector<Solver_point>& sources,
+             const std::vector<Solver_point>& targets,
+             double* const lengths = nullptr,
+             const Solver_pair_options& options = Solver_pair_options(),
+             const Solver_watch& watch = Solver_watch()) const
+  {
+    std::vector<Path> paths;
+    with_pairs(sources, targets, options, watch,
+               [&](const std::vector<Point_pair>& pairs, internal::Solver_visitor& visitor) {
+                 paths = m_graph->find_paths(pairs, options.maximum_distance, options.straighten,
+                                             visitor);
+               });
+    std::vector<std::vector<double>> result(paths.size());
+    for(std::size_t i = 0; i < paths.size(); ++i)
+      append_coordinates(paths[i].points.begin(), paths[i].points.end(), result[i]);
+    if(lengths != nullptr)
+      std::transform(paths.begin(), paths.end(), lengths, length_of);
+    return result;
   }
 
   /// @}
@@ -454,13 +527,60 @@ private:
     std::optional<std::vector<Intrinsic_point>> columns;
     if(options.targets != nullptr)
       columns = intrinsic_points(*options.targets, "target");
-    const std::size_t threads =
-        options.number_of_threads > 0 ? options.number_of_threads : m_number_of_threads;
-    internal::with_threads(threads, [&] {
+    with_threads(options.number_of_threads, [&] {
       m_graph->in_direction(options.direction_to_source)
           .compute_rows(any_rows, rows_of, columns ? &*columns : nullptr, options.maximum_distance,
                         options.symmetric, visitor);
     });
+  }
+
+  template <typename F>
+  void with_threads(const std::size_t number, const F& f) const
+  {
+    internal::with_threads(number > 0 ? number : m_number_of_threads, f);
+  }
+
+  // Calls `f(pairs, visitor)`.
+  template <typename F>
+  void with_pairs(const std::vector<Solver_point>& sources,
+                  const std::vector<Solver_point>& targets,
+                  const Solver_pair_options& options,
+                  const Solver_watch& watch,
+                  const F& f) const
+  {
+    internal::Solver_visitor visitor(watch);
+    const std::vector<Point_pair> pairs = this->pairs(sources, targets);
+    with_threads(options.number_of_threads, [&] { f(pairs, visitor); });
+  }
+
+  static double length_of(const Path& path)
+  {
+    return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;
+  }
+
+  template <typename Iterator>
+  void
+  append_coordinates(Iterator point, const Iterator beyond, std::vector<double>& coordinates) const
+  {
+    const auto number = static_cast<std::size_t>(std::distance(point, beyond));
+    coordinates.resize(coordinates.size() + 3 * number);
+    for(double* next = coordinates.data() + coordinates.size() - 3 * number; point != beyond;
+        ++point)
+      next = write(m_translation->point(*point, m_mesh.points(), Simple_cartesian<double>()), next);
+  }
+
+  std::vector<Point_pair> pairs(const std::vector<Solver_point>& sources,
+                                const std::vector<Solver_point>& targets) const
+  {
+    if(sources.size() != targets.size())
+      internal::reject("pairs have " + std::to_string(sources.size()) + " sources and " +
+                       std::to_string(targets.size()) + " targets");
+    const auto from = intrinsic_points(sources, "the source of pair");
+    const auto to = intrinsic_points(targets, "the target of pair");
+    std::vector<Point_pair> result;
+    for(std::size_t i = 0; i < from.size(); ++i)
+      result.emplace_back(from[i], to[i]);
+    return result;
   }
 
   std::vector<Intrinsic_point> intrinsic_points(const std::vector<Solver_point>& points,

@@ -229,6 +229,23 @@ struct Solver_row_options
   std::size_t number_of_threads = 0;
 };
 
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * The range of searches for pairs of points, and the kind of their paths.
+ */
+struct Solver_pair_options
+{
+  /// targets at larger distances are not reached.
+  double maximum_distance = std::numeric_limits<double>::infinity();
+
+  /// whether to straighten paths to locally shortest ones, which does not support costs.
+  bool straighten = false;
+
+  /// the number of threads; `0` selects that of the solver.
+  std::size_t number_of_threads = 0;
+};
+
 } // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_OPTIONS_H

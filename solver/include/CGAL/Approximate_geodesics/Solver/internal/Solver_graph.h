@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_visitor.h>
@@ -131,6 +132,24 @@ public:
                          const Intrinsic_point& target,
                          const Vertex_positions& positions,
                          Solver_visitor& visitor) const = 0;
+
+  // The following functions find the distance, an interval that contains the distance on the
+  // surface, or the path of each pair. Paths lead from sources to targets, and have no points if
+  // these are not reached.
+
+  virtual std::vector<double> find_distances(const std::vector<Point_pair>& pairs,
+                                             double maximum_distance,
+                                             Solver_visitor& visitor) const = 0;
+
+  virtual std::vector<std::pair<double, double>>
+  find_intervals(const std::vector<Point_pair>& pairs,
+                 double maximum_distance,
+                 Solver_visitor& visitor) const = 0;
+
+  virtual std::vector<Path> find_paths(const std::vector<Point_pair>& pairs,
+                                       double maximum_distance,
+                                       bool straighten,
+                                       Solver_visitor& visitor) const = 0;
 
   // If `targets` is null, all vertices are targets.
   virtual void compute_rows(Any_rows& rows,

@@ -19,12 +19,17 @@
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/Path.h>
+#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/error_bounds.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
+#include <CGAL/approximate_geodesic_pair_distances.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -166,13 +171,7 @@ public:
 
   const Intrinsic_triangulation& triangulation() const override { return m_graph.triangulation(); }
 
-  double error_bound() const override
-  {
-    if constexpr(has_crossing_arcs<Graph>)
-      return m_graph.epsilon();
-    else
-      return std::numeric_limits<double>::infinity();
-  }
+  double error_bound() const override { return internal::error_bound(m_graph); }
 
   void find_distances(std::vector<Source_point> sources,
                       const double maximum_distance,
@@ -205,6 +204,39 @@ public:
     search->run_to(target, {{source}}, positions);
     visitor.finish();
     return search->find_path(target);
+  }
+
+  std::vector<double> find_distances(const std::vector<Point_pair>& pairs,
+                                     const double maximum_distance,
+                                     Solver_visitor& visitor) const override
+  {
+    return find_all(
+        pairs, maximum_distance, visitor,
+        [](const Search& search, const Intrinsic_point& p) { return search.distance(p); });
+  }
+
+  std::vector<Path> find_paths(const std::vector<Point_pair>& pairs,
+                               const double maximum_distance,
+                               const bool straighten,
+                               Solver_visitor& visitor) const override
+  {
+    return find_all(
+        pairs, maximum_distance, visitor, [&](const auto& search, const Intrinsic_point& end) {
+          Path path = search.find_path(end);
+          if(!path.points.empty())
+            straighten_if_wanted(triangulation(), parameters::straighten(straighten), path);
+          return from_source_to_target(m_graph, std::move(path));
+        });
+  }
+
+  std::vector<std::pair<double, double>> find_intervals(const std::vector<Point_pair>& pairs,
+                                                        const double maximum_distance,
+                                                        Solver_visitor& visitor) const override
+  {
+    return find_all(pairs, maximum_distance, visitor,
+                    [&](const Search& search, const Intrinsic_point& p) {
+                      return distance_interval(search, p, maximum_distance);
+                    });
   }
 
   void compute_rows(Any_rows& rows,
@@ -254,6 +286,23 @@ public:
   }
 
 private:
+  template <typename Find>
+  auto find_all(const std::vector<Point_pair>& pairs,
+                const double maximum_distance,
+                Solver_visitor& visitor,
+                const Find& find) const
+  {
+    // starts with a parameter of this package, for the same reason
+    auto found = find_pairs(m_graph, pairs,
+                            parameters::straighten(false)
+                                .maximum_distance(maximum_distance)
+                                .visitor(std::ref(visitor))
+                                .concurrency_tag(Parallel_if_available_tag()),
+                            find);
+    visitor.finish();
+    return *std::move(found);
+  }
+
   template <typename Labels>
   void write_predecessors(const Labels& labels, std::int64_t* const predecessors) const
   {
