@@ -94,6 +94,23 @@ def one_point(values: Any, name: str) -> Points:
     return result
 
 
+def pairs(sources: Any, targets: Any) -> tuple[Points, Points]:
+    """Sources, and as many targets; without targets, sources are pairs of vertices."""
+    if targets is None:
+        vertices = integers(sources, "pairs", (-1, 2)).astype(np.int64, copy=False)
+        return (np.ascontiguousarray(vertices[:, 0]), None), (
+            np.ascontiguousarray(vertices[:, 1]),
+            None,
+        )
+    result = points(sources, "source")[0], points(targets, "target")[0]
+    if len(result[0][0]) != len(result[1][0]):
+        raise ValueError(
+            f"there are {len(result[0][0])} sources and {len(result[1][0])} targets; pairs need as "
+            "many of both"
+        )
+    return result
+
+
 def _readable(values: Any, dtype: np.dtype[Any]) -> npt.NDArray[Any]:
     """An array that C++ can read: the given one if it is."""
     return np.require(values, dtype, ["C_CONTIGUOUS", "ALIGNED", "ENSUREARRAY"])

@@ -53,6 +53,28 @@ class Solver:
         target_coordinates: Optional[_Floats],
         straighten: bool,
     ) -> Tuple[_Floats, float]: ...
+    def pair_distances(
+        self,
+        elements: _Integers,
+        coordinates: Optional[_Floats],
+        target_elements: _Integers,
+        target_coordinates: Optional[_Floats],
+        wants_intervals: bool,
+        maximum_distance: float,
+        threads: int,
+        progress: _Progress,
+    ) -> _Floats: ...
+    def paths(
+        self,
+        elements: _Integers,
+        coordinates: Optional[_Floats],
+        target_elements: _Integers,
+        target_coordinates: Optional[_Floats],
+        straighten: bool,
+        maximum_distance: float,
+        threads: int,
+        progress: _Progress,
+    ) -> Tuple[list[_Floats], _Floats]: ...
     def matrix(
         self,
         elements: _Integers,

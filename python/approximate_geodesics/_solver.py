@@ -331,6 +331,106 @@ class Solver:
         )
         return (points, length) if return_length else points
 
+    # Lists of pairs
+
+    def pair_distances(
+        self,
+        sources: Any,
+        targets: Any = None,
+        *,
+        return_intervals: bool = False,
+        max_distance: Optional[float] = None,
+        threads: Optional[int] = None,
+        progress: Optional[Progress] = None,
+    ) -> _arrays.Floats:
+        """Distances from the first source to the first target, and so on.
+
+        Pairs with the same source share a search. So it is best if there are fewer different
+        sources than targets.
+
+        Parameters
+        ----------
+        sources : points; or, without targets, (n, 2) array of int
+            Sources; or the vertices of both ends.
+        targets : points, optional
+            As many targets.
+        return_intervals : bool
+            Whether intervals that contain the distances on the surface are returned instead.
+        max_distance : float, optional
+            Targets that are farther are not reached.
+        threads : int, optional
+            As many as the solver has by default. Their number changes no result.
+        progress : callable, optional
+            Called with the number of sources that are done, and of all.
+
+        Returns
+        -------
+        (n,) array of float64
+            In the order of the pairs; infinity where there is no path.
+        or (n, 2) array of float64
+            Lower and upper ends. Without a bound (see `error_bound`), lower ends are 0.
+        """
+        starts, ends = _arrays.pairs(sources, targets)
+        number = 0 if threads is None else _number_of_threads(threads)
+        return self._solver.pair_distances(
+            *starts, *ends, return_intervals, _distance(max_distance), number, _checked(progress)
+        )
+
+    @overload
+    def paths(
+        self,
+        sources: Any,
+        targets: Any = None,
+        *,
+        straighten: bool = False,
+        return_lengths: Literal[False] = False,
+        max_distance: Optional[float] = None,
+        threads: Optional[int] = None,
+        progress: Optional[Progress] = None,
+    ) -> list[_arrays.Floats]: ...
+
+    @overload
+    def paths(
+        self,
+        sources: Any,
+        targets: Any = None,
+        *,
+        straighten: bool = False,
+        return_lengths: Literal[True],
+        max_distance: Optional[float] = None,
+        threads: Optional[int] = None,
+        progress: Optional[Progress] = None,
+    ) -> tuple[list[_arrays.Floats], _arrays.Floats]: ...
+
+    def paths(
+        self,
+        sources: Any,
+        targets: Any = None,
+        *,
+        straighten: bool = False,
+        return_lengths: bool = False,
+        max_distance: Optional[float] = None,
+        threads: Optional[int] = None,
+        progress: Optional[Progress] = None,
+    ) -> Any:
+        """A shortest path from the first source to the first target, and so on.
+
+        Other parameters are those of `pair_distances` and `path`.
+
+        Returns
+        -------
+        list of (k, 3) arrays of float64
+            The points of each path; (0, 3) if there is none.
+        (n,) array of float64
+            Their lengths, or infinity; if wanted.
+        """
+        starts, ends = _arrays.pairs(sources, targets)
+        number = 0 if threads is None else _number_of_threads(threads)
+        found, lengths = self._solver.paths(
+            *starts, *ends, straighten, _distance(max_distance), number, _checked(progress)
+        )
+        return (found, lengths) if return_lengths else found
+
     # Matrices
 
     def distance_matrix(

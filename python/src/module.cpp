@@ -125,6 +125,68 @@ py::tuple path(const AG::Solver& solver,
   return py::make_tuple(moved_points(std::move(result)), length);
 }
 
+// The sources and the targets of pairs.
+struct Pairs
+{
+  Pairs(const Numbers& elements,
+        const Coordinates& coordinates,
+        const Numbers& target_elements,
+        const Coordinates& target_coordinates)
+    : sources(points(elements, coordinates)), targets(points(target_elements, target_coordinates))
+  {
+  }
+
+  py::ssize_t size() const { return static_cast<py::ssize_t>(sources.size()); }
+
+  std::vector<AG::Solver_point> sources, targets;
+};
+
+// Returns distances, or the lower and the upper ends of intervals that contain them.
+Array<double> pair_distances(const AG::Solver& solver,
+                             const Numbers& elements,
+                             const Coordinates& coordinates,
+                             const Numbers& target_elements,
+                             const Coordinates& target_coordinates,
+                             const bool wants_intervals,
+                             const double maximum_distance,
+                             const std::size_t threads,
+                             const py::object& progress)
+{
+  const Pairs pairs(elements, coordinates, target_elements, target_coordinates);
+  Array<double> result(wants_intervals ? std::vector<py::ssize_t>{pairs.size(), 2}
+                                       : std::vector<py::ssize_t>{pairs.size()});
+  double* const data = result.mutable_data();
+  const auto find =
+      wants_intervals ? &AG::Solver::find_pair_intervals : &AG::Solver::find_pair_distances;
+  run(progress, [&](const AG::Solver_watch& watch) {
+    (solver.*find)(pairs.sources, pairs.targets, data, {maximum_distance, false, threads}, watch);
+  });
+  return result;
+}
+
+py::tuple paths(const AG::Solver& solver,
+                const Numbers& elements,
+                const Coordinates& coordinates,
+                const Numbers& target_elements,
+                const Coordinates& target_coordinates,
+                const bool straighten,
+                const double maximum_distance,
+                const std::size_t threads,
+                const py::object& progress)
+{
+  const Pairs pairs(elements, coordinates, target_elements, target_coordinates);
+  Array<double> lengths(pairs.size());
+  double* const data = lengths.mutable_data();
+  auto found = run(progress, [&](const AG::Solver_watch& watch) {
+    return solver.find_paths(pairs.sources, pairs.targets, data,
+                             {maximum_distance, straighten, threads}, watch);
+  });
+  py::list result;
+  for(auto& path : found)
+    result.append(moved_points(std::move(path)));
+  return py::make_tuple(result, lengths);
+}
+
 // Returns a dense matrix if neither `k` nor the maximum distance is given.
 py::object matrix(const AG::Solver& solver,
                   const Numbers& elements,
@@ -271,6 +333,8 @@ PYBIND11_MODULE(_native, module)
       .def("to_bytes", &python::to_bytes)
       .def("distances", &python::distances)
       .def("path", &python::path)
+      .def("pair_distances", &python::pair_distances)
+      .def("paths", &python::paths)
       .def("matrix", &python::matrix)
       .def("voronoi", &python::voronoi)
       .def("farthest_points", &python::farthest_points)
