@@ -11,20 +11,22 @@
 
 #include "arrays.h"
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
 #include <memory>
+
+namespace CGAL::Approximate_geodesics {
+
+class Solver;
+class Solver_locator;
+
+} // namespace CGAL::Approximate_geodesics
 
 namespace python {
 
 class Locator
 {
 public:
-  using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-
-  // Builds a tree of the faces. The mesh is referred to, not copied.
-  explicit Locator(const Mesh& mesh);
+  // Builds a tree of the faces. The solver is referred to, not copied.
+  explicit Locator(const AG::Solver& solver);
   ~Locator();
 
   // Returns the faces and the barycentric coordinates of the nearest points of the surface, and the
@@ -32,8 +34,7 @@ public:
   py::tuple locate(const Array<double>& points) const;
 
 private:
-  class Tree;
-  std::unique_ptr<const Tree> m_tree;
+  std::unique_ptr<const AG::Solver_locator> m_locator;
 };
 
 } // namespace python

@@ -320,8 +320,7 @@ PYBIND11_MODULE(_native, module)
   module.attr("version") = APPROXIMATE_GEODESICS_VERSION;
 
   py::class_<python::Locator>(module, "Locator")
-      .def(py::init([](const Solver& s) { return std::make_unique<python::Locator>(s.mesh()); }),
-           py::keep_alive<1, 2>())
+      .def(py::init<const Solver&>(), py::keep_alive<1, 2>())
       .def("locate", &python::Locator::locate);
 
   py::class_<Solver> solver(module, "Solver");
