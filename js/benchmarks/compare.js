@@ -1,0 +1,106 @@
+// Measures the package beside the native solver, in the same run: the size of its module, and times
+// of constructions and searches, before and after the engine has warmed up.
+//
+// Usage: node compare.js NATIVE_SOLVER MESH [RUNS]       (MESH: an OFF file of triangles)
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+
+import { loadGeodesics } from 'approximate-geodesics';
+
+const EPSILONS = ['edges', '0.1', '0'];
+const script = fileURLToPath(import.meta.url);
+
+function readOff(file) {
+  const numbers = readFileSync(file, 'utf8').replace(/#.*/g, '').trim().split(/\s+/);
+  if (numbers.shift() !== 'OFF') throw new Error(`${file} is not an OFF file`);
+  const [n, m] = numbers.splice(0, 3).map(Number);
+  const faces = numbers.slice(3 * n, 3 * n + 4 * m).filter((_, i) => i % 4 !== 0);
+  return { vertices: Float64Array.from(numbers.slice(0, 3 * n)), faces: Int32Array.from(faces) };
+}
+
+function write(file, { vertices, faces }) {
+  const sizes = Uint32Array.of(vertices.length / 3, faces.length / 3);
+  writeFileSync(file, Buffer.concat([sizes, vertices, faces].map((a) => Buffer.from(a.buffer))));
+}
+
+function read(file) {
+  const { buffer, byteOffset } = readFileSync(file);
+  const bytes = buffer.slice(byteOffset);
+  const [n, m] = new Uint32Array(bytes, 0, 2);
+  return {
+    vertices: new Float64Array(bytes, 8, 3 * n),
+    faces: new Int32Array(bytes, 8 + 24 * n, 3 * m),
+  };
+}
+
+const time = (f) => {
+  const start = performance.now();
+  f();
+  return performance.now() - start;
+};
+
+/** In a process of its own, whose engine has compiled nothing yet. */
+async function measureHere(file, epsilon, runs, warmUp) {
+  const { Solver } = await loadGeodesics({ warmUp });
+  const { vertices, faces } = read(file);
+  const options = epsilon === 'edges' ? {} : { epsilon: Number(epsilon) };
+  let solver;
+  const make = () => {
+    solver?.delete();
+    solver = new Solver(vertices, faces, options);
+  };
+  const constructions = [];
+  const searches = [];
+  for (let i = 0; i < runs; ++i) {
+    constructions.push(time(make));
+    searches.push(time(() => solver.distances(0)));
+    await new Promise((done) => setTimeout(done, 1));
+  }
+  return { constructions, searches };
+}
+
+function measureNative(program, file, epsilon, runs) {
+  const result = {};
+  for (const line of execFileSync(program, [file, epsilon, String(runs)], { encoding: 'utf8' }).split('\n')) {
+    const [name, ...seconds] = line.split(' ');
+    result[name] = seconds.map((s) => 1000 * s);
+  }
+  return result;
+}
+
+function compare(program, mesh, runs) {
+  const url = new URL(import.meta.resolve('approximate-geodesics/approximate_geodesics.wasm'));
+  const module = readFileSync(url);
+  console.log(`module: ${module.length} bytes, ${gzipSync(module, { level: 9 }).length} gzipped`);
+  const folder = mkdtempSync(join(tmpdir(), 'geodesics-'));
+  const file = join(folder, 'mesh');
+  write(file, readOff(mesh));
+  const child = (epsilon, warmUp) =>
+    JSON.parse(execFileSync(process.execPath, [script, '--child', file, epsilon, String(runs), String(warmUp)], { encoding: 'utf8' }));
+  const row = (...cells) => console.log(cells.map((cell, i) => String(cell).padStart(i < 2 ? 13 : 11)).join(''));
+  row('epsilon', '', 'native', 'here', 'ratio', 'first', 'warmed up');
+  for (const epsilon of EPSILONS) {
+    const native = measureNative(program, file, epsilon, runs);
+    const cold = child(epsilon, false);
+    const warm = child(epsilon, true);
+    for (const name of ['constructions', 'searches']) {
+      const least = (times) => Math.min(...times[name]);
+      const [there, here] = [least(native), Math.min(least(cold), least(warm))];
+      row(epsilon, name, there.toFixed(2), here.toFixed(2), (here / there).toFixed(2), cold[name][0].toFixed(2), warm[name][0].toFixed(2));
+    }
+  }
+  rmSync(folder, { recursive: true });
+}
+
+const [first, ...others] = process.argv.slice(2);
+if (first === '--child') {
+  const [file, epsilon, runs, warmUp] = others;
+  console.log(JSON.stringify(await measureHere(file, epsilon, Number(runs), warmUp === 'true')));
+} else {
+  compare(first, others[0], Number(others[1] ?? 20));
+}

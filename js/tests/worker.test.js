@@ -1,0 +1,75 @@
+// The same results from a worker of Node.
+
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+
+import { loadGeodesics } from 'approximate-geodesics';
+import { loadGeodesics as loadWorker } from 'approximate-geodesics/worker';
+
+import { hills } from './meshes.js';
+import { results } from './results.js';
+
+const here = await loadGeodesics();
+const there = await loadWorker();
+after(() => there.terminate());
+const MESH = hills(32);
+
+test('same results, and properties', async () => {
+  assert.equal(there.version, here.version);
+  for (const epsilon of [undefined, 0.1, 0]) {
+    const solver = new here.Solver(MESH.vertices, MESH.faces, { epsilon });
+    const other = await there.Solver.create(MESH.vertices, MESH.faces, { epsilon });
+    assert.deepEqual(await results(other), await results(solver));
+    assert.deepEqual(await other.toBytes(), solver.toBytes());
+    assert.deepEqual(await other.mesh(), solver.mesh());
+    assert.deepEqual(await other.locate([1, 2, 3]), solver.locate([1, 2, 3]));
+    for (const name of ['numberOfVertices', 'numberOfFaces', 'epsilon', 'errorBound', 'memory'])
+      assert.equal(await other[name], solver[name], name);
+    assert.ok((await there.memory) > 0);
+    const copy = await there.Solver.fromBytes(solver.toBytes());
+    assert.deepEqual(await copy.distances(3), solver.distances(3));
+    await other.delete();
+    await assert.rejects(other.distances(0), /the solver was deleted/);
+  }
+});
+
+test('arguments are copied, or transferred on request', async () => {
+  const { vertices, faces } = hills(10);
+  const solver = await there.Solver.create(vertices, faces);
+  assert.equal(vertices.length, 300);
+  const again = await there.Solver.create(vertices, faces, { transfer: [vertices.buffer, faces.buffer] });
+  assert.equal(vertices.length, 0);
+  assert.deepEqual(await again.distances(0), await solver.distances(0));
+});
+
+test('own costs', async () => {
+  const costs = (face) => 1 + (face % 3);
+  const solver = await there.Solver.create(MESH.vertices, MESH.faces, { costs });
+  const expected = here.Solver.create(MESH.vertices, MESH.faces, { costs });
+  assert.deepEqual(await solver.distances(0), expected.distances(0));
+});
+
+test('errors, and progress', async () => {
+  const solver = await there.Solver.create(MESH.vertices, MESH.faces, { epsilon: 0 });
+  await assert.rejects(solver.distances(1024), (error) => error instanceof RangeError && /vertex 1024/.test(error.message));
+  await assert.rejects(there.Solver.create(MESH.vertices, [0, 0, 1]), RangeError);
+  const steps = [];
+  await solver.matrix([0, 1, 2], { progress: (...step) => steps.push(step) });
+  assert.deepEqual(steps.at(-1), [3, 3]);
+  const stop = new Error('enough');
+  await assert.rejects(solver.matrix([0, 1], { progress: () => { throw stop; } }), (error) => error === stop);
+  await solver.distances(0);
+});
+
+test('a worker that is terminated fails all calls', async () => {
+  const { Solver, terminate } = await loadWorker();
+  const solver = await Solver.create(MESH.vertices, MESH.faces, { epsilon: 0 });
+  const run = solver.matrix(Int32Array.from({ length: 900 }, (_, v) => v));
+  terminate();
+  await assert.rejects(run, /the worker was terminated/);
+  await assert.rejects(solver.distances(0), /the worker was terminated/);
+});
+
+test('a worker that cannot load the module', async () => {
+  await assert.rejects(loadWorker({ wasmBinary: new Uint8Array(8) }), /expected magic word/);
+});
