@@ -66,7 +66,9 @@ async function measureHere(file, epsilon, runs, warmUp) {
 
 function measureNative(program, file, epsilon, runs) {
   const result = {};
-  for (const line of execFileSync(program, [file, epsilon, String(runs)], { encoding: 'utf8' }).split('\n')) {
+  for (const line of execFileSync(program, [file, epsilon, String(runs)], {
+    encoding: 'utf8',
+  }).split('\n')) {
     const [name, ...seconds] = line.split(' ');
     result[name] = seconds.map((s) => 1000 * s);
   }
@@ -81,8 +83,15 @@ function compare(program, mesh, runs) {
   const file = join(folder, 'mesh');
   write(file, readOff(mesh));
   const child = (epsilon, warmUp) =>
-    JSON.parse(execFileSync(process.execPath, [script, '--child', file, epsilon, String(runs), String(warmUp)], { encoding: 'utf8' }));
-  const row = (...cells) => console.log(cells.map((cell, i) => String(cell).padStart(i < 2 ? 13 : 11)).join(''));
+    JSON.parse(
+      execFileSync(
+        process.execPath,
+        [script, '--child', file, epsilon, String(runs), String(warmUp)],
+        { encoding: 'utf8' },
+      ),
+    );
+  const row = (...cells) =>
+    console.log(cells.map((cell, i) => String(cell).padStart(i < 2 ? 13 : 11)).join(''));
   row('epsilon', '', 'native', 'here', 'ratio', 'first', 'warmed up');
   for (const epsilon of EPSILONS) {
     const native = measureNative(program, file, epsilon, runs);
@@ -91,7 +100,15 @@ function compare(program, mesh, runs) {
     for (const name of ['constructions', 'searches']) {
       const least = (times) => Math.min(...times[name]);
       const [there, here] = [least(native), Math.min(least(cold), least(warm))];
-      row(epsilon, name, there.toFixed(2), here.toFixed(2), (here / there).toFixed(2), cold[name][0].toFixed(2), warm[name][0].toFixed(2));
+      row(
+        epsilon,
+        name,
+        there.toFixed(2),
+        here.toFixed(2),
+        (here / there).toFixed(2),
+        cold[name][0].toFixed(2),
+        warm[name][0].toFixed(2),
+      );
     }
   }
   rmSync(folder, { recursive: true });

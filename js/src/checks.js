@@ -26,8 +26,7 @@ export function integers(values, name, size) {
   const type = typeOf(values);
   if (type === undefined)
     values = Int32Array.from(elements(values, name), (x, i) => integer32(x, `${name}[${i}]`));
-  else if (!isOfIntegers(type))
-    throw new TypeError(`${name} are a ${type}; they must be integers`);
+  else if (!isOfIntegers(type)) throw new TypeError(`${name} are a ${type}; they must be integers`);
   checkSize(values, name, size);
   return [values, type === 'Uint32Array' ? Uint32Array : Int32Array];
 }

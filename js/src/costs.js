@@ -61,8 +61,10 @@ function sampledCosts(cost, numberOfDirections, vertices, faces) {
 
 function checkedCost(cost, face, direction) {
   if (check.number(cost, `the cost of face ${face}`) >= 0) return cost;
-  throw new RangeError(`face ${face} has the cost ${cost} in the direction ` +
-    `(${direction.join(', ')}); it must be a number that is not negative, or infinity`);
+  throw new RangeError(
+    `face ${face} has the cost ${cost} in the direction ` +
+      `(${direction.join(', ')}); it must be a number that is not negative, or infinity`,
+  );
 }
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -87,7 +87,11 @@ export interface Solver {
   voronoi(sources: Points, options?: SearchOptions): Int32Array;
 
   /** Vertices that are as far as possible from the sources, which are vertices, and each other. */
-  farthestPoints(number: number, sources?: Points, options?: { progress?: Progress }): FarthestPoints;
+  farthestPoints(
+    number: number,
+    sources?: Points,
+    options?: { progress?: Progress },
+  ): FarthestPoints;
 
   /** Three numbers per face: the gradient of a function with these values at the vertices. */
   gradient(values: Numbers): Float64Array;

@@ -24,12 +24,16 @@ async function compile({ wasmModule, wasmBinary, wasmUrl }) {
   if (wasmBinary) return WebAssembly.compile(wasmBinary);
   // Bundlers know this form of the address of a file, and copy the file.
   const url = wasmUrl ?? new URL('./approximate_geodesics.wasm', import.meta.url);
-  if (new URL(url, globalThis.location?.href).protocol === 'file:' && globalThis.process?.versions?.node) {
+  if (
+    new URL(url, globalThis.location?.href).protocol === 'file:' &&
+    globalThis.process?.versions?.node
+  ) {
     const name = 'node:fs/promises'; // not a literal, as bundlers for browsers would look for it
     const { readFile } = await import(name);
     return WebAssembly.compile(await readFile(new URL(url)));
   }
   const response = await fetch(url);
-  if (!response.ok) throw new Error(`cannot load ${url}: ${response.status} ${response.statusText}`);
+  if (!response.ok)
+    throw new Error(`cannot load ${url}: ${response.status} ${response.statusText}`);
   return WebAssembly.compile(await response.arrayBuffer());
 }

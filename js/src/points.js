@@ -41,7 +41,9 @@ function numbersOf(point, name) {
     const t = parameter(point.parameter, name);
     return [EDGE, ...ends, 1 - t, t, 0];
   }
-  throw new TypeError(`${name} is ${String(point)}; it must be a vertex, or a point of a face or an edge`);
+  throw new TypeError(
+    `${name} is ${String(point)}; it must be a vertex, or a point of a face or an edge`,
+  );
 }
 
 function parameter(t, name) {

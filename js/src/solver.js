@@ -17,7 +17,11 @@ export class Solver {
     const { value } =
       vertices === FROM_BYTES
         ? this.#wasm.call('solver_of_bytes', [faces])
-        : this.#wasm.call('make_solver', solverArguments(vertices, faces, options), options.progress);
+        : this.#wasm.call(
+            'make_solver',
+            solverArguments(vertices, faces, options),
+            options.progress,
+          );
     this.#handle = value;
     this.#wasm.registry.register(this, value, this);
     this.#properties = this.#read();
@@ -104,11 +108,7 @@ export class Solver {
   voronoi(sources, options = {}) {
     const names = ['directionToSource', 'progress'];
     const { directionToSource, progress } = check.options(options, names);
-    const parameters = [
-      points(sources, 'source'),
-      Boolean(directionToSource),
-      Boolean(progress),
-    ];
+    const parameters = [points(sources, 'source'), Boolean(directionToSource), Boolean(progress)];
     return this.#call('voronoi', parameters, progress).arrays[0];
   }
 
@@ -220,13 +220,13 @@ function solverArguments(vertices, faces, options) {
     corners[1] === Uint32Array,
     epsilon != null,
     epsilon == null ? 0 : check.number(epsilon, 'epsilon'),
-    faceWeights == null
-      ? null
-      : check.numbers(faceWeights, 'faceWeights', { size: numberOfFaces }),
+    faceWeights == null ? null : check.numbers(faceWeights, 'faceWeights', { size: numberOfFaces }),
     barriers == null ? null : [check.integers(barriers, 'barriers', 2)[0], Int32Array],
     ...costArguments(plainCosts(costs, coordinates[0], corners[0])),
     Boolean(acceptWeakerBound),
-    maximumNumberOfPoints == null ? 0 : check.size(maximumNumberOfPoints, 'maximumNumberOfPoints', 1),
+    maximumNumberOfPoints == null
+      ? 0
+      : check.size(maximumNumberOfPoints, 'maximumNumberOfPoints', 1),
     Boolean(options.progress),
   ];
 }

@@ -11,13 +11,7 @@ export type Numbers = Float64Array | Float32Array | readonly number[];
 
 /** Integers. */
 export type Integers =
-  | Int32Array
-  | Uint32Array
-  | Int16Array
-  | Uint16Array
-  | Int8Array
-  | Uint8Array
-  | readonly number[];
+  Int32Array | Uint32Array | Int16Array | Uint16Array | Int8Array | Uint8Array | readonly number[];
 
 /** A vertex, a point of a face, or a point on an edge. */
 export type Point =

@@ -19,7 +19,9 @@ export class Wasm {
 
   static async load(compiled, maximumMemory = LARGEST_MEMORY) {
     if (!(maximumMemory >= FIRST_MEMORY))
-      throw new RangeError(`maximumMemory is ${maximumMemory}; it must be at least ${FIRST_MEMORY}`);
+      throw new RangeError(
+        `maximumMemory is ${maximumMemory}; it must be at least ${FIRST_MEMORY}`,
+      );
     const wasm = new Wasm();
     wasm.#memory = new WebAssembly.Memory({
       initial: FIRST_MEMORY / PAGE,
@@ -72,16 +74,18 @@ export class Wasm {
 
   /** What the module calls. An exception does not pass through it: it is kept, and ends the run. */
   #imports(compiled) {
-    const kept = (f) => (...values) => {
-      const call = this.#call;
-      if (call.error) return false;
-      try {
-        return f(call, ...values);
-      } catch (error) {
-        call.error = error;
-        return false;
-      }
-    };
+    const kept =
+      (f) =>
+      (...values) => {
+        const call = this.#call;
+        if (call.error) return false;
+        try {
+          return f(call, ...values);
+        } catch (error) {
+          call.error = error;
+          return false;
+        }
+      };
     const at = (Type, pointer, size) => new Type(this.#memory.buffer, pointer >>> 0, size >>> 0);
     const imports = {
       env: { memory: this.#memory },

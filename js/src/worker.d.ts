@@ -51,7 +51,11 @@ export interface WorkerGeodesics {
 }
 
 export interface WorkerSolverConstructor {
-  create(vertices: Numbers, faces: Integers, options?: SolverOptions & Transfer): Promise<WorkerSolver>;
+  create(
+    vertices: Numbers,
+    faces: Integers,
+    options?: SolverOptions & Transfer,
+  ): Promise<WorkerSolver>;
   fromBytes(bytes: ArrayBuffer | Uint8Array, options?: Transfer): Promise<WorkerSolver>;
 }
 

@@ -44,7 +44,9 @@ class Port {
     this.#worker = worker;
     const listen = (worker.addEventListener ?? worker.on).bind(worker);
     listen('message', (message) => this.#receive(message.data ?? message));
-    listen('error', (event) => this.end(event.error ?? new Error(event.message ?? 'the worker failed')));
+    listen('error', (event) =>
+      this.end(event.error ?? new Error(event.message ?? 'the worker failed')),
+    );
     listen('exit', () => this.end(new Error('the worker has ended'))); // of Node
   }
 
@@ -94,7 +96,11 @@ class WorkerSolver {
 
   static async create(vertices, faces, { costs, ...options } = {}) {
     if (costs != null)
-      options.costs = plainCosts(costs, numbers(vertices, 'vertices', 3)[0], integers(faces, 'faces', 3)[0]);
+      options.costs = plainCosts(
+        costs,
+        numbers(vertices, 'vertices', 3)[0],
+        integers(faces, 'faces', 3)[0],
+      );
     return new this(await this.port.call('create', [vertices, faces], options));
   }
 

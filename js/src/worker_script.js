@@ -48,12 +48,16 @@ async function answer(port, { id, verb, parameters, options, hasProgress }) {
 /** Results have buffers of their own, which are transferred, and not copied. */
 function buffersIn(result) {
   if (ArrayBuffer.isView(result)) return [result.buffer];
-  return result !== null && typeof result === 'object' ? Object.values(result).flatMap(buffersIn) : [];
+  return result !== null && typeof result === 'object'
+    ? Object.values(result).flatMap(buffersIn)
+    : [];
 }
 
 if (globalThis.WorkerGlobalScope) {
   globalThis.addEventListener('message', ({ data }) => answer(globalThis, data));
 } else {
   const name = 'node:worker_threads'; // not a literal, which bundlers for browsers would look for
-  import(name).then(({ parentPort }) => parentPort.on('message', (data) => answer(parentPort, data)));
+  import(name).then(({ parentPort }) =>
+    parentPort.on('message', (data) => answer(parentPort, data)),
+  );
 }

@@ -24,7 +24,9 @@ let expected;
 before(async () => {
   page = await Page.open();
   const { Solver } = await loadGeodesics();
-  expected = [0.1, 0].map((epsilon) => [...new Solver(MESH.vertices, MESH.faces, { epsilon }).distances(0).distances]);
+  expected = [0.1, 0].map((epsilon) => [
+    ...new Solver(MESH.vertices, MESH.faces, { epsilon }).distances(0).distances,
+  ]);
 });
 after(async () => {
   await page.close();
@@ -51,7 +53,10 @@ test('modules of a server, and a worker that is a module', async () => {
   const types = { '.js': 'text/javascript', '.wasm': 'application/wasm', '.html': 'text/html' };
   const server = createServer(({ url }, response) => {
     try {
-      const text = url === '/' ? '<!doctype html><title>Test</title>' : readFileSync(new URL(`.${url}`, PACKAGE));
+      const text =
+        url === '/'
+          ? '<!doctype html><title>Test</title>'
+          : readFileSync(new URL(`.${url}`, PACKAGE));
       response.writeHead(200, { 'Content-Type': types[extname(url) || '.html'] });
       response.end(text);
     } catch {
@@ -63,7 +68,9 @@ test('modules of a server, and a worker that is a module', async () => {
     await page.load(`http://127.0.0.1:${server.address().port}/`);
     for (const module of ['index', 'worker']) {
       const found = await page.run(
-        `async (mesh) => (${distances})(mesh, (await import('/src/${module}.js')).loadGeodesics())`, json);
+        `async (mesh) => (${distances})(mesh, (await import('/src/${module}.js')).loadGeodesics())`,
+        json,
+      );
       assert.deepEqual(found, expected, module);
     }
   } finally {
@@ -75,8 +82,15 @@ test('a file that holds all, with a worker in a blob', async () => {
   const bundled = async (contents) => {
     const stdin = { contents, resolveDir: new URL('.', import.meta.url).pathname };
     const { outputFiles, warnings } = await build({
-      stdin, bundle: true, write: false, minify: true, format: 'iife', target: 'es2022',
-      loader: { '.wasm': 'binary' }, logLevel: 'silent', define: { 'import.meta.url': '""' },
+      stdin,
+      bundle: true,
+      write: false,
+      minify: true,
+      format: 'iife',
+      target: 'es2022',
+      loader: { '.wasm': 'binary' },
+      logLevel: 'silent',
+      define: { 'import.meta.url': '""' },
     });
     assert.deepEqual(warnings, []);
     return outputFiles[0].text;
@@ -93,8 +107,15 @@ test('a file that holds all, with a worker in a blob', async () => {
       return there.loadGeodesics({ wasmBinary, worker });
     };`);
   const file = join(folder, 'page.html');
-  writeFileSync(file, `<!doctype html><script>${main.replaceAll('</script', '<\\/script')}</script>`);
+  writeFileSync(
+    file,
+    `<!doctype html><script>${main.replaceAll('</script', '<\\/script')}</script>`,
+  );
   await page.load(pathToFileURL(file).href);
   for (const module of ['index', 'worker'])
-    assert.deepEqual(await page.run(`(mesh) => (${distances})(mesh, ${module}())`, json), expected, module);
+    assert.deepEqual(
+      await page.run(`(mesh) => (${distances})(mesh, ${module}())`, json),
+      expected,
+      module,
+    );
 });

@@ -7,8 +7,14 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 const FLAGS = [
-  '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-sync', '--disable-background-networking', '--disable-component-update',
+  '--headless',
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-sync',
+  '--disable-background-networking',
+  '--disable-component-update',
   '--remote-debugging-pipe',
 ];
 
@@ -33,7 +39,11 @@ export class Page {
 
   #start() {
     const stdio = ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'];
-    this.#process = spawn('chromium', [...FLAGS, `--user-data-dir=${this.#profile}`, 'about:blank'], { stdio });
+    this.#process = spawn(
+      'chromium',
+      [...FLAGS, `--user-data-dir=${this.#profile}`, 'about:blank'],
+      { stdio },
+    );
     let received = Buffer.alloc(0);
     this.#process.stdio[4].on('data', (some) => {
       received = Buffer.concat([received, some]);
@@ -58,7 +68,8 @@ export class Page {
 
   async load(url) {
     const loaded = new Promise((done) =>
-      this.#listeners.push((method) => method === 'Page.loadEventFired' && (done(), true)));
+      this.#listeners.push((method) => method === 'Page.loadEventFired' && (done(), true)),
+    );
     await this.call('Page.navigate', { url });
     await loaded;
   }
@@ -71,7 +82,8 @@ export class Page {
       awaitPromise: true,
       returnByValue: true,
     });
-    if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+    if (exceptionDetails)
+      throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
 

@@ -20,11 +20,23 @@ const of = (options) => () => new Solver(vertices, faces, options);
 const cases = [
   // meshes
   [() => new Solver(changed(vertices, 16, NaN), faces), RangeError, /^vertex 5 is not finite/],
-  [() => new Solver(vertices, changed(faces, 23, 99)), RangeError, /^face 7 has vertex 99.*there are 16/],
+  [
+    () => new Solver(vertices, changed(faces, 23, 99)),
+    RangeError,
+    /^face 7 has vertex 99.*there are 16/,
+  ],
   [() => new Solver(vertices, changed(faces, 23, -1)), RangeError, /face 7 has vertex -1/],
-  [() => new Solver(vertices, Uint32Array.from(changed(faces, 23, -1))), RangeError, /face 7 has vertex 4294967295/],
+  [
+    () => new Solver(vertices, Uint32Array.from(changed(faces, 23, -1))),
+    RangeError,
+    /face 7 has vertex 4294967295/,
+  ],
   [() => new Solver(vertices, changed(faces, 9, 2, 2, 5)), RangeError, /face 3 has vertex 2 twice/],
-  [() => new Solver(vertices, [...faces, 5, 1, 15]), RangeError, /between vertices 1 and 5 is not manifold/],
+  [
+    () => new Solver(vertices, [...faces, 5, 1, 15]),
+    RangeError,
+    /between vertices 1 and 5 is not manifold/,
+  ],
   [() => new Solver(vertices.slice(1), faces), RangeError, /vertices have 47 numbers/],
   [() => new Solver(vertices, faces.slice(1)), RangeError, /faces have 53 numbers/],
   [() => new Solver(vertices, Float64Array.from(faces)), TypeError, /faces are a Float64Array/],
@@ -41,21 +53,45 @@ const cases = [
   [of({ eps: 0.1 }), TypeError, /there is no option 'eps'; there are epsilon, /],
   [of(0.1), TypeError, /the options are 0.1/],
   [of({ faceWeights: [1, 2] }), RangeError, /faceWeights have 2 numbers; there must be 18/],
-  [of({ epsilon: 0.1, faceWeights: changed(new Float64Array(18).fill(1), 4, -1) }), RangeError, /face 4 has weight -1/],
-  [of({ epsilon: 0, faceWeights: new Float64Array(18).fill(1) }), RangeError, /no exact distances with face weights/],
+  [
+    of({ epsilon: 0.1, faceWeights: changed(new Float64Array(18).fill(1), 4, -1) }),
+    RangeError,
+    /face 4 has weight -1/,
+  ],
+  [
+    of({ epsilon: 0, faceWeights: new Float64Array(18).fill(1) }),
+    RangeError,
+    /no exact distances with face weights/,
+  ],
   [of({ barriers: [0, 1, 0, 15] }), RangeError, /barrier 1 is not an edge/],
   [of({ barriers: [0, 99] }), RangeError, /barrier 0 has vertex 99/],
   [of({ barriers: [0] }), RangeError, /barriers have 1 numbers/],
-  [of({ maximumNumberOfPoints: 0 }), RangeError, /maximumNumberOfPoints is 0; it must be at least 1/],
+  [
+    of({ maximumNumberOfPoints: 0 }),
+    RangeError,
+    /maximumNumberOfPoints is 0; it must be at least 1/,
+  ],
   [of({ progress: 1 }), TypeError, /progress is 1; it must be a function/],
   [of({ costs: { model: 'running' } }), TypeError, /have a model of these: 'hikingTime', /],
-  [of({ costs: { model: 'driftTime', velocities: [1], speed: 1 } }), RangeError, /velocities have 1 numbers/],
+  [
+    of({ costs: { model: 'driftTime', velocities: [1], speed: 1 } }),
+    RangeError,
+    /velocities have 1 numbers/,
+  ],
   [of({ costs: { model: 'driftTime', speed: 1 } }), TypeError, /velocities must be a typed array/],
-  [of({ costs: { model: 'driftTime', velocities: [1, 0, 0] } }), TypeError, /a parameter of driftTime is undefined/],
+  [
+    of({ costs: { model: 'driftTime', velocities: [1, 0, 0] } }),
+    TypeError,
+    /a parameter of driftTime is undefined/,
+  ],
   [of({ costs: () => -1 }), RangeError, /face 0 has the cost -1 in the direction/],
   [of({ costs: () => 'x' }), TypeError, /the cost of face 0 is 'x'/],
   // points
-  [() => SOLVER.distances(16), RangeError, /^the source is vertex 16|^source 0 is vertex 16; .* there are 16/],
+  [
+    () => SOLVER.distances(16),
+    RangeError,
+    /^the source is vertex 16|^source 0 is vertex 16; .* there are 16/,
+  ],
   [() => SOLVER.distances([0, -1]), RangeError, /source 1 is vertex -1/],
   [() => SOLVER.distances(1.5), TypeError, /the source is 1\.5; it must be an integer/],
   [() => SOLVER.distances([0.5]), TypeError, /source 0 is 0\.5/],
@@ -67,12 +103,28 @@ const cases = [
   [() => SOLVER.distances(2 ** 70), RangeError, /which is too large/],
   [() => SOLVER.distances({ face: 18, coordinates: [1, 0, 0] }), RangeError, /source 0 is face 18/],
   [() => SOLVER.distances({ face: 0 }), TypeError, /the source must have three barycentric/],
-  [() => SOLVER.distances([0, { face: 0, coordinates: [0.5, 0.6, 0] }]), RangeError, /source 1 has the barycentric coordinates 0.5, 0.6, 0; /],
+  [
+    () => SOLVER.distances([0, { face: 0, coordinates: [0.5, 0.6, 0] }]),
+    RangeError,
+    /source 1 has the barycentric coordinates 0.5, 0.6, 0; /,
+  ],
   [() => SOLVER.distances({ face: 0, coordinates: [1, NaN, 0] }), RangeError, /1, NaN, 0/],
   [() => SOLVER.distances({ face: 0, coordinates: [1.5, -0.5, 0] }), RangeError, /must not be/],
-  [() => SOLVER.distances({ edge: [0, 15], parameter: 0.5 }), RangeError, /no face has both vertex 0 and vertex 15/],
-  [() => SOLVER.distances({ edge: [0, 1], parameter: 2 }), RangeError, /the source has the parameter 2/],
-  [() => SOLVER.distances({ edge: [0], parameter: 1 }), TypeError, /must be on an edge of two vertices/],
+  [
+    () => SOLVER.distances({ edge: [0, 15], parameter: 0.5 }),
+    RangeError,
+    /no face has both vertex 0 and vertex 15/,
+  ],
+  [
+    () => SOLVER.distances({ edge: [0, 1], parameter: 2 }),
+    RangeError,
+    /the source has the parameter 2/,
+  ],
+  [
+    () => SOLVER.distances({ edge: [0], parameter: 1 }),
+    TypeError,
+    /must be on an edge of two vertices/,
+  ],
   // calls
   [() => SOLVER.distances(0, { maximumDistance: -1 }), RangeError, /maximumDistance is -1/],
   [() => SOLVER.distances(0, { maximumDistance: '1' }), TypeError, /maximumDistance is '1'/],
@@ -82,13 +134,29 @@ const cases = [
   [() => SOLVER.matrix([0], { k: 0 }), RangeError, /k is 0/],
   [() => SOLVER.matrix([0], { k: 2.5 }), TypeError, /k is 2.5; it must be an integer/],
   [() => SOLVER.matrix([0], { targets: [99] }), RangeError, /target 0 is vertex 99/],
-  [() => SOLVER.matrix([0, 1], { targets: [1, 0], symmetric: true }), RangeError, /not the same points/],
-  [() => SOLVER.gradient(new Float64Array(3)), RangeError, /values have 3 numbers; there must be 16/],
-  [() => SOLVER.isolines(new Float64Array(16), NaN), RangeError, /the level is NaN; it must be finite/],
+  [
+    () => SOLVER.matrix([0, 1], { targets: [1, 0], symmetric: true }),
+    RangeError,
+    /not the same points/,
+  ],
+  [
+    () => SOLVER.gradient(new Float64Array(3)),
+    RangeError,
+    /values have 3 numbers; there must be 16/,
+  ],
+  [
+    () => SOLVER.isolines(new Float64Array(16), NaN),
+    RangeError,
+    /the level is NaN; it must be finite/,
+  ],
   [() => SOLVER.isolines(new Float64Array(16), [1, Infinity]), RangeError, /level 1 is Infinity/],
   [() => SOLVER.isolines(new Float64Array(16), '3'), TypeError, /levels must be/],
   [() => SOLVER.farthestPoints(-1), RangeError, /the number of points is -1/],
-  [() => SOLVER.farthestPoints(1, { face: 0, coordinates: [0.5, 0.5, 0] }), RangeError, /source 0 is not a vertex/],
+  [
+    () => SOLVER.farthestPoints(1, { face: 0, coordinates: [0.5, 0.5, 0] }),
+    RangeError,
+    /source 0 is not a vertex/,
+  ],
   [() => SOLVER.locate([1, 2]), RangeError, /points have 2 numbers/],
   [() => SOLVER.locate([1, 2, Infinity]), RangeError, /point 0 is \(1, 2, inf\)/],
   [() => new Solver([], []).locate([1, 2, 3]), RangeError, /no faces to locate points in/],
@@ -120,6 +188,12 @@ test('a deleted solver cannot be used, and can be deleted again', () => {
 
 test('a file that is none', async () => {
   await assert.rejects(loadGeodesics({ wasmBinary: new Uint8Array(8) }), WebAssembly.CompileError);
-  await assert.rejects(loadGeodesics({ maximumMemory: 1 }), /maximumMemory is 1; it must be at least/);
-  await assert.rejects(loadGeodesics({ wasmUrl: new URL('none.wasm', import.meta.url).href }), /ENOENT/);
+  await assert.rejects(
+    loadGeodesics({ maximumMemory: 1 }),
+    /maximumMemory is 1; it must be at least/,
+  );
+  await assert.rejects(
+    loadGeodesics({ wasmUrl: new URL('none.wasm', import.meta.url).href }),
+    /ENOENT/,
+  );
 });

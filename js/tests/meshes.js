@@ -17,11 +17,14 @@ export function grid(side, height = () => 0) {
 }
 
 /** Arithmetic only, as sines have other last bits elsewhere. */
-export const hills = (side) => grid(side, (i, j) => ((i * 7 + j * 13) % 11) / 8 + (i - j) ** 2 / (4 * side));
+export const hills = (side) =>
+  grid(side, (i, j) => ((i * 7 + j * 13) % 11) / 8 + (i - j) ** 2 / (4 * side));
 
 /** A cube of side 1, with 8 vertices; vertex 4 x + 2 y + z is (x, y, z). */
 export function cube() {
-  const vertices = Float64Array.from([0, 1, 2, 3, 4, 5, 6, 7].flatMap((v) => [v >> 2, (v >> 1) & 1, v & 1]));
+  const vertices = Float64Array.from(
+    [0, 1, 2, 3, 4, 5, 6, 7].flatMap((v) => [v >> 2, (v >> 1) & 1, v & 1]),
+  );
   const squares = [
     [0, 1, 3, 2],
     [4, 6, 7, 5],
@@ -30,10 +33,18 @@ export function cube() {
     [0, 2, 6, 4],
     [1, 5, 7, 3],
   ];
-  return { vertices, faces: Int32Array.from(squares.flatMap(([a, b, c, d]) => [a, b, c, a, c, d])) };
+  return {
+    vertices,
+    faces: Int32Array.from(squares.flatMap(([a, b, c, d]) => [a, b, c, a, c, d])),
+  };
 }
 
 export function write(file, { vertices, faces }) {
   const sizes = Uint32Array.of(vertices.length / 3, faces.length / 3);
-  writeFileSync(file, Buffer.concat([sizes, vertices, faces].map((a) => Buffer.from(a.buffer, a.byteOffset, a.byteLength))));
+  writeFileSync(
+    file,
+    Buffer.concat(
+      [sizes, vertices, faces].map((a) => Buffer.from(a.buffer, a.byteOffset, a.byteLength)),
+    ),
+  );
 }

@@ -32,7 +32,10 @@ function nativeResults(mesh, epsilon) {
 }
 
 for (const epsilon of ['edges', '0.1', '0', 'weights'])
-  for (const [name, mesh] of [['hills', hills(60)], ['cube', cube()]])
+  for (const [name, mesh] of [
+    ['hills', hills(60)],
+    ['cube', cube()],
+  ])
     test(`same bits as a native solver: ${name}, ${epsilon}`, async () => {
       const faceWeights = Array.from({ length: mesh.faces.length / 3 }, (_, f) => 1 + (f % 3));
       const options = {

@@ -14,12 +14,11 @@
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -108,12 +107,13 @@ void print_results(const AG::Solver& solver)
     print("isoline", line);
 }
 
+// Processor time, which depends less on what else runs.
 template <typename F>
 double seconds(const F& f)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   f();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 void print_times(const Mesh& mesh, const std::string& epsilon, const int runs)

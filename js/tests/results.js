@@ -2,7 +2,10 @@
 export async function results(solver) {
   const last = solver.numberOfVertices - 1;
   const sources = [0, { face: last, coordinates: [0.25, 0.25, 0.5] }];
-  const { distances, nearest, predecessors } = await solver.distances(sources, { nearest: true, predecessors: true });
+  const { distances, nearest, predecessors } = await solver.distances(sources, {
+    nearest: true,
+    predecessors: true,
+  });
   const { points, length } = await solver.path(sources[1], { edge: [0, 1], parameter: 0.5 });
   const farthest = await solver.farthestPoints(10);
   const largest = distances.reduce((a, b) => Math.max(a, b));

@@ -20,7 +20,9 @@ const inPlane = (v, [x, y]) => Math.hypot(PLANE.vertices[3 * v] - x, PLANE.verti
 
 test('the version is that of the package', () => {
   const url = import.meta.resolve?.('approximate-geodesics/package.json');
-  const file = url ? new URL(url) : new URL('./node_modules/approximate-geodesics/package.json', import.meta.url);
+  const file = url
+    ? new URL(url)
+    : new URL('./node_modules/approximate-geodesics/package.json', import.meta.url);
   assert.equal(geodesics.version, JSON.parse(readFileSync(file)).version);
 });
 
@@ -63,7 +65,10 @@ test('on a cube, opposite corners are the square root of 5 apart', () => {
 test('nearest sources and predecessors', () => {
   const solver = make(PLANE);
   const sources = [0, SIDE ** 2 - 1];
-  const { distances, nearest, predecessors } = solver.distances(Int32Array.from(sources), { nearest: true, predecessors: true });
+  const { distances, nearest, predecessors } = solver.distances(Int32Array.from(sources), {
+    nearest: true,
+    predecessors: true,
+  });
   assert.deepEqual([nearest[1], nearest[SIDE ** 2 - 2]], [0, 1]);
   for (let v = 0; v < distances.length; ++v) {
     if (sources.includes(v)) assert.equal(predecessors[v], v);
@@ -83,14 +88,25 @@ test('points of faces and on edges', () => {
   near(solver.path(onEdge, inFace).length, 0.25);
   const { nearest } = solver.distances([inFace, SIDE ** 2 - 1, onEdge], { nearest: true });
   assert.deepEqual([nearest[0], nearest[SIDE], nearest[SIDE ** 2 - 1]], [2, 0, 1]);
-  near(solver.distances({ face: 0, coordinates: Float32Array.of(0.1, 0.2, 0.7) }).distances[0], Math.hypot(0.2, 0.7), 1e-6);
+  near(
+    solver.distances({ face: 0, coordinates: Float32Array.of(0.1, 0.2, 0.7) }).distances[0],
+    Math.hypot(0.2, 0.7),
+    1e-6,
+  );
 });
 
 test('arrays of all types are the same mesh', () => {
   const expected = make(PLANE).distances(0).distances;
-  for (const vertices of [Float32Array.from(PLANE.vertices), [...PLANE.vertices], Int8Array.from(PLANE.vertices)])
+  for (const vertices of [
+    Float32Array.from(PLANE.vertices),
+    [...PLANE.vertices],
+    Int8Array.from(PLANE.vertices),
+  ])
     for (const Type of [Int32Array, Uint32Array, Uint16Array, Int16Array, Array])
-      assert.deepEqual(new Solver(vertices, Type.from(PLANE.faces)).distances(0).distances, expected);
+      assert.deepEqual(
+        new Solver(vertices, Type.from(PLANE.faces)).distances(0).distances,
+        expected,
+      );
   const shared = new Float64Array(new SharedArrayBuffer(PLANE.vertices.byteLength));
   shared.set(PLANE.vertices);
   assert.deepEqual(new Solver(shared, PLANE.faces).distances(0).distances, expected);
@@ -109,7 +125,10 @@ test('matrices: dense, up to a distance, and the nearest', () => {
   assert.deepEqual([...near.starts], [0, 1, 3]);
   const nearest = solver.matrix([0, 1], { targets: [7, 6, 5], k: 1 });
   assert.deepEqual([...nearest.columns], [2, 2]);
-  const symmetric = make(hills(8), { epsilon: 0.1 }).matrix([3, 50], { targets: [3, 50], symmetric: true });
+  const symmetric = make(hills(8), { epsilon: 0.1 }).matrix([3, 50], {
+    targets: [3, 50],
+    symmetric: true,
+  });
   assert.equal(symmetric.distances[1], symmetric.distances[2]);
   assert.equal(solver.matrix([], { targets: [] }).distances.length, 0);
 });
@@ -143,16 +162,28 @@ test('weights, barriers and directional costs', () => {
   const faceWeights = new Float64Array(PLANE.faces.length / 3).fill(3);
   const exact = Math.SQRT2 * (SIDE - 1);
   const length = (options) => make(PLANE, options).path(0, SIDE ** 2 - 1).length;
-  const isNear = (a, b, bound) => assert.ok(a >= b * (1 - 1e-6) && a <= b * (1 + bound), `${a} is not ${b}`);
+  const isNear = (a, b, bound) =>
+    assert.ok(a >= b * (1 - 1e-6) && a <= b * (1 + bound), `${a} is not ${b}`);
   isNear(length({ epsilon: 0.1, faceWeights }), 3 * exact, 0.1);
   isNear(length({ epsilon: 0.1, costs: { model: 'hikingTime' } }), exact / 1.4, 0.2); // 5 km/h
   isNear(length({ epsilon: 0.1, costs: () => 2 }), 2 * exact, 0.11);
-  isNear(length({ epsilon: 0.1, costs: { function: () => 2, numberOfDirections: 8 } }), 2 * exact, 0.2);
+  isNear(
+    length({ epsilon: 0.1, costs: { function: () => 2, numberOfDirections: 8 } }),
+    2 * exact,
+    0.2,
+  );
   const tensors = Array.from(faceWeights).flatMap(() => [4, 0, 0, 4, 0, 4]);
   isNear(length({ epsilon: 0.1, costs: { model: 'tensorCost', tensors } }), 2 * exact, 0.1);
   const velocities = Array.from(faceWeights).flatMap(() => [0, 0, 0]);
-  isNear(length({ epsilon: 0.1, costs: { model: 'driftTime', velocities, speed: 2 } }), exact / 2, 0.1);
-  const wall = Array.from({ length: SIDE - 2 }, (_, i) => [10 * SIDE + i, 10 * SIDE + i + 1]).flat();
+  isNear(
+    length({ epsilon: 0.1, costs: { model: 'driftTime', velocities, speed: 2 } }),
+    exact / 2,
+    0.1,
+  );
+  const wall = Array.from({ length: SIDE - 2 }, (_, i) => [
+    10 * SIDE + i,
+    10 * SIDE + i + 1,
+  ]).flat();
   const around = Math.hypot(10, SIDE - 2) + Math.hypot(9, SIDE - 2);
   const behind = make(PLANE, { epsilon: 0.1, barriers: wall }).path(0, SIDE ** 2 - SIDE).length;
   isNear(behind, around, 0.1);
@@ -163,8 +194,13 @@ test('own costs depend on the direction, as the ready ones do', () => {
   const tobler = (face, [x, y, z]) => 0.6 * Math.exp(3.5 * Math.abs(z / Math.hypot(x, y) + 0.05));
   for (const directionToSource of [false, true]) {
     const of = (costs) =>
-      make(mesh, { costs, epsilon: 0.2, acceptWeakerBound: true }).distances(0, { directionToSource }).distances;
-    const [ready, own] = [of({ model: 'hikingTime' }), of({ function: tobler, numberOfDirections: 200 })];
+      make(mesh, { costs, epsilon: 0.2, acceptWeakerBound: true }).distances(0, {
+        directionToSource,
+      }).distances;
+    const [ready, own] = [
+      of({ model: 'hikingTime' }),
+      of({ function: tobler, numberOfDirections: 200 }),
+    ];
     ready.forEach((time, v) => near(own[v], time, 0.05));
   }
 });
@@ -191,12 +227,17 @@ test('results belong to the caller', () => {
 });
 
 test('solvers of two modules are independent, and one module serves both', async () => {
-  const file = new URL('./node_modules/approximate-geodesics/src/approximate_geodesics.wasm', import.meta.url);
+  const file = new URL(
+    './node_modules/approximate-geodesics/src/approximate_geodesics.wasm',
+    import.meta.url,
+  );
   const wasmBinary = readFileSync(file);
   const one = await loadGeodesics({ wasmBinary });
   const other = await loadGeodesics({ wasmModule: await WebAssembly.compile(wasmBinary) });
   const third = await loadGeodesics({ wasmUrl: file.href, warmUp: true });
-  const all = [one, other, third].map((g) => new g.Solver(PLANE.vertices, PLANE.faces).distances(0));
+  const all = [one, other, third].map((g) =>
+    new g.Solver(PLANE.vertices, PLANE.faces).distances(0),
+  );
   assert.deepEqual(all[0], all[1]);
   assert.deepEqual(all[0], all[2]);
 });
@@ -210,7 +251,15 @@ test('progress is told, and an exception from it ends the run', () => {
   const exact = make(mesh, { epsilon: 0 });
   const expected = exact.distances(0);
   const stop = new Error('enough');
-  const matrix = () => exact.matrix(Array.from({ length: 500 }, (_, v) => v), { progress: () => { throw stop; } });
+  const matrix = () =>
+    exact.matrix(
+      Array.from({ length: 500 }, (_, v) => v),
+      {
+        progress: () => {
+          throw stop;
+        },
+      },
+    );
   assert.throws(matrix, (error) => error === stop);
   assert.deepEqual(exact.distances(0), expected);
   let inner;

@@ -7,15 +7,22 @@ const vertices = new Float32Array(9);
 const faces = new Uint16Array(3);
 
 export async function here(): Promise<void> {
-  const geodesics: Geodesics = await loadGeodesics({ wasmBinary: new ArrayBuffer(8), warmUp: true });
+  const geodesics: Geodesics = await loadGeodesics({
+    wasmBinary: new ArrayBuffer(8),
+    warmUp: true,
+  });
   const version: string = geodesics.version;
   const costs: Costs = { model: 'driftTime', velocities: [1, 0, 0], speed: 2 };
   const own: Costs = (face, [x, y, z]) => face + x * y * z;
   const solver: Solver = new geodesics.Solver(vertices, faces, { epsilon: 0.1, costs });
   geodesics.Solver.create([0, 1, 2], [0, 1, 2], { costs: own, acceptWeakerBound: true });
-  const { distances, nearest } = solver.distances([0, { edge: [0, 1], parameter: 0.5 }], { nearest: true });
+  const { distances, nearest } = solver.distances([0, { edge: [0, 1], parameter: 0.5 }], {
+    nearest: true,
+  });
   const first: number = distances[0] + nearest[0];
-  const { points, length } = solver.path({ face: 0, coordinates: [1, 0, 0] }, 2, { straighten: true });
+  const { points, length } = solver.path({ face: 0, coordinates: [1, 0, 0] }, 2, {
+    straighten: true,
+  });
   const [a] = solver.locate(points);
   solver.distances(a);
   const lines: Float64Array[] = solver.isolines(distances, 1);
@@ -41,7 +48,9 @@ export async function here(): Promise<void> {
 
 export async function there(): Promise<void> {
   const { Solver, terminate } = await loadWorker({ worker: new Worker('script.js') });
-  const solver: WorkerSolver = await Solver.create(vertices, faces, { transfer: [vertices.buffer] });
+  const solver: WorkerSolver = await Solver.create(vertices, faces, {
+    transfer: [vertices.buffer],
+  });
   const { distances, predecessors } = await solver.distances(0, { predecessors: true });
   const bound: number = solver.errorBound;
   const size: number = await solver.memory;

@@ -37,7 +37,9 @@ test('arguments are copied, or transferred on request', async () => {
   const { vertices, faces } = hills(10);
   const solver = await there.Solver.create(vertices, faces);
   assert.equal(vertices.length, 300);
-  const again = await there.Solver.create(vertices, faces, { transfer: [vertices.buffer, faces.buffer] });
+  const again = await there.Solver.create(vertices, faces, {
+    transfer: [vertices.buffer, faces.buffer],
+  });
   assert.equal(vertices.length, 0);
   assert.deepEqual(await again.distances(0), await solver.distances(0));
 });
@@ -51,13 +53,23 @@ test('own costs', async () => {
 
 test('errors, and progress', async () => {
   const solver = await there.Solver.create(MESH.vertices, MESH.faces, { epsilon: 0 });
-  await assert.rejects(solver.distances(1024), (error) => error instanceof RangeError && /vertex 1024/.test(error.message));
+  await assert.rejects(
+    solver.distances(1024),
+    (error) => error instanceof RangeError && /vertex 1024/.test(error.message),
+  );
   await assert.rejects(there.Solver.create(MESH.vertices, [0, 0, 1]), RangeError);
   const steps = [];
   await solver.matrix([0, 1, 2], { progress: (...step) => steps.push(step) });
   assert.deepEqual(steps.at(-1), [3, 3]);
   const stop = new Error('enough');
-  await assert.rejects(solver.matrix([0, 1], { progress: () => { throw stop; } }), (error) => error === stop);
+  await assert.rejects(
+    solver.matrix([0, 1], {
+      progress: () => {
+        throw stop;
+      },
+    }),
+    (error) => error === stop,
+  );
   await solver.distances(0);
 });
 
