@@ -56,7 +56,7 @@
  * The class `CGAL::Approximate_geodesics::Solver` takes vertices and faces as plain arrays, for
  * programs without mesh types and for bindings to other languages. Its headers are in the folder
  * `solver`, and its CMake target is `Approximate_geodesics::Solver`. The Python package in the
- * folder `python` wraps it.
+ * folder `python` and the JavaScript package in the folder `js` wrap it.
  */
 
 namespace CGAL::Approximate_geodesics {
