@@ -24,11 +24,8 @@ async function compile({ wasmModule, wasmBinary, wasmUrl }) {
   if (wasmBinary) return WebAssembly.compile(wasmBinary);
   // Bundlers know this form of the address of a file, and copy the file.
   const url = wasmUrl ?? new URL('./approximate_geodesics.wasm', import.meta.url);
-  if (
-    new URL(url, globalThis.location?.href).protocol === 'file:' &&
-    globalThis.process?.versions?.node
-  ) {
-    const name = 'node:fs/promises'; // not a literal, as bundlers for browsers would look for it
+  if (globalThis.process?.versions?.node && new URL(url).protocol === 'file:') {
+    const name = 'node:fs/promises'; // not a literal, which bundlers for browsers would look for
     const { readFile } = await import(name);
     return WebAssembly.compile(await readFile(new URL(url)));
   }

@@ -159,6 +159,6 @@ export interface LoadOptions {
   wasmModule?: WebAssembly.Module;
   /** In bytes, for all solvers together; 4 GB by default. More is an `Error`: "out of memory". */
   maximumMemory?: number;
-  /** Whether small searches are run until the engine has compiled them well: up to 2 seconds. */
+  /** Whether small searches are run until the engine has compiled them well: up to 1.5 seconds. */
   warmUp?: boolean;
 }

@@ -52,7 +52,7 @@ export class Wasm {
       const plain = parameters.flatMap((parameter) => this.#place(parameter, pointers));
       this.#call = call;
       const value = this.#functions[name](...plain);
-      if (call.error) throw call.error;
+      if (call.failure) throw call.failure.error;
       return { value, arrays: call.arrays };
     } finally {
       this.#call = outer;
@@ -78,11 +78,11 @@ export class Wasm {
       (f) =>
       (...values) => {
         const call = this.#call;
-        if (call.error) return false;
+        if (call.failure) return false;
         try {
           return f(call, ...values);
         } catch (error) {
-          call.error = error;
+          call.failure = { error };
           return false;
         }
       };
@@ -95,7 +95,7 @@ export class Wasm {
         }),
         fail: kept((call, kind, text, size) => {
           const message = new TextDecoder().decode(at(Uint8Array, text, size));
-          call.error = new ERRORS[kind](message || OUT_OF_MEMORY);
+          throw new ERRORS[kind](message || OUT_OF_MEMORY);
         }),
         report: kept((call, numberDone, number) => {
           call.progress(numberDone, number);

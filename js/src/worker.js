@@ -3,8 +3,9 @@
 import { integers, numbers } from './checks.js';
 import { plainCosts } from './costs.js';
 
-export async function loadGeodesics({ worker, ...options } = {}) {
+export async function loadGeodesics({ worker, wasmUrl, ...options } = {}) {
   const port = new Port(worker ?? (await startWorker()));
+  if (wasmUrl) options.wasmUrl = new URL(wasmUrl, globalThis.document?.baseURI).href;
   try {
     const version = await port.call('load', [], options);
     return {
@@ -152,9 +153,10 @@ class WorkerSolver {
     return this.#call('memory', []);
   }
 
+  /** Does not fail: with the worker, its solvers end. */
   delete() {
     this.#port.registry.unregister(this);
-    return this.#port.call('delete', [this.#solver]);
+    return this.#port.call('delete', [this.#solver]).catch(() => {});
   }
 
   #call(verb, parameters, options) {

@@ -131,6 +131,7 @@ test('matrices: dense, up to a distance, and the nearest', () => {
   });
   assert.equal(symmetric.distances[1], symmetric.distances[2]);
   assert.equal(solver.matrix([], { targets: [] }).distances.length, 0);
+  assert.equal(solver.matrix([0], { k: 2 ** 33 }).distances.length, SIDE ** 2);
 });
 
 test('Voronoi cells, farthest points, gradients and isolines', () => {
@@ -164,33 +165,33 @@ test('weights, barriers and directional costs', () => {
   const length = (options) => make(PLANE, options).path(0, SIDE ** 2 - 1).length;
   const isNear = (a, b, bound) =>
     assert.ok(a >= b * (1 - 1e-6) && a <= b * (1 + bound), `${a} is not ${b}`);
-  isNear(length({ epsilon: 0.1, faceWeights }), 3 * exact, 0.1);
-  isNear(length({ epsilon: 0.1, costs: { model: 'hikingTime' } }), exact / 1.4, 0.2); // 5 km/h
-  isNear(length({ epsilon: 0.1, costs: () => 2 }), 2 * exact, 0.11);
+  isNear(length({ epsilon: 0.3, faceWeights }), 3 * exact, 0.3);
+  isNear(length({ epsilon: 0.3, costs: { model: 'hikingTime' } }), exact / 1.4, 0.4); // 5 km/h
+  isNear(length({ epsilon: 0.3, costs: () => 2 }), 2 * exact, 0.32);
   isNear(
-    length({ epsilon: 0.1, costs: { function: () => 2, numberOfDirections: 8 } }),
+    length({ epsilon: 0.3, costs: { function: () => 2, numberOfDirections: 8 } }),
     2 * exact,
-    0.2,
+    0.5,
   );
   const tensors = Array.from(faceWeights).flatMap(() => [4, 0, 0, 4, 0, 4]);
-  isNear(length({ epsilon: 0.1, costs: { model: 'tensorCost', tensors } }), 2 * exact, 0.1);
+  isNear(length({ epsilon: 0.3, costs: { model: 'tensorCost', tensors } }), 2 * exact, 0.3);
   const velocities = Array.from(faceWeights).flatMap(() => [0, 0, 0]);
   isNear(
-    length({ epsilon: 0.1, costs: { model: 'driftTime', velocities, speed: 2 } }),
+    length({ epsilon: 0.3, costs: { model: 'driftTime', velocities, speed: 2 } }),
     exact / 2,
-    0.1,
+    0.3,
   );
   const wall = Array.from({ length: SIDE - 2 }, (_, i) => [
     10 * SIDE + i,
     10 * SIDE + i + 1,
   ]).flat();
   const around = Math.hypot(10, SIDE - 2) + Math.hypot(9, SIDE - 2);
-  const behind = make(PLANE, { epsilon: 0.1, barriers: wall }).path(0, SIDE ** 2 - SIDE).length;
-  isNear(behind, around, 0.1);
+  const behind = make(PLANE, { epsilon: 0.3, barriers: wall }).path(0, SIDE ** 2 - SIDE).length;
+  isNear(behind, around, 0.3);
 });
 
 test('own costs depend on the direction, as the ready ones do', () => {
-  const mesh = hills(8);
+  const mesh = hills(5);
   const tobler = (face, [x, y, z]) => 0.6 * Math.exp(3.5 * Math.abs(z / Math.hypot(x, y) + 0.05));
   for (const directionToSource of [false, true]) {
     const of = (costs) =>
@@ -199,7 +200,7 @@ test('own costs depend on the direction, as the ready ones do', () => {
       }).distances;
     const [ready, own] = [
       of({ model: 'hikingTime' }),
-      of({ function: tobler, numberOfDirections: 200 }),
+      of({ function: tobler, numberOfDirections: 60 }),
     ];
     ready.forEach((time, v) => near(own[v], time, 0.05));
   }
@@ -243,7 +244,7 @@ test('solvers of two modules are independent, and one module serves both', async
 });
 
 test('progress is told, and an exception from it ends the run', () => {
-  const mesh = hills(150);
+  const mesh = hills(60);
   const steps = [];
   const solver = make(mesh, { epsilon: 0.05, progress: (...step) => steps.push(step) });
   assert.ok(steps.length > 0);
@@ -262,6 +263,15 @@ test('progress is told, and an exception from it ends the run', () => {
     );
   assert.throws(matrix, (error) => error === stop);
   assert.deepEqual(exact.distances(0), expected);
+  assert.throws(
+    () =>
+      exact.matrix([0, 1, 2], {
+        progress: () => {
+          throw undefined;
+        },
+      }),
+    (error) => error === undefined,
+  );
   let inner;
   exact.matrix([0, 1, 2], { progress: () => (inner ??= exact.distances(0)) }); // calls in a call
   assert.deepEqual(inner, expected);

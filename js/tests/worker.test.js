@@ -80,6 +80,17 @@ test('a worker that is terminated fails all calls', async () => {
   terminate();
   await assert.rejects(run, /the worker was terminated/);
   await assert.rejects(solver.distances(0), /the worker was terminated/);
+  await solver.delete();
+});
+
+test('the module by its address', async () => {
+  const wasmUrl = new URL(
+    './node_modules/approximate-geodesics/src/approximate_geodesics.wasm',
+    import.meta.url,
+  );
+  const { version, terminate } = await loadWorker({ wasmUrl });
+  assert.equal(version, here.version);
+  terminate();
 });
 
 test('a worker that cannot load the module', async () => {
