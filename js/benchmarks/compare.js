@@ -77,40 +77,33 @@ function measureNative(program, file, epsilon, runs) {
   return result;
 }
 
+function measureInProcess(...parameters) {
+  const text = execFileSync(process.execPath, [script, '--child', ...parameters.map(String)]);
+  return JSON.parse(text.toString());
+}
+
+function printRow(epsilon, what, ...cells) {
+  const numbers = cells.map((x) => (typeof x === 'number' ? x.toFixed(2) : x).padStart(11));
+  console.log(epsilon.padStart(8), what.padEnd(14), ...numbers);
+}
+
 function compare(program, mesh, runs) {
   const url = new URL(import.meta.resolve('approximate-geodesics/approximate_geodesics.wasm'));
   const module = readFileSync(url);
-  console.log(`module: ${module.length} bytes, ${gzipSync(module, { level: 9 }).length} gzipped`);
+  const size = gzipSync(module, { level: 9 }).length;
+  console.log(`The module has ${module.length} bytes, and ${size} when compressed by gzip.\n`);
   const folder = mkdtempSync(join(tmpdir(), 'geodesics-'));
   const file = join(folder, 'mesh');
   write(file, readOff(mesh));
-  const child = (epsilon, warmUp) =>
-    JSON.parse(
-      execFileSync(
-        process.execPath,
-        [script, '--child', file, epsilon, String(runs), String(warmUp)],
-        { encoding: 'utf8' },
-      ),
-    );
-  const row = (...cells) =>
-    console.log(cells.map((cell, i) => String(cell).padStart(i < 2 ? 13 : 11)).join(''));
-  row('epsilon', '', 'native', 'here', 'ratio', 'first', 'warmed up');
+  printRow('epsilon', 'milliseconds', 'native', 'here', 'ratio', 'first', 'warmed up');
   for (const epsilon of EPSILONS) {
     const native = measureNative(program, file, epsilon, runs);
-    const cold = child(epsilon, false);
-    const warm = child(epsilon, true);
+    const cold = measureInProcess(file, epsilon, runs, false);
+    const warm = measureInProcess(file, epsilon, runs, true);
     for (const name of ['constructions', 'searches']) {
-      const least = (times) => Math.min(...times[name]);
-      const [there, here] = [least(native), Math.min(least(cold), least(warm))];
-      row(
-        epsilon,
-        name,
-        there.toFixed(2),
-        here.toFixed(2),
-        (here / there).toFixed(2),
-        cold[name][0].toFixed(2),
-        warm[name][0].toFixed(2),
-      );
+      const there = Math.min(...native[name]);
+      const here = Math.min(...cold[name], ...warm[name]);
+      printRow(epsilon, name, there, here, here / there, cold[name][0], warm[name][0]);
     }
   }
   rmSync(folder, { recursive: true });
