@@ -110,6 +110,33 @@ TEST(Solver, finds_paths_from_the_source_to_the_target)
   }
 }
 
+TEST(Solver, tells_which_points_of_a_path_are_vertices)
+{
+  const Soup soup = flat_grid(6, 5);
+  const auto vertices_of_path = [&](const AG::Solver_options& options) {
+    Values points;
+    std::vector<std::int64_t> vertices;
+    Solver_of(Soup_arrays(soup), options)
+        .find_path(Solver_point::at_vertex(0), Solver_point::at_vertex(14), false, points, {},
+                   &vertices);
+    EXPECT_EQ(points.size(), 3 * vertices.size());
+    EXPECT_EQ(vertices.front(), 0);
+    EXPECT_EQ(vertices.back(), 14);
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      if(vertices[i] >= 0)
+      {
+        EXPECT_EQ(soup.points[static_cast<std::size_t>(vertices[i])],
+                  Point(points[3 * i], points[3 * i + 1], points[3 * i + 2]));
+      }
+    return vertices;
+  };
+  for(const std::int64_t v : vertices_of_path({}))
+    EXPECT_GE(v, 0) << "of a path along edges";
+  const auto across_faces = vertices_of_path(bound(0));
+  EXPECT_EQ(std::count(across_faces.begin(), across_faces.end(), -1),
+            static_cast<std::ptrdiff_t>(across_faces.size()) - 2);
+}
+
 TEST(Solver, fills_rows_of_matrices)
 {
   const Solver_of solver(Soup_arrays(sphere(12, 9)), bound(0.1));

@@ -282,12 +282,14 @@ public:
    *        support costs
    * \param coordinates receives the points
    * \param watch is called during the search
+   * \param vertices if not null, receives the vertex at each point, or `-1` if there is none
    */
   double find_path(const Solver_point& source,
                    const Solver_point& target,
                    const bool straighten,
                    std::vector<double>& coordinates,
-                   const Solver_watch& watch = Solver_watch()) const
+                   const Solver_watch& watch = Solver_watch(),
+                   std::vector<std::int64_t>* const vertices = nullptr) const
   {
     internal::Solver_visitor visitor(watch);
     Path path = m_graph->find_path(intrinsic_point(source, "source"),
@@ -296,6 +298,13 @@ public:
       internal::straighten_if_wanted(m_graph->triangulation(), parameters::straighten(straighten),
                                      path);
     append_coordinates(path.points.rbegin(), path.points.rend(), coordinates);
+    if(vertices != nullptr)
+      std::transform(path.points.rbegin(), path.points.rend(), std::back_inserter(*vertices),
+                     [&](const Intrinsic_point& p) {
+                       return p.is_vertex()
+                                  ? static_cast<std::int64_t>(m_translation->vertex(p.vertex))
+                                  : -1;
+                     });
     return length_of(path);
   }
 
