@@ -84,7 +84,7 @@ class Page {
       spread: () => this.spread(),
       clearPaint: () => this.clearPaint(),
       fit: () => this.viewer.reset(this.store.state.prepared?.frame.zIsUp ?? false),
-      stop: () => this.engine.restart(),
+      stop: () => this.stop(),
     };
   }
 
@@ -128,6 +128,7 @@ class Page {
       sources: [this.pointAt(0.36, 0.58, 0)],
       target: this.pointAt(0.66, 0.42, surface.faces.length / 3 - 1),
       costs: { faceWeights: undefined, barriers: undefined },
+      paths: { edges: true, epsilon: true, exact: vertices <= MOST_TO_COMPARE },
       compares: vertices <= MOST_TO_COMPARE,
       tool: 'move',
     });
@@ -195,6 +196,13 @@ class Page {
     });
   }
 
+  /** Stops a search that takes long, and asks for none of its kind again. */
+  stop() {
+    this.engine.restart();
+    const show = this.store.state.show === 'error' ? 'distance' : this.store.state.show;
+    this.store.set({ method: 'edges', show, compares: false, paths: { edges: true, epsilon: false, exact: false } });
+  }
+
   clearPaint() {
     this.brush?.clear();
     this.store.set({ costs: { faceWeights: undefined, barriers: undefined } });
@@ -252,10 +260,10 @@ class Page {
   showOutcomes() {
     const { state } = this.store;
     const { outcomes } = this.engine;
-    this.table.show(outcomes);
+    this.table.show(outcomes, this.engine);
     METHODS.forEach((method, i) => {
-      const path = outcomes[method].path;
-      const isShown = state.paths[method] && state.target && path && path.points.length > 0 && state.prepared;
+      const path = this.engine.hasPath(method) ? outcomes[method].path : undefined;
+      const isShown = path && state.paths[method] && state.target && state.prepared;
       const points = isShown ? new Float32Array(path.points.length) : undefined;
       if (isShown && points && state.prepared) toPicture(state.prepared.frame, path.points, points);
       this.paths[i].set(points);

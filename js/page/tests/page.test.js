@@ -274,6 +274,18 @@ onPage('fingers move points, turn the surface, and zoom', 'plane', async page =>
   assert.deepEqual(await page.place('Target'), places[1]);
 }, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
 
+onPage('a long search can be stopped, and another one starts', 'large_terrain', async page => {
+  assert.match(await page.text('summary'), /435,600 vertices/);
+  assert.ok(!(await page.page.locator('#compares').isChecked()));
+  await page.page.keyboard.press('3');
+  await page.page.waitForSelector('#stop:not([hidden])');
+  await page.page.evaluate(() => document.getElementById('stop')?.click());
+  await page.idle();
+  assert.ok(await page.page.locator('#methods tr.edges input[type=radio]').isChecked());
+  assert.match(await page.cell('edges', 'path'), /^\d/);
+  await page.picture('large');
+});
+
 for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
   onPage(`pictures, ${colorScheme}`, 'terrain', async page => {
     await page.picture(`terrain_${colorScheme}`);

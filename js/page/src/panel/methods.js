@@ -49,8 +49,11 @@ export class MethodTable {
     return row;
   }
 
-  /** @param {Record<Method, import('../search/engine.js').Outcome>} outcomes */
-  show(outcomes) {
+  /**
+   * @param {Record<Method, import('../search/engine.js').Outcome>} outcomes
+   * @param {import('../search/engine.js').Engine} engine tells which ones are of the present points
+   */
+  show(outcomes, engine) {
     const { state } = this.store;
     const hasCosts = isPainted(state.costs);
     for (const method of METHODS) {
@@ -68,7 +71,9 @@ export class MethodTable {
       const errors = hasCosts ? undefined : outcome.errors;
       cells.mean.textContent = method === 'exact' ? '' : percent(errors?.mean);
       cells.largest.textContent = method === 'exact' ? '' : percent(errors?.largest);
-      cells.path.textContent = isRefused || !state.target ? '–' : lengthOf(outcome.path);
+      cells.path.textContent = isRefused || !state.target ? '–' : lengthOf(engine.hasPath(method) ? outcome.path : undefined);
+      const isOld = engine.isStale(method, 'compare');
+      for (const cell of [cells.mean, cells.largest]) cell.classList.toggle('old', isOld);
     }
     const failures = METHODS.map(method => outcomes[method].failure).filter(failure => failure !== undefined);
     byId('failure').textContent = failures[0] ?? (hasCosts ? 'There are no exact distances with weights or barriers.' : '');

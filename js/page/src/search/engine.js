@@ -152,9 +152,7 @@ export class Engine {
     if (this.jobs.length > 0) return this.jobs.splice(0);
     if (state.sources.length === 0) return [];
     const paths = [...METHODS].filter(method => this.wantsPath(method) && this.isStale(method, 'path'));
-    const isUrgent = (/** @type {Method} */ method) =>
-      method === state.method || (this.outcomes[method].pathTime ?? Infinity) < SWIFT;
-    const urgent = paths.filter(isUrgent).map(method => this.searchPath(method));
+    const urgent = paths.filter(method => this.isLive(method)).map(method => this.searchPath(method));
     if (this.isStale(state.method, 'distances')) return [this.searchDistances(), ...urgent];
     if (urgent.length > 0 || state.isDragging) return urgent;
     if (paths.length > 0) return [this.searchPath(paths[0])];
@@ -166,6 +164,22 @@ export class Engine {
   wantsPath(method) {
     const { paths, target, costs } = this.state;
     return paths[method] && target !== undefined && !(method === 'exact' && isPainted(costs));
+  }
+
+  /**
+   * Whether the path follows a point that is moved.
+   * @param {Method} method
+   */
+  isLive(method) {
+    return method === this.state.method || (this.outcomes[method].pathTime ?? Infinity) < SWIFT;
+  }
+
+  /**
+   * Whether a path is known, and not of points that have moved since, but for the last moment.
+   * @param {Method} method
+   */
+  hasPath(method) {
+    return this.outcomes[method].path !== undefined && (this.isLive(method) || !this.isStale(method, 'path'));
   }
 
   /**

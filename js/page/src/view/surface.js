@@ -37,7 +37,8 @@ export class Surface {
     const previous = [this.value.array, this.cell.array].map(array => /** @type {ArrayBuffer} */ (array.buffer));
     this.value.array = values;
     this.cell.array = cells;
-    this.value.needsUpdate = this.cell.needsUpdate = true;
+    this.value.needsUpdate = true;
+    this.cell.needsUpdate = this.material.uniforms.showsCells.value;
     return previous;
   }
 
@@ -45,6 +46,7 @@ export class Surface {
    * @param {boolean} shows the cells of sources
    */
   showCells(shows) {
+    if (shows && !this.material.uniforms.showsCells.value) this.cell.needsUpdate = true;
     this.material.uniforms.showsCells.value = shows;
     this.borders.object.visible = shows;
     if (shows) this.borders.update(this);
