@@ -368,6 +368,7 @@ private:
   {
     const AG::Intrinsic_triangulation& triangulation = expected.graph().triangulation();
     const Sight_counting_graph graph(triangulation);
+    Sight_counting_graph::reset();
     AG::Propagation<Sight_counting_graph> search(graph);
     for(const Vertex source : sources)
       search.run_from(triangulation.vertex(source.idx()));

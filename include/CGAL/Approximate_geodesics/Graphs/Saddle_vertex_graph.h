@@ -151,7 +151,8 @@ public:
   /// @}
 
 private:
-  friend class internal::Saddle_run<Saddle_vertex_graph>;
+  template <typename Graph, typename Observer>
+  friend class internal::Saddle_run;
 
   template <typename NamedParameters>
   static Intrinsic_triangulation checked(Intrinsic_triangulation triangulation,

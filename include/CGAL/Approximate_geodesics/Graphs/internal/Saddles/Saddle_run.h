@@ -12,8 +12,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Deferred_sights.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
 
-#include <boost/config.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -27,8 +25,10 @@ namespace CGAL::Approximate_geodesics::internal {
  * The run of a saddle vertex graph: upper bounds of all distances, without which lines would never
  * end, and the directions in which paths arrive at nodes. A search along edges finds the bounds
  * first.
+ *
+ * `Observer` is the base of the visitor of sights.
  */
-template <typename Graph>
+template <typename Graph, typename Observer = Sight_visitor_base>
 class Saddle_run : public Geodesic_run_base<Graph>
 {
   using Base = Geodesic_run_base<Graph>;
@@ -44,7 +44,7 @@ public:
   // Appends the arcs from a tip to a list, defers sights, and knows the labels and bounds that
   // `Sight_expansion` requires.
   template <typename Labels, typename Candidates>
-  struct Arc_visitor : Sight_visitor_base
+  struct Arc_visitor : Observer
   {
     static constexpr bool knows_arrivals = true;
     static constexpr bool defers_sights = true;
