@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -87,10 +88,7 @@ public:
     m_comparisons = 0;
   }
 
-  std::size_t memory() const
-  {
-    return m_entries.capacity() * sizeof(Entry) + m_position.capacity() * sizeof(Position);
-  }
+  std::size_t memory() const { return memory_of(m_entries, m_position); }
 
 private:
   using Position = std::uint32_t; // entries do not outnumber nodes
@@ -392,10 +390,10 @@ public:
   /// returns the size of the queue in bytes.
   std::size_t memory() const
   {
-    std::size_t entries = m_round.capacity();
+    std::size_t result = internal::memory_of(m_buckets, m_round, m_heap);
     for(const Bucket& b : m_buckets)
-      entries += b.capacity();
-    return m_buckets.capacity() * sizeof(Bucket) + entries * sizeof(Entry) + m_heap.memory();
+      result += internal::memory_of(b);
+    return result;
   }
 
 private:

@@ -11,6 +11,7 @@
 // Queues that extract single entries in order, for comparison with the default queue.
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -129,8 +130,7 @@ public:
   // An estimate: a heap node holds an entry and about four pointers.
   std::size_t memory() const
   {
-    return m_heap->size() * (sizeof(Entry) + 4 * sizeof(void*)) +
-           m_handle.capacity() * sizeof(typename Heap::handle_type) + m_is_present.capacity();
+    return m_heap->size() * (sizeof(Entry) + 4 * sizeof(void*)) + memory_of(m_handle, m_is_present);
   }
 
 private:
@@ -241,10 +241,7 @@ public:
   }
 
   /// returns the size of the queue in bytes.
-  std::size_t memory() const
-  {
-    return m_entries.capacity() * sizeof(Entry) + m_position.capacity() * sizeof(Node);
-  }
+  std::size_t memory() const { return internal::memory_of(m_entries, m_position); }
 
 private:
   static constexpr Node absent = (std::numeric_limits<Node>::max)();
@@ -370,10 +367,10 @@ public:
   /// returns the size of the queue in bytes.
   std::size_t memory() const
   {
-    std::size_t entries = 0;
+    std::size_t result = 0;
     for(const Bucket& b : m_buckets)
-      entries += b.capacity();
-    return entries * sizeof(Entry);
+      result += internal::memory_of(b);
+    return result;
   }
 
 private:
