@@ -10,8 +10,8 @@ addEventListener('message', (/** @type {MessageEvent<MeshRequest>} */ { data }) 
   try {
     const prepared = prepare('builtIn' in data ? BUILT_IN[data.builtIn].make() : readMesh(data.name, data.bytes));
     const { mesh, positions, normals, bvh } = prepared;
-    const transfer = [mesh.vertices, mesh.faces, positions, normals].map(array => array.buffer);
-    answer({ prepared }, [...transfer, ...bvh.roots, .../** @type {any} */ (bvh).indirectBuffer ? [/** @type {any} */ (bvh).indirectBuffer.buffer] : []]);
+    const arrays = [mesh.vertices, mesh.faces, positions, normals, bvh.indirectBuffer ?? new Uint32Array()];
+    answer({ prepared }, [...arrays.map(array => array.buffer), ...bvh.roots]);
   } catch (error) {
     answer({ error: error instanceof Error ? error.message : String(error) });
   }

@@ -48,7 +48,7 @@ export class Solvers {
   solver(method, bound) {
     const epsilon = { edges: undefined, epsilon: bound, exact: 0 }[method];
     const known = this.built.get(method);
-    if (known?.epsilon === epsilon && known) return { solver: known.solver, build: undefined };
+    if (known && known.epsilon === epsilon) return { solver: known.solver, build: undefined };
     known?.solver.delete();
     this.built.delete(method);
     this.found.delete(method);
@@ -84,8 +84,11 @@ export class Solvers {
   *errors(question) {
     const { distances } = this.distances(question);
     const exact = this.distances({ ...question, method: 'exact' }).distances;
-    for (let v = 0; v < exact.length; ++v)
-      yield exact[v] > 0 && exact[v] < Infinity ? Math.max(0, distances[v] / exact[v] - 1) : exact[v] > 0 ? Infinity : 0;
+    for (let v = 0; v < exact.length; ++v) {
+      if (exact[v] === 0) yield 0;
+      else if (exact[v] === Infinity) yield Infinity;
+      else yield Math.max(0, distances[v] / exact[v] - 1);
+    }
   }
 
   /**

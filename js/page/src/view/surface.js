@@ -146,7 +146,8 @@ export class Surface {
 function barycentric(point, triangle) {
   const weights = triangle.getBarycoord(point, new Vector3());
   if (!weights) return undefined;
+  // rounding errors may have moved the point out of the triangle
   const [a, b, c] = weights.toArray().map(weight => Math.max(0, weight));
   const sum = a + b + c;
-  return sum > 0 && Number.isFinite(sum) ? [a / sum, b / sum, 1 - a / sum - b / sum < 0 ? 0 : 1 - a / sum - b / sum] : undefined;
+  return sum > 0 && sum < Infinity ? [a / sum, b / sum, c / sum] : undefined;
 }
