@@ -18,6 +18,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
