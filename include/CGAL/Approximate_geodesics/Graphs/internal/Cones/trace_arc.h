@@ -214,9 +214,9 @@ public:
              const Cone_rules& rules,
              const Index source,
              const Index target,
-             const double length,
-             const double rounding = 0)
-    : Line_search(length, rounding),
+             const double arc_length,
+             const double rounding_of_length = 0)
+    : Line_search(arc_length, rounding_of_length),
       m_triangulation(triangulation),
       m_rules(rules),
       m_source(source),
