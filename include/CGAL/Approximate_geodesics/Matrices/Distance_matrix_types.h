@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Iterator_range.h>
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>

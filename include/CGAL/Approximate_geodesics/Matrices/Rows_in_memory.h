@@ -8,10 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
-#include <CGAL/Iterator_range.h>
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>

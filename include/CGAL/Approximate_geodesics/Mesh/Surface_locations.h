@@ -9,19 +9,15 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
-#include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Object.h>
 #include <CGAL/Ray_3.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
-#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <array>

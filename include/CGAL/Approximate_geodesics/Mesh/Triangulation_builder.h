@@ -8,20 +8,10 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
-#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
-#include <CGAL/assertions.h>
-#include <CGAL/boost/graph/helpers.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <numeric>

@@ -12,7 +12,6 @@
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/type_traits/is_detected.hpp>

@@ -8,20 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
