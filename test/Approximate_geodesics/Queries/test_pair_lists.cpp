@@ -178,12 +178,12 @@ TEST_F(Pair_lists, have_intervals_that_contain_exact_distances)
     }
   };
   using Exact_paths = AG::Surface_mesh_shortest_path<Mesh, Saddle_vertex_graph>;
-  using Paths = AG::Surface_mesh_shortest_path<Mesh, Discrete_geodesic_graph>;
+  using Paths_across_faces = AG::Surface_mesh_shortest_path<Mesh, Discrete_geodesic_graph>;
   using Weighted_paths = AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<>>;
   const auto np = parameters::epsilon(0.3);
   expect(Exact_paths(m_mesh).distance_intervals(m_pairs));
-  expect(Paths(m_mesh, np).distance_intervals(m_pairs));
-  expect(Paths(m_mesh, np).distance_intervals(m_pairs, parameters::maximum_distance(2)));
+  expect(Paths_across_faces(m_mesh, np).distance_intervals(m_pairs));
+  expect(Paths_across_faces(m_mesh, np).distance_intervals(m_pairs, parameters::maximum_distance(2)));
   expect(Weighted_paths(m_mesh, np).distance_intervals(m_pairs));
 }
 
