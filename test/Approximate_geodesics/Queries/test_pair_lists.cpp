@@ -183,7 +183,8 @@ TEST_F(Pair_lists, have_intervals_that_contain_exact_distances)
   const auto np = parameters::epsilon(0.3);
   expect(Exact_paths(m_mesh).distance_intervals(m_pairs));
   expect(Paths_across_faces(m_mesh, np).distance_intervals(m_pairs));
-  expect(Paths_across_faces(m_mesh, np).distance_intervals(m_pairs, parameters::maximum_distance(2)));
+  expect(
+      Paths_across_faces(m_mesh, np).distance_intervals(m_pairs, parameters::maximum_distance(2)));
   expect(Weighted_paths(m_mesh, np).distance_intervals(m_pairs));
 }
 
