@@ -10,6 +10,8 @@ if(NOT TARGET CGAL::TBB_support)
   message(STATUS "NOTICE: TBB was not found; graphs are built by one thread.")
 endif()
 
+set(CMAKE_CXX_VISIBILITY_PRESET hidden) # a program that links the module may compile the headers otherwise
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 include(GNUInstallDirs)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR})
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR})

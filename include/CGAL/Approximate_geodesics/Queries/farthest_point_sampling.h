@@ -27,6 +27,9 @@
 namespace CGAL::Approximate_geodesics {
 namespace internal {
 
+template <typename TriangleMesh>
+using No_vertices = std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 0>;
+
 template <typename Integer>
 void check_number_of_points(const Integer number)
 {
@@ -133,12 +136,11 @@ double sample_farthest(const Graph& graph,
  * \sa `approximate_geodesic_distances()`
  * \sa `voronoi_partition()`
  */
-template <
-    typename TriangleMesh,
-    typename OutputIterator,
-    typename Integer,
-    typename Sources = std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 0>,
-    typename NamedParameters = parameters::Default_named_parameters>
+template <typename TriangleMesh,
+          typename OutputIterator,
+          typename Integer,
+          typename Sources = internal::No_vertices<TriangleMesh>,
+          typename NamedParameters = parameters::Default_named_parameters>
 double farthest_point_sampling(const TriangleMesh& tmesh,
                                OutputIterator points,
                                const Integer number_of_points,
@@ -148,7 +150,7 @@ double farthest_point_sampling(const TriangleMesh& tmesh,
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   if constexpr(internal::is_named_parameters<Sources>) // sources are omitted
     return farthest_point_sampling(tmesh, points, number_of_points,
-                                   std::array<vertex_descriptor, 0>(), sources);
+                                   internal::No_vertices<TriangleMesh>(), sources);
   else
   {
     static_assert(
