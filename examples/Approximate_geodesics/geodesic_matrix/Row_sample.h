@@ -63,6 +63,12 @@ public:
     return number * m_stride % size;
   }
 
+  std::size_t number_of_rows_done() const
+  {
+    const std::lock_guard lock(m_mutex);
+    return m_rows_done;
+  }
+
   void collect(Block& block, std::size_t /* row */, const Row& distances) const
   {
     if(!m_is_sparse)
@@ -97,7 +103,7 @@ private:
   std::atomic<std::size_t> m_next{0};
   Stopwatch m_stopwatch;
 
-  std::mutex m_mutex;
+  mutable std::mutex m_mutex;
   double m_seconds = 0;
   std::size_t m_rows_done = 0;
   std::size_t m_number_of_entries = 0;
