@@ -7,12 +7,12 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_locator.h>
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -21,12 +21,11 @@
 #include <vtkPolyDataNormals.h>
 #include <vtkPolygon.h>
 #include <vtkSmartPointer.h>
-#include <vtkStaticCellLocator.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <unordered_set>
 
@@ -207,6 +206,24 @@ void make_expensive(std::vector<double>& weights,
       weights[i / 3] *= factor;
 }
 
+// Returns the weights of faces; none if they all are 1.
+std::vector<double> face_weights(vtkPolyData& input,
+                                 const Triangles& triangles,
+                                 const Geodesic_surface::Settings& settings)
+{
+  std::vector<double> result;
+  if(settings.weights_array.empty() && !settings.has_scalar_weights &&
+     settings.repelled_points.empty())
+    return result;
+  result.assign(triangles.cells().size(), 1);
+  if(!settings.weights_array.empty())
+    multiply_by_array(result, input, triangles.cells(), settings.weights_array);
+  if(settings.has_scalar_weights)
+    multiply_by_scalars(result, input, triangles.corners());
+  make_expensive(result, triangles.corners(), settings.repelled_points);
+  return result;
+}
+
 // Flips faces only if that is necessary, which most surfaces do not need.
 std::unique_ptr<const AG::Solver> make_solver(Triangles& triangles,
                                               const std::vector<double>& coordinates,
@@ -239,61 +256,23 @@ std::unique_ptr<const AG::Solver> make_solver(Triangles& triangles,
   }
 }
 
-// Finds the nearest points of a surface.
-class Locator
-{
-public:
-  explicit Locator(const vtkSmartPointer<vtkPolyData>& surface) : m_surface(surface)
-  {
-    m_tree->SetDataSet(m_surface);
-    if(m_surface->GetNumberOfCells() > 0)
-      m_tree->BuildLocator();
-  }
-
-  AG::Solver_point nearest(const double* const p)
-  {
-    std::array<double, 3> found, coordinates, weights;
-    vtkIdType face = -1; // not that of a face without area, whose edges belong to others
-    int part;
-    double squared_distance;
-    if(m_surface->GetNumberOfCells() > 0)
-      m_tree->FindClosestPoint(p, found.data(), m_cell, face, part, squared_distance);
-    if(face < 0)
-      reject("no point of the surface is found next to a source: its faces have no area, or the "
-             "source is too far away");
-    m_surface->GetCell(face, m_cell);
-    m_cell->EvaluatePosition(found.data(), nullptr, part, coordinates.data(), squared_distance,
-                             weights.data());
-    constexpr double on_edge = 1e-10; // points on edges and vertices shall be exactly there
-    double sum = 0;
-    for(double& w : weights)
-      sum += w = w > on_edge ? w : 0;
-    for(double& w : weights)
-      w /= sum;
-    return AG::Solver_point::in_face(face, weights);
-  }
-
-private:
-  vtkSmartPointer<vtkPolyData> m_surface;
-  vtkNew<vtkStaticCellLocator> m_tree;
-  vtkNew<vtkGenericCell> m_cell;
-};
-
 } // namespace
 
 class Geodesic_surface::Graph
 {
 public:
   Graph(vtkPolyData& input, const Settings& settings, const AG::Solver_watch& watch)
-    : m_input(&input), m_time(input.GetMTime()), m_settings(settings), m_triangles(input)
+    : m_input(&input), m_time(input.GetMTime()), m_settings(settings)
   {
-    const std::vector<double> weights = face_weights(input), coordinates = coordinates_of(input);
+    Triangles triangles(input);
+    const std::vector<double> weights = face_weights(input, triangles, settings);
+    const std::vector<double> coordinates = coordinates_of(input);
     AG::Solver_options options;
     if(settings.epsilon >= 0 || std::isnan(settings.epsilon))
       options.epsilon = settings.epsilon;
     if(!weights.empty())
       options.face_weights = weights.data();
-    m_solver = make_solver(m_triangles, coordinates, options, watch);
+    m_solver = make_solver(triangles, coordinates, options, watch);
   }
 
   bool is_of(vtkPolyData& input, const Settings& settings) const
@@ -303,36 +282,20 @@ public:
 
   const AG::Solver& solver() const { return *m_solver; }
 
-  Locator& locator() const
+  // Builds a tree of the faces on demand.
+  const AG::Solver_locator& locator() const
   {
     if(!m_locator)
-      m_locator = std::make_unique<Locator>(m_triangles.surface());
+      m_locator = std::make_unique<const AG::Solver_locator>(*m_solver);
     return *m_locator;
   }
 
 private:
-  // Returns the weights of faces; none if they all are 1.
-  std::vector<double> face_weights(vtkPolyData& input) const
-  {
-    std::vector<double> result;
-    if(m_settings.weights_array.empty() && !m_settings.has_scalar_weights &&
-       m_settings.repelled_points.empty())
-      return result;
-    result.assign(m_triangles.cells().size(), 1);
-    if(!m_settings.weights_array.empty())
-      multiply_by_array(result, input, m_triangles.cells(), m_settings.weights_array);
-    if(m_settings.has_scalar_weights)
-      multiply_by_scalars(result, input, m_triangles.corners());
-    make_expensive(result, m_triangles.corners(), m_settings.repelled_points);
-    return result;
-  }
-
   const vtkPolyData* m_input; // only compared: the time is that of no other object
   vtkMTimeType m_time;
   Settings m_settings;
-  Triangles m_triangles;
   std::unique_ptr<const AG::Solver> m_solver;
-  mutable std::unique_ptr<Locator> m_locator;
+  mutable std::unique_ptr<const AG::Solver_locator> m_locator;
 };
 
 Geodesic_surface::Geodesic_surface() = default;
@@ -382,19 +345,16 @@ std::vector<std::vector<double>> Geodesic_surface::find_isolines(const double* c
   return m_graph->solver().find_isolines(values, level);
 }
 
-std::vector<AG::Solver_point> Geodesic_surface::locate(vtkPolyData& points) const
+std::vector<AG::Solver_point> Geodesic_surface::locate(vtkPolyData& points,
+                                                       const AG::Solver_watch& watch) const
 {
+  const std::vector<double> coordinates = coordinates_of(points);
+  std::vector<AG::Solver_locator::Location> locations;
+  m_graph->locator().locate(coordinates.data(), coordinates.size() / 3,
+                            std::back_inserter(locations), watch);
   std::vector<AG::Solver_point> result;
-  for(vtkIdType i = 0; i < points.GetNumberOfPoints(); ++i)
-  {
-    std::array<double, 3> p;
-    points.GetPoint(i, p.data());
-    if(!std::isfinite(p[0] + p[1] + p[2]))
-      reject("point " + std::to_string(i) + " of the sources is (" + AG::internal::text_of(p[0]) +
-             ", " + AG::internal::text_of(p[1]) + ", " + AG::internal::text_of(p[2]) +
-             "); coordinates must be finite");
-    result.push_back(m_graph->locator().nearest(p.data()));
-  }
+  for(const auto& location : locations)
+    result.push_back(AG::Solver_point::in_face(location.face, location.coordinates));
   return result;
 }
 

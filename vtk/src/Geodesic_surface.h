@@ -73,7 +73,7 @@ public:
   std::vector<std::vector<double>> find_isolines(const double* values, double level) const;
 
   // Returns the nearest points of the surface. The first call builds a tree of the faces.
-  std::vector<AG::Solver_point> locate(vtkPolyData& points) const;
+  std::vector<AG::Solver_point> locate(vtkPolyData& points, const AG::Solver_watch& watch) const;
 
 private:
   class Graph;

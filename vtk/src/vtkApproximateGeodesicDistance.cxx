@@ -9,6 +9,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkConvertSelection.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
@@ -82,13 +83,14 @@ Sources find_sources(const std::vector<vtkIdType>& ids,
                      const AGV::Geodesic_surface& surface,
                      vtkPolyData& input,
                      vtkPolyData* const points,
-                     vtkSelection* const selection)
+                     vtkSelection* const selection,
+                     const AGV::AG::Solver_watch& watch)
 {
   Sources result;
   for(const vtkIdType v : ids)
     add_point(v, input, result);
   if(points != nullptr)
-    for(const Solver_point& p : surface.locate(*points))
+    for(const Solver_point& p : surface.locate(*points, watch))
       result.push_back(p);
   if(selection != nullptr)
     add_selected(*selection, input, result);
@@ -111,7 +113,8 @@ void add_labels(const std::vector<std::int64_t>& labels, vtkPolyData& output)
 void find_isolines(const AGV::Geodesic_surface& surface,
                    vtkDoubleArray& distances,
                    const int number,
-                   vtkPolyData& output)
+                   vtkPolyData& output,
+                   const AGV::AG::Solver_watch& watch)
 {
   double range[2];
   distances.GetFiniteRange(range);
@@ -122,6 +125,8 @@ void find_isolines(const AGV::Geodesic_surface& surface,
   levels->SetName(distances.GetName());
   for(int i = 1; i <= number; ++i)
   {
+    if(!watch.go_further())
+      throw AGV::AG::Solver_interrupted();
     const double level = range[1] * i / (number + 1.);
     for(const std::vector<double>& line : surface.find_isolines(distances.GetPointer(0), level))
     {
@@ -201,7 +206,7 @@ int vtkApproximateGeodesicDistance::RequestData(vtkInformation*,
     surface.update(*input, settings, watch);
     const Sources sources =
         find_sources(this->Internals->Sources, surface, *input, vtkPolyData::GetData(inputs[1]),
-                     vtkSelection::GetData(inputs[2]));
+                     vtkSelection::GetData(inputs[2]), watch);
     vtkNew<vtkDoubleArray> distances;
     distances->SetName(this->DistanceArrayName.c_str());
     distances->SetNumberOfValues(input->GetNumberOfPoints());
@@ -210,9 +215,11 @@ int vtkApproximateGeodesicDistance::RequestData(vtkInformation*,
     surface.find_distances(sources, std::numeric_limits<double>::infinity(),
                            distances->GetPointer(0), this->GenerateLabels ? labels.data() : nullptr,
                            watch);
-    find_isolines(surface, *distances, this->NumberOfIsolines, *isolines);
+    find_isolines(surface, *distances, this->NumberOfIsolines, *isolines, watch);
     output->ShallowCopy(input);
-    output->GetPointData()->SetScalars(distances);
+    // SetScalars() would remove the scalars of the input
+    output->GetPointData()->SetActiveAttribute(output->GetPointData()->AddArray(distances),
+                                               vtkDataSetAttributes::SCALARS);
     if(this->GenerateLabels)
       add_labels(labels, *output);
   });

@@ -18,9 +18,13 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace AGV = approximate_geodesics_vtk;
@@ -40,9 +44,15 @@ std::vector<vtkIdType> points_to_repel(vtkPolyData& input,
                                        const vtkIdType end)
 {
   std::vector<vtkIdType> result;
+  if(input.GetNumberOfPoints() == 0)
+    return result; // which FindPoint() would print an error about
   for(vtkIdType i = 0; i < positions.GetNumberOfPoints(); ++i)
   {
-    const vtkIdType v = input.FindPoint(positions.GetPoint(i));
+    std::array<double, 3> p;
+    positions.GetPoint(i, p.data());
+    if(!std::isfinite(p[0] + p[1] + p[2]))
+      throw std::invalid_argument("point " + std::to_string(i) + " of RepelVertices is not finite");
+    const vtkIdType v = input.FindPoint(p.data());
     if(v >= 0 && v != start && v != end)
       result.push_back(v);
   }
@@ -113,14 +123,14 @@ int vtkApproximateGeodesicPath::RequestData(vtkInformation*,
   this->Internals->Start = -1;
   this->IdList->Reset();
   this->Length = std::numeric_limits<double>::infinity();
-  AGV::Geodesic_surface::Settings settings;
-  settings.epsilon = this->Epsilon;
-  settings.weights_array = this->WeightsArrayName;
-  settings.has_scalar_weights = this->UseScalarWeights != 0;
-  if(this->RepelPathFromVertices && this->RepelVertices)
-    settings.repelled_points =
-        points_to_repel(*input, *this->RepelVertices, this->StartVertex, this->EndVertex);
   return AGV::run(*this, [&](const AGV::AG::Solver_watch& watch) {
+    AGV::Geodesic_surface::Settings settings;
+    settings.epsilon = this->Epsilon;
+    settings.weights_array = this->WeightsArrayName;
+    settings.has_scalar_weights = this->UseScalarWeights != 0;
+    if(this->RepelPathFromVertices && this->RepelVertices)
+      settings.repelled_points =
+          points_to_repel(*input, *this->RepelVertices, this->StartVertex, this->EndVertex);
     std::vector<double> coordinates;
     std::vector<std::int64_t> points;
     this->Internals->Surface.update(*input, settings, watch);
@@ -140,11 +150,12 @@ void vtkApproximateGeodesicPath::GetCumulativeWeights(vtkDoubleArray* const weig
   if(this->Internals->Start < 0)
     return;
   AGV::run(*this, [&](const AGV::AG::Solver_watch& watch) {
-    // A graph overestimates distances by a factor of at most 1 + Epsilon; the rest is for rounding
-    // errors.
+    // A graph overestimates distances by a factor of at most 1 + Epsilon, without a bound along
+    // edges if the path was straightened; the rest is for rounding errors.
     const double factor = (1 + (std::max)(this->Epsilon, 0.)) * (1 + 1e-9);
+    const bool stops = this->StopWhenEndReached && !(this->Straighten && this->Epsilon < 0);
     const double maximum_distance =
-        this->StopWhenEndReached ? factor * this->Length : std::numeric_limits<double>::infinity();
+        stops ? factor * this->Length : std::numeric_limits<double>::infinity();
     std::vector<double> distances(static_cast<std::size_t>(surface.number_of_points()));
     surface.find_distances({AGV::AG::Solver_point::at_vertex(this->Internals->Start)},
                            maximum_distance, distances.data(), nullptr, watch);

@@ -73,8 +73,8 @@ TYPED_TEST(Paths_on_spheres, are_found_on_one_and_not_between_two)
   vtkNew<vtkAppendPolyData> spheres;
   spheres->AddInputConnection(sphere->GetOutputPort());
   vtkNew<TypeParam> filter;
-  filter->SetInputConnection(spheres->GetOutputPort());
   spheres->Update();
+  filter->SetInputData(spheres->GetOutput()); // which changes
   const vtkIdType end = spheres->GetOutput()->GetNumberOfPoints() - 1;
   filter->SetStartVertex(0);
   filter->SetEndVertex(end);
@@ -227,6 +227,19 @@ TEST_F(Path_on_square, gives_distances_up_to_its_end)
   }
 }
 
+TEST_F(Path_on_square, gives_the_distance_of_its_end_also_if_it_is_straightened)
+{
+  m_filter->SetStartVertex(3);
+  m_filter->StraightenOn();
+  m_filter->StopWhenEndReachedOn();
+  const double straight = length_of_path();
+  vtkNew<vtkDoubleArray> weights;
+  m_filter->GetCumulativeWeights(weights);
+  ASSERT_EQ(weights->GetNumberOfValues(), n * n);
+  EXPECT_GT(weights->GetValue(n * n - 1), straight); // along edges
+  EXPECT_LT(weights->GetValue(n * n - 1), infinity);
+}
+
 TEST_F(Path_on_square, reports_what_is_wrong)
 {
   const auto expect_error = [this](const std::string& part) {
@@ -240,6 +253,12 @@ TEST_F(Path_on_square, reports_what_is_wrong)
   m_filter->SetEndVertex(n * n);
   expect_error("target is vertex 121");
   m_filter->SetEndVertex(5);
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  m_filter->SetRepelVertices(points);
+  m_filter->RepelPathFromVerticesOn();
+  expect_error("point 0 of RepelVertices is not finite");
+  m_filter->RepelPathFromVerticesOff();
   m_filter->SetStartVertex(-1);
   expect_error("source is vertex -1");
   m_filter->SetStartVertex(0);
@@ -273,6 +292,10 @@ TEST(Approximate_geodesic_path, needs_points)
   Path_filter filter;
   vtkNew<vtkPolyData> nothing;
   filter->SetInputData(nothing);
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  filter->SetRepelVertices(points);
+  filter->RepelPathFromVerticesOn();
   expect_part(errors_of_update(*filter), "they are numbered from 0, and there are 0");
 }
 
