@@ -74,7 +74,7 @@ public:
   appends the arcs of several nodes to `candidates`, in any order.
 
   \param nodes the nodes; one of them may have been expanded before, with a larger distance
-  \param number their number
+  \param number their number; `0` only if this call was requested
   \param labels what the search has found so far; labels do not change meanwhile
   \param candidates an object with these member functions:
          - `make_room(n)` is to be called before `n` calls of `append()`;

@@ -216,6 +216,51 @@ public:
   Node side;
 };
 
+// A square whose run wants to be called at certain labels, until all nodes are expanded.
+class Square_with_requests : public Implicit_square
+{
+public:
+  static constexpr double interval = 7;
+
+  using Implicit_square::Implicit_square;
+
+  class Run : public AG::Geodesic_run_base<Square_with_requests>
+  {
+  public:
+    using Geodesic_run_base::Geodesic_run_base;
+
+    template <typename Search>
+    void start(Search& /* search */)
+    {
+      m_number_left = graph().number_of_nodes();
+      number_of_calls = 0;
+      m_next = interval;
+    }
+
+    template <typename Labels, typename Candidates>
+    void expand(const Node* const nodes,
+                const std::size_t number,
+                const Labels& labels,
+                Candidates& candidates)
+    {
+      for(std::size_t i = 0; i < number; ++i)
+        EXPECT_LE(labels.distance(nodes[i]), m_next);
+      candidates.append_arcs(graph(), nodes, number, labels);
+      m_number_left -= number;
+      number_of_calls += number == 0 ? 1 : 0;
+      m_next += number == 0 ? interval : 0;
+      if(m_number_left > 0)
+        candidates.call_again(0, m_next);
+    }
+
+    std::size_t number_of_calls = 0; // without nodes
+
+  private:
+    std::size_t m_number_left = 0;
+    double m_next = 0;
+  };
+};
+
 // Buckets as wide as all arcs are long together: nodes come out in the order in which they came in.
 class One_bucket
 {
@@ -337,6 +382,27 @@ TEST(Graph_run, gets_larger_batches_if_it_asks_for_them)
     search.run(seeds);
     EXPECT_EQ(search.graph_run().size_of_batch, largest);
   }
+}
+
+template <typename Queue>
+std::size_t number_of_requested_calls(const Square_with_requests& graph)
+{
+  Propagation<Square_with_requests, Queue> search(graph);
+  search.run_from(0);
+  const double requests =
+      search.distance(graph.number_of_nodes() - 1) / Square_with_requests::interval;
+  EXPECT_GT(requests, 5); // or nothing was tested
+  EXPECT_EQ(search.graph_run().number_of_calls, static_cast<std::size_t>(requests));
+  return search.graph_run().number_of_calls;
+}
+
+// Stale entries of nodes, and of requests, are no request.
+TEST(Graph_run, is_called_without_nodes_on_request_only)
+{
+  const Square_with_requests graph(40);
+  const std::size_t number = number_of_requested_calls<AG::Binary_heap_queue>(graph);
+  EXPECT_EQ(number_of_requested_calls<AG::Array_queue>(graph), number);
+  EXPECT_EQ(number_of_requested_calls<AG::Radix_heap_queue>(graph), number);
 }
 
 TEST(Graph_run, knows_the_heuristic)

@@ -491,9 +491,12 @@ public:
         next_look = m_labels.order().size() + nodes_between_looks;
         look_for_interruption(reports_progress);
       }
-      extract(next_batch());
+      const auto& batch = next_batch();
+      extract(batch);
       if(!watch.go_further(m_size))
         return false;
+      if(m_size == 0 && !is_requested(batch)) // all entries are stale
+        continue;
       find_candidates();
       const std::size_t number_lowered = lower_labels();
       if(m_statistics != nullptr)
@@ -551,6 +554,17 @@ private:
     }
   }
 
+  // Whether the run of the graph has requested this call, though no node is to be expanded. The
+  // request may be in the queue several times.
+  template <typename Batch>
+  bool is_requested(const Batch& batch) const
+  {
+    return std::any_of(batch.begin(), batch.end(), [this](const auto& entry) {
+      const auto& [key, node] = entry;
+      return m_request && m_request->key == key && m_request->node == node;
+    });
+  }
+
   // The second loop: scans the arcs of these nodes, and lists those that lower a label.
   void find_candidates()
   {
@@ -579,8 +593,9 @@ private:
         ++number;
       }
     }
-    if(const auto& call = m_candidates.next_call()) // the entry will be stale
-      m_queue.push(call->node, call->key);
+    m_request = m_candidates.next_call();
+    if(m_request) // the entry will be stale
+      m_queue.push(m_request->node, m_request->key);
     return number;
   }
 
@@ -609,6 +624,7 @@ private:
   double m_limit;
   double m_smallest_key = 0; // of the batch, if there is a heuristic
   std::size_t m_size = 0;
+  std::optional<Queue_entry> m_request; // of the graph's run, to be called again
   Propagation_statistics* m_statistics;
 };
 
