@@ -257,6 +257,56 @@ TEST_F(One_search_by_threads, may_be_interrupted)
   });
 }
 
+// Throws at a certain check.
+class Interruption_at final : public AG::internal::Interruption
+{
+public:
+  explicit Interruption_at(const int number) : m_number(number) { of_this_thread() = this; }
+  ~Interruption_at() { of_this_thread() = nullptr; }
+  Interruption_at(const Interruption_at&) = delete;
+  Interruption_at& operator=(const Interruption_at&) = delete;
+
+  void check() override
+  {
+    if(--m_number < 0)
+      throw std::runtime_error("interrupted");
+  }
+  void set_progress(std::size_t, std::size_t) override {}
+
+private:
+  std::atomic<int> m_number;
+};
+
+// Sights that threads have deferred when one of them throws do not wait for the next search.
+TEST_F(One_search_by_threads, forgets_the_sights_of_an_interrupted_run)
+{
+  for_each_number_of_threads([&](const auto& np) {
+    const Saddle_vertex_graph graph(Triangulation(m_mesh), np);
+    AG::Propagation<Saddle_vertex_graph> search(graph), fresh(graph);
+    fresh.run_from(6299);
+    const std::vector<double> expected = distances_of_nodes(fresh);
+    int number = 5;
+    for(bool is_interrupted = true; is_interrupted; number *= 2)
+    {
+      const auto run = [&] {
+        const Interruption_at interruption(number);
+        search.run_from(0);
+      };
+      try
+      {
+        run();
+        is_interrupted = false;
+      }
+      catch(const std::runtime_error&)
+      {
+      }
+      search.run_from(6299);
+      expect_within_bound(distances_of_nodes(search), expected, 1e-12);
+    }
+    EXPECT_GT(number, 50);
+  });
+}
+
 TEST_F(One_search_by_threads, refuses_the_same)
 {
   std::vector<double> lengths;

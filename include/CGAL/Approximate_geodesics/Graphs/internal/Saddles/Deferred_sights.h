@@ -45,18 +45,40 @@ struct Deferred_sight
 class Deferred_sights
 {
 public:
+  using List = std::vector<Deferred_sight>;
+
   // Starts a search. The horizon is this far away from the nodes that are expanded.
   void start(const double distance)
   {
     m_waiting.clear();
     m_resumed.clear();
+    for(List& list : m_of_tasks) // a search may have ended while there were tasks
+      list.clear();
     m_distance = m_horizon = distance;
   }
 
   double horizon() const { return m_horizon; }
 
   // The list that sights are deferred to.
-  std::vector<Deferred_sight>& waiting() { return m_waiting; }
+  List& waiting() { return m_waiting; }
+
+  // The lists that tasks defer sights to.
+  std::vector<List>& start_tasks(const std::size_t number)
+  {
+    m_of_tasks.resize((std::max)(m_of_tasks.size(), number));
+    return m_of_tasks;
+  }
+
+  // Must be called after these tasks. Results depend on the order of sights, and must not depend on
+  // threads.
+  void finish_tasks(const std::size_t number)
+  {
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      m_waiting.insert(m_waiting.end(), m_of_tasks[i].begin(), m_of_tasks[i].end());
+      m_of_tasks[i].clear();
+    }
+  }
 
   // Moves the horizon if the search has reached it with this label. Then `resumed()` are the
   // sights before it.
@@ -66,25 +88,29 @@ public:
     if(!(label >= m_horizon))
       return;
     m_horizon = label + m_distance > label ? label + m_distance : infinity;
-    m_resumed.swap(m_waiting);
-    const auto farther =
-        std::partition(m_resumed.begin(), m_resumed.end(),
-                       [&](const Deferred_sight& s) { return s.smallest_label <= m_horizon; });
-    m_waiting.assign(farther, m_resumed.end());
-    m_resumed.erase(farther, m_resumed.end());
+    // those that wait further are not copied: they may be many, and wait for long
+    const auto resumed =
+        std::partition(m_waiting.begin(), m_waiting.end(),
+                       [&](const Deferred_sight& s) { return s.smallest_label > m_horizon; });
+    m_resumed.assign(resumed, m_waiting.end());
+    m_waiting.erase(resumed, m_waiting.end());
   }
 
-  const std::vector<Deferred_sight>& resumed() const { return m_resumed; }
+  const List& resumed() const { return m_resumed; }
 
   std::size_t memory() const
   {
-    return (m_waiting.capacity() + m_resumed.capacity()) * sizeof(Deferred_sight);
+    std::size_t result = memory_of(m_waiting, m_resumed, m_of_tasks);
+    for(const List& list : m_of_tasks)
+      result += memory_of(list);
+    return result;
   }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  std::vector<Deferred_sight> m_waiting, m_resumed;
+  List m_waiting, m_resumed;
+  std::vector<List> m_of_tasks;
   double m_horizon = infinity, m_distance = infinity;
 };
 

@@ -312,22 +312,17 @@ private:
   void append_all(const std::size_t number, Candidates& candidates, const F& append)
   {
     constexpr std::size_t fewest_tasks = 16;
-    std::vector<Deferred_sight>& waiting = m_sights.waiting();
     if(!graph().is_parallel() || number < fewest_tasks)
     {
       for(std::size_t i = 0; i < number; ++i)
-        append(i, candidates, waiting);
+        append(i, candidates, m_sights.waiting());
       return;
     }
-    m_deferred.resize((std::max)(m_deferred.size(), number));
+    std::vector<std::vector<Deferred_sight>>& deferred = m_sights.start_tasks(number);
     candidates.append_in_parallel(
         graph().m_loop, number,
-        [&](const std::size_t i, Candidates& part) { append(i, part, m_deferred[i]); });
-    for(std::vector<Deferred_sight>& deferred : m_deferred)
-    {
-      waiting.insert(waiting.end(), deferred.begin(), deferred.end());
-      deferred.clear();
-    }
+        [&](const std::size_t i, Candidates& part) { append(i, part, deferred[i]); });
+    m_sights.finish_tasks(number);
   }
 
   // Continues a part of the sights that the search has reached.
@@ -435,7 +430,6 @@ private:
   double m_limit = 0;                             // of labels
   std::function<double(Node)> m_distance_to_goal; // during a search; empty without a heuristic
   Deferred_sights m_sights;
-  std::vector<std::vector<Deferred_sight>> m_deferred; // by task
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

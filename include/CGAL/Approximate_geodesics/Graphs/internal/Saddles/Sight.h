@@ -204,10 +204,12 @@ struct Sight
   double left_bound = 0, right_bound = 0;       // of their labels, with a margin for rounding
   Sight_ray left_ray, right_ray;
 
-  // A lower bound on the distances of all points of the edge, by the triangle inequality.
+  // A lower bound on the distances of all points of the edge, by the triangle inequality. Where the
+  // edge is far longer than they are, rounding errors of its length would matter.
   double smallest_distance() const
   {
-    return (std::max)(0., (left_distance + right_distance - length(edge)) / 2);
+    const double sum = (left_distance + right_distance) * (1 - ROUNDING);
+    return (std::max)(0., (sum - length(edge)) / 2);
   }
 
   // The position of the apex of the face ahead: that of an end of the edge, plus the vector from
