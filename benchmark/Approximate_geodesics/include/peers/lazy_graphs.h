@@ -157,7 +157,7 @@ public:
                                                                epsilon(), labels, arcs)
           .expand(together.data(), together.size());
     };
-    if(Cone_front<true, Counting_unfolding, Labels, Arcs>::is_general_needed(triangulation()))
+    if(CGAL::Approximate_geodesics::internal::needs_general_front(triangulation()))
       expand(std::true_type());
     else
       expand(std::false_type());
@@ -177,10 +177,10 @@ private:
   {
     using Unfolding::Unfolding;
 
-    decltype(auto) face(const Node h) const
+    decltype(auto) operator[](const Node h) const
     {
       count.add(1);
-      return Unfolding::face(h);
+      return Unfolding::operator[](h);
     }
 
     Window_count<true> count;
