@@ -51,7 +51,10 @@
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/karcher_mean.h>
+#include <CGAL/Approximate_geodesics/Queries/logarithmic_map.h>
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>
+#include <CGAL/Approximate_geodesics/Queries/trace_geodesic.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
