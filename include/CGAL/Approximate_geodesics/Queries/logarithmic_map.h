@@ -202,10 +202,12 @@ private:
  * \param tmesh the triangle mesh; it is not changed
  * \param vertex_vector_map receives one vector per vertex, in the frame of `source` that
  *        `Tangent_vector` describes; the zero vector at the source, and an infinitely long vector
- * if the vertex is not reached \param source the point \param np an optional sequence of \ref
- * bgl_namedparameters "Named Parameters" among `vertex_point_map`, `edge_length_map`,
- * `concurrency_tag`, `maximum_distance`, `vertex_index_map`, `halfedge_index_map` and
- * `geom_traits`, as for `approximate_geodesic_distances()`
+ *        if the vertex is not reached
+ * \param source the point
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among
+ *           `vertex_point_map`, `edge_length_map`, `concurrency_tag`, `maximum_distance`,
+ *           `vertex_index_map`, `halfedge_index_map` and `geom_traits`, as for
+ *           `approximate_geodesic_distances()`
  *
  * \throws std::invalid_argument as `approximate_geodesic_distances()` does, and if a path cannot be
  *         traced across nearly degenerate faces, see `Surface_search::find_path()`. In these cases,
