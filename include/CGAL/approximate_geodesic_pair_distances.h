@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Workspaces.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -30,8 +31,13 @@
 namespace CGAL {
 namespace Approximate_geodesics::internal {
 
+// Workspaces that are kept cost a short list nothing: to make one takes time in proportion to the
+// size of the graph.
+template <typename Graph>
+using Pair_workspaces = Workspaces<Surface_search<Graph>>;
+
 /*
- * The workspace of a thread. A group of pairs is a row of a distance matrix, with columns of its
+ * What a thread searches with. A group of pairs is a row of a distance matrix, with columns of its
  * own. Results are stored as they are found, so that no rows are kept.
  */
 template <typename Graph, typename Find, typename Result>
@@ -40,6 +46,7 @@ struct Group_search
   struct Input
   {
     const Graph& graph;
+    Pair_workspaces<Graph>& workspaces;
     const Pairs_by_start& pairs;
     double maximum_distance;
     const Find& find;
@@ -55,22 +62,23 @@ struct Group_search
     void add(std::size_t /* number */, Block& /* block */) {}
   };
 
-  explicit Group_search(const Input& of_all) : input(of_all), search(of_all.graph) {}
+  explicit Group_search(const Input& of_all) : input(of_all), search(of_all.workspaces.borrow()) {}
 
   bool find(const std::size_t group)
   {
-    input.pairs.find(search, group, input.maximum_distance, input.find, input.results);
+    input.pairs.find(*search, group, input.maximum_distance, input.find, input.results);
     return true;
   }
 
   const Input& input;
-  Surface_search<Graph> search;
+  typename Pair_workspaces<Graph>::Borrowed search;
 };
 
 // Returns `find(search, end)` for all pairs, in their order; nothing if the visitor stopped the
 // computation. Threads, visitor and limit are those of the named parameters.
 template <typename Graph, typename NamedParameters, typename Find>
 auto find_pairs(const Graph& graph,
+                Pair_workspaces<Graph>& workspaces,
                 const std::vector<Point_pair>& pairs,
                 const NamedParameters& np,
                 const Find& find)
@@ -82,8 +90,9 @@ auto find_pairs(const Graph& graph,
   std::vector<std::size_t> order(groups.number_of_groups());
   std::iota(order.begin(), order.end(), std::size_t(0));
   typename Search::Rows rows;
-  if(!compute_rows<Search>({graph, groups, checked_maximum_distance(np), find, *results},
-                           Distance_matrix_plan(std::move(order), 0), rows, np))
+  if(!compute_rows<Search>(
+         {graph, workspaces, groups, checked_maximum_distance(np), find, *results},
+         Distance_matrix_plan(std::move(order), 0), rows, np))
     results.reset();
   return results;
 }
@@ -119,7 +128,8 @@ bool write_pair_distances(const Graph& graph,
   const auto find = [](const Surface_search<Graph>& search, const Intrinsic_point& p) {
     return search.distance(p);
   };
-  const auto found = find_pairs(graph, pairs, np, find);
+  Pair_workspaces<Graph> workspaces(graph);
+  const auto found = find_pairs(graph, workspaces, pairs, np, find);
   if(found)
     std::copy(found->begin(), found->end(), distances);
   return found.has_value();

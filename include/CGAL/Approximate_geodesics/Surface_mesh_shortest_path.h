@@ -325,6 +325,7 @@ public:
                                           parameters::vertex_index_map(m_translation.index_map())));
     m_has_changed = true;
     m_pair_search.reset();
+    m_workspaces.clear();
     m_search.search().restart();
   }
 
@@ -529,7 +530,8 @@ public:
    * One search finds all pairs with the same source, as in `approximate_geodesic_pair_distances()`.
    * Results have the order of the pairs; there are none if the visitor stopped the computation. The
    * named parameters are `maximum_distance`, `concurrency_tag`, and `visitor`, a
-   * `DistanceMatrixVisitor`. Each call makes workspaces; `Surface_search` keeps its own.
+   * `DistanceMatrixVisitor`. Each thread needs a workspace of 40 bytes per node, which is kept for
+   * further calls. Several threads may call these functions at the same time.
    *
    * \tparam PairRange a model of `ConstRange` of `std::pair`s of points of type
    *         `vertex_descriptor`, `Face_location` or `Surface_point`
@@ -669,8 +671,8 @@ private:
                                          internal_np::visitor_t, Read...>,
                   "lists of pairs read maximum_distance, concurrency_tag and visitor; paths also "
                   "straighten");
-    auto found =
-        internal::find_pairs(m_graph, internal::point_pairs(m_translation, pairs), np, find);
+    auto found = internal::find_pairs(m_graph, m_workspaces,
+                                      internal::point_pairs(m_translation, pairs), np, find);
     return found ? *std::move(found) : typename decltype(found)::value_type();
   }
 
@@ -683,6 +685,7 @@ private:
   Translation m_translation;
   Mesh_search m_search;
   internal::Pair_search<Mesh_search> m_pair_search;
+  mutable internal::Pair_workspaces<Graph> m_workspaces{m_graph}; // for lists of pairs
   std::list<Listed_source> m_sources;
   std::vector<Source_point_iterator> m_source_points; // of the last search
   bool m_has_changed = true;

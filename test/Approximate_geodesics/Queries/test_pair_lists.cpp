@@ -54,9 +54,10 @@ protected:
     for(const auto& [source, target] : m_pairs)
     {
       const auto ends = intrinsic_points(m_mesh, graph.triangulation(), {source, target});
+      const bool is_reversed = AG::internal::leads_to_sources(graph);
       AG::Surface_search<GeodesicGraph> search(graph);
-      search.run({{ends[0]}}, {infinity, {ends[1]}});
-      result.push_back(search.distance(ends[1]));
+      search.run({{ends[is_reversed ? 1 : 0]}}, {infinity, {ends[is_reversed ? 0 : 1]}});
+      result.push_back(search.distance(ends[is_reversed ? 0 : 1]));
     }
     return result;
   }
@@ -103,6 +104,34 @@ TEST_F(Pair_lists, are_those_of_single_searches)
   expect_same<Steiner_graph<>>(with_weights(weights).epsilon(0.5));
   expect_same<Steiner_graph<Fixed_number_of_points>>(
       with_barriers(barriers).number_of_points_per_edge(1));
+}
+
+TEST_F(Pair_lists, are_those_of_single_searches_if_costs_depend_on_the_direction)
+{
+  const auto np = with_cost(cost_everywhere(Slant{2, Vector(0.6, -0.2, 0)})).epsilon(0.5);
+  const AG::Surface_mesh_shortest_path<Mesh, Directional_graph<>> from(m_mesh, np);
+  const AG::Surface_mesh_shortest_path<Mesh, Directional_graph<>> to(m_mesh,
+                                                                     from.graph().reversed());
+  EXPECT_TRUE(have_same_bits(pair_distances(m_mesh, m_pairs, np), expected(from.graph())));
+  EXPECT_TRUE(have_same_bits(from.distances(m_pairs), expected(from.graph())));
+  EXPECT_TRUE(have_same_bits(to.distances(m_pairs), expected(to.graph())));
+}
+
+// Workspaces that a list has left are used by the next one.
+TEST_F(Pair_lists, can_be_found_one_after_the_other)
+{
+  const Weights weights = random_weights(m_mesh, m_random, 0.2, 5);
+  AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Fixed_number_of_points>> paths(
+      m_mesh, parameters::number_of_points_per_edge(2));
+  for(int i = 0; i < 3; ++i)
+  {
+    if(i == 2)
+      paths.set_face_weights(weight_map(weights));
+    const Distances expected = this->expected(paths.graph());
+    EXPECT_TRUE(have_same_bits(paths.distances(m_pairs), expected));
+    EXPECT_TRUE(paths.distances(m_pairs, parameters::maximum_distance(1)) != expected);
+    EXPECT_TRUE(have_same_bits(paths.distances(m_pairs), expected));
+  }
 }
 
 TEST_F(Pair_lists, are_the_same_in_a_graph_that_keeps_its_arcs)

@@ -38,7 +38,6 @@
 #include <istream>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <ostream>
 #include <type_traits>
@@ -93,68 +92,6 @@ public:
 
 private:
   std::optional<Placement> m_points;
-};
-
-/*
- * A pool of search workspaces for one graph. A thread borrows a workspace for the duration of a
- * search, so there are at most as many as concurrent searches.
- */
-template <typename Search>
-class Workspaces
-{
-  using Graph = typename Search::Graph;
-  using Pointer = std::unique_ptr<Search>;
-
-  struct Return
-  {
-    Workspaces* owner;
-    void operator()(Search* const search) const { owner->put_back(Pointer(search)); }
-  };
-
-public:
-  // The graph is referred to, not copied.
-  explicit Workspaces(const Graph& graph) : m_graph(graph) {}
-
-  std::unique_ptr<Search, Return> borrow()
-  {
-    return std::unique_ptr<Search, Return>(take().release(), Return{this});
-  }
-
-  // Returns the sum of `f(search)` over all workspaces that are not borrowed.
-  template <typename F>
-  std::size_t sum(const F& f) const
-  {
-    const std::lock_guard lock(m_mutex);
-    std::size_t result = 0;
-    for(const Pointer& search : m_searches)
-      result += f(*search);
-    return result;
-  }
-
-private:
-  Pointer take()
-  {
-    const std::lock_guard lock(m_mutex);
-    if(m_searches.empty())
-    {
-      m_searches.reserve(++m_number); // so that put_back() cannot throw
-      return std::make_unique<Search>(m_graph);
-    }
-    Pointer result = std::move(m_searches.back());
-    m_searches.pop_back();
-    return result;
-  }
-
-  void put_back(Pointer search)
-  {
-    const std::lock_guard lock(m_mutex);
-    m_searches.push_back(std::move(search));
-  }
-
-  const Graph& m_graph;
-  std::vector<Pointer> m_searches;
-  std::size_t m_number = 0;
-  mutable std::mutex m_mutex;
 };
 
 /*
@@ -293,7 +230,7 @@ private:
                 const Find& find) const
   {
     // starts with a parameter of this package, for the same reason
-    auto found = find_pairs(m_graph, pairs,
+    auto found = find_pairs(m_graph, m_workspaces, pairs,
                             parameters::straighten(false)
                                 .maximum_distance(maximum_distance)
                                 .visitor(std::ref(visitor))

@@ -1,0 +1,85 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_WORKSPACES_H
+#define CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_WORKSPACES_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * A pool of search workspaces for one graph. A thread borrows a workspace for the duration of a
+ * search, so there are at most as many as concurrent searches.
+ */
+template <typename Search>
+class Workspaces
+{
+  using Graph = typename Search::Graph;
+  using Pointer = std::unique_ptr<Search>;
+
+  struct Return
+  {
+    Workspaces* owner;
+    void operator()(Search* const search) const { owner->put_back(Pointer(search)); }
+  };
+
+public:
+  using Borrowed = std::unique_ptr<Search, Return>;
+
+  // The graph is referred to, not copied.
+  explicit Workspaces(const Graph& graph) : m_graph(graph) {}
+
+  Borrowed borrow() { return Borrowed(take().release(), Return{this}); }
+
+  // Must be called when the weights of the graph have changed.
+  void clear() { m_searches.clear(); }
+
+  // Returns the sum of `f(search)` over all workspaces that are not borrowed.
+  template <typename F>
+  std::size_t sum(const F& f) const
+  {
+    const std::lock_guard lock(m_mutex);
+    std::size_t result = 0;
+    for(const Pointer& search : m_searches)
+      result += f(*search);
+    return result;
+  }
+
+private:
+  Pointer take()
+  {
+    const std::lock_guard lock(m_mutex);
+    if(m_searches.empty())
+    {
+      m_searches.reserve(++m_number); // so that put_back() cannot throw
+      return std::make_unique<Search>(m_graph);
+    }
+    Pointer result = std::move(m_searches.back());
+    m_searches.pop_back();
+    return result;
+  }
+
+  void put_back(Pointer search)
+  {
+    const std::lock_guard lock(m_mutex);
+    m_searches.push_back(std::move(search));
+  }
+
+  const Graph& m_graph;
+  std::vector<Pointer> m_searches;
+  std::size_t m_number = 0;
+  mutable std::mutex m_mutex;
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_WORKSPACES_H
