@@ -130,6 +130,26 @@ TEST_F(Surface_searches, tell_the_length_of_the_points)
   expect(Discrete_geodesic_graph(m_triangulation), 1e-6);
 }
 
+// Edges are far shorter than the mesh: positions that are rounded again do not fit them.
+TEST(Vertex_positions, fit_the_edges_of_any_mesh_of_points)
+{
+  Random random(test_seed());
+  const Soup soup = terrain(400, 3, random);
+  for(const double offset : {0., 0.3, 1e3, -1e7})
+    for(const double scale : {1., 1e-3, 1e5})
+    {
+      const Mesh mesh = to_mesh(soup.transformed([&](const Point& p) {
+        return Point(p.x() * scale + offset / 7, p.y() * scale - offset, p.z() * scale + offset / 3);
+      }));
+      const Triangulation triangulation(mesh);
+      AG::Mesh_translation translation(mesh, get(boost::vertex_index, mesh), triangulation);
+      translation.list_vertices();
+      EXPECT_TRUE(AG::Vertex_positions(triangulation, translation.position_of_vertex(mesh.points()))
+                      .are_known())
+          << "offset " << offset << ", scale " << scale;
+    }
+}
+
 TEST_F(Surface_searches, are_led_by_positions_to_the_same_distance)
 {
   const Discrete_geodesic_graph graph(m_triangulation);

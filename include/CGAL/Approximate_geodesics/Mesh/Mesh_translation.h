@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Origin.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -293,13 +294,13 @@ public:
     return Result(barycenter(target, FT(p.t), third, FT(p.s), source));
   }
 
-  /// returns a function from vertex indices to positions, for `Vertex_positions`. Positions are
-  /// relative to the first vertex, which avoids cancellation if the origin is far away.
+  /// returns a function from vertex indices to positions, for `Vertex_positions`. Their coordinates
+  /// are those of the mesh, not rounded again: they have to fit edge lengths.
   template <typename VertexPointMap>
   auto position_of_vertex(const VertexPointMap& point_map) const
   {
     return [this, point_map](const Index v) {
-      return internal::space_vector(get(point_map, vertex(v)) - get(point_map, vertex(0)));
+      return internal::space_vector(get(point_map, vertex(v)) - CGAL::ORIGIN);
     };
   }
 

@@ -63,19 +63,22 @@ public:
   /// returns the position of the vertex `v`, in units of the triangulation.
   const Position& operator[](const Index v) const { return m_positions[v]; }
 
-  /// returns the position of a point of the surface, in units of the triangulation.
-  Position operator()(const Intrinsic_triangulation& triangulation, const Intrinsic_point& p) const
+  /// returns the position of a point of the surface relative to `origin`, in units of the
+  /// triangulation. It is accurate if the mesh is far away from the origin of the coordinates, too.
+  Position relative_to(const Position& origin,
+                       const Intrinsic_triangulation& triangulation,
+                       const Intrinsic_point& p) const
   {
     if(p.is_vertex())
-      return m_positions[p.vertex];
+      return internal::difference(m_positions[p.vertex], origin);
     const Index h = p.halfedge;
     const Position &a = m_positions[triangulation.source(h)],
                    &b = m_positions[triangulation.target(h)];
     const Position& c =
         p.is_in_face() ? m_positions[triangulation.target(triangulation.next(h))] : a;
-    Position result;
+    Position result = internal::difference(a, origin);
     for(std::size_t i = 0; i < 3; ++i)
-      result[i] = a[i] + p.t * (b[i] - a[i]) + p.s * (c[i] - a[i]);
+      result[i] += p.t * (b[i] - a[i]) + p.s * (c[i] - a[i]);
     return result;
   }
 
@@ -115,21 +118,24 @@ public:
   Euclidean_heuristic(const SurfaceGraph& graph,
                       const Vertex_positions& positions,
                       const Intrinsic_point& goal)
-    : m_graph(graph), m_positions(positions), m_goal(positions(graph.triangulation(), goal))
+    : m_graph(graph),
+      m_positions(positions),
+      m_origin(positions[goal.is_vertex() ? goal.vertex
+                                          : graph.triangulation().source(goal.halfedge)]),
+      m_goal(positions.relative_to(m_origin, graph.triangulation(), goal))
   {
   }
 
   double operator()(const Node node) const
   {
-    if constexpr(has_positions<SurfaceGraph>)
-      if(node >= m_graph.triangulation().number_of_vertices())
-        return distance(m_positions(m_graph.triangulation(), m_graph.position(node)), m_goal);
-    return distance(m_positions[node], m_goal);
+    return distance(
+        m_positions.relative_to(m_origin, m_graph.triangulation(), position(m_graph, node)), m_goal);
   }
 
 private:
   const SurfaceGraph& m_graph;
   const Vertex_positions& m_positions;
+  Vertex_positions::Position m_origin; // a vertex close to the goal: positions are relative to it
   Vertex_positions::Position m_goal;
 };
 
