@@ -167,7 +167,9 @@ TEST(Needles, have_added_vertices_where_they_say)
     const Retriangulation needles = *Retriangulation::make(mesh);
     const Triangulation& t = needles.triangulation();
     const AG::Vertex_positions positions = positions_of(surface, mesh);
-    const auto place = [&](const Node v) { return positions(mesh, needles.position(v)); };
+    const auto place = [&](const Node v) {
+      return positions.relative_to({}, mesh, needles.position(v));
+    };
     for(Node h = 0; h < t.number_of_halfedges(); ++h)
       EXPECT_LE(AG::internal::distance(place(t.source(h)), place(t.target(h))),
                 t.length(h) * (1 + 1e-9));
@@ -398,8 +400,8 @@ void expect_paths(const Mesh& mesh, const double tolerance)
     const AG::Path path = search.find_path(AG::Intrinsic_point::at_vertex(v));
     double length = 0;
     for(std::size_t i = 1; i < path.points.size(); ++i)
-      length += t.unit() * AG::internal::distance(positions(t, path.points[i - 1]),
-                                                  positions(t, path.points[i]));
+      length += t.unit() * AG::internal::distance(positions.relative_to({}, t, path.points[i - 1]),
+                                                  positions.relative_to({}, t, path.points[i]));
     const double expected = search.search().distance(v);
     EXPECT_NEAR(path.length, expected, tolerance * expected) << "to vertex " << v;
     EXPECT_NEAR(length, expected, tolerance * expected) << "to vertex " << v;

@@ -139,7 +139,8 @@ TEST(Vertex_positions, fit_the_edges_of_any_mesh_of_points)
     for(const double scale : {1., 1e-3, 1e5})
     {
       const Mesh mesh = to_mesh(soup.transformed([&](const Point& p) {
-        return Point(p.x() * scale + offset / 7, p.y() * scale - offset, p.z() * scale + offset / 3);
+        return Point(p.x() * scale + offset / 7, p.y() * scale - offset,
+                     p.z() * scale + offset / 3);
       }));
       const Triangulation triangulation(mesh);
       AG::Mesh_translation translation(mesh, get(boost::vertex_index, mesh), triangulation);

@@ -395,8 +395,10 @@ TEST(StraightWalks, on_hostile_meshes_end_and_have_their_length)
         EXPECT_NEAR(std::hypot(walk.direction.x, walk.direction.y), 1, 1e-12);
         for(const Surface_point& p : walk.points)
           if(const auto* const location = std::get_if<Face_location>(&p))
+          {
             for(const double weight : location->second)
               EXPECT_TRUE(weight >= 0 && weight <= 1);
+          }
         for(std::size_t i = 1; i < walk.points.size(); ++i)
           EXPECT_TRUE(mesh.number_of_faces() == 0 ||
                       share_a_face(mesh, walk.points[i - 1], walk.points[i]));
@@ -494,17 +496,17 @@ TEST(StraightWalks, reject_bad_input)
 {
   const Mesh mesh = quiet_mesh();
   const AG::Geodesic_tracer tracer(mesh);
-  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
   const auto expect = [](const auto& f, const std::string& text) {
     expect_message<std::invalid_argument>(f, text);
   };
   const Tangent_vector x{1, 0};
-  for(const double length : {-1., nan, infinity})
+  for(const double length : {-1., nan, infinite})
     expect([&] { tracer.trace(Vertex(0), x, length); }, "the length is");
   expect([&] { tracer.trace(Vertex(0), Tangent_vector{0, 0}, 1); }, "the direction has no part");
   expect([&] { tracer.trace(Vertex(6), Space_vector(0, 0, 1), 1); }, "the direction has no part");
   expect([&] { tracer.trace(Vertex(0), Tangent_vector{nan, 0}, 1); }, "the direction is nan, 0");
-  expect([&] { tracer.trace(Vertex(0), Space_vector(0, infinity, 1), 1); }, "the direction is 0");
+  expect([&] { tracer.trace(Vertex(0), Space_vector(0, infinite, 1), 1); }, "the direction is 0");
   expect([&] { tracer.trace(Vertex(99), x, 1); }, "start: vertex 99 is not in the mesh");
   expect([&] { tracer.transport(std::vector<Vertex>(), x); }, "the path has no points");
   expect(

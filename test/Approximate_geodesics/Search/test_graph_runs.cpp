@@ -389,8 +389,8 @@ std::size_t number_of_requested_calls(const Square_with_requests& graph)
 {
   Propagation<Square_with_requests, Queue> search(graph);
   search.run_from(0);
-  const double requests =
-      search.distance(graph.number_of_nodes() - 1) / Square_with_requests::interval;
+  const auto last = static_cast<Square_with_requests::Node>(graph.number_of_nodes() - 1);
+  const double requests = search.distance(last) / Square_with_requests::interval;
   EXPECT_GT(requests, 5); // or nothing was tested
   EXPECT_EQ(search.graph_run().number_of_calls, static_cast<std::size_t>(requests));
   return search.graph_run().number_of_calls;

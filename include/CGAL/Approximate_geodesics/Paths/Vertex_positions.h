@@ -120,8 +120,8 @@ public:
                       const Intrinsic_point& goal)
     : m_graph(graph),
       m_positions(positions),
-      m_origin(positions[goal.is_vertex() ? goal.vertex
-                                          : graph.triangulation().source(goal.halfedge)]),
+      m_origin(
+          positions[goal.is_vertex() ? goal.vertex : graph.triangulation().source(goal.halfedge)]),
       m_goal(positions.relative_to(m_origin, graph.triangulation(), goal))
   {
   }
@@ -129,7 +129,8 @@ public:
   double operator()(const Node node) const
   {
     return distance(
-        m_positions.relative_to(m_origin, m_graph.triangulation(), position(m_graph, node)), m_goal);
+        m_positions.relative_to(m_origin, m_graph.triangulation(), position(m_graph, node)),
+        m_goal);
   }
 
 private:
