@@ -356,6 +356,30 @@ TEST(Triangulation_by_threads, is_the_same)
   });
 }
 
+// A small mesh is searched by one thread, which is faster: the results are those of one thread.
+TEST(Small_search_by_threads, is_that_of_one)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(20, 15, random));
+  for(const double largest_error : {0., 0.1})
+  {
+    std::vector<double> expected;
+    for_each_number_of_threads([&](const auto& np) {
+      std::vector<double> found(mesh.number_of_vertices());
+      CGAL::approximate_geodesic_distances(
+          mesh, boost::make_iterator_property_map(found.begin(), get(boost::vertex_index, mesh)),
+          Vertex(7), np.epsilon(largest_error));
+      if(expected.empty())
+        expected = found;
+      EXPECT_TRUE(have_same_bits(found, expected));
+    });
+  }
+  for_each_number_of_threads([&](const auto& np) {
+    EXPECT_FALSE(Lazy_discrete_geodesic_graph(Triangulation(mesh), np.epsilon(0.1)).is_parallel());
+    EXPECT_FALSE(Saddle_vertex_graph(Triangulation(mesh), np).is_parallel());
+  });
+}
+
 #ifdef CGAL_LINKED_WITH_TBB
 // A thread that waits for another one's last turn has time to start on something else.
 TEST(Loop_of_threads, takes_up_nothing_else_while_it_waits)

@@ -9,13 +9,13 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_file.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_run.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_triangulation.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/for_each.h>
 
 #include <algorithm>
 #include <atomic>
@@ -105,7 +105,7 @@ public:
       m_triangulation(
           internal::without_weights(std::move(triangulation), np, "Discrete_geodesic_graph"))
   {
-    build<internal::Concurrency_tag<NamedParameters>>();
+    build(internal::Loop::with_tag<internal::Concurrency_tag<NamedParameters>>());
   }
 
   /// @}
@@ -245,21 +245,19 @@ private:
                                                               rounding, f);
   }
 
-  template <typename ConcurrencyTag>
-  void build()
+  void build(const internal::Loop& loop)
   {
-    const internal::Unfolding unfolding(m_triangulation.get(),
-                                        internal::Loop::with_tag<ConcurrencyTag>());
+    const internal::Unfolding unfolding(m_triangulation.get(), loop);
     const Node number_of_nodes = static_cast<Node>(this->number_of_nodes());
     std::vector<internal::Compressed_arcs> blocks((number_of_nodes + SIZE_OF_BLOCK - 1) /
                                                   SIZE_OF_BLOCK);
     const double unit = internal::unit_of_arcs(triangulation());
     std::atomic<std::size_t> number_done(0);
-    CGAL::for_each<ConcurrencyTag>(blocks, [&](internal::Compressed_arcs& block) {
+    loop.run(blocks.size(), [&](const std::size_t i, std::size_t /* thread */) {
       const Expansion expansion(m_triangulation.get(), unfolding, m_rules);
       internal::Compressed_arcs rows(unit);
       std::vector<internal::Stored_arc> arcs;
-      const Node first = static_cast<Node>(&block - blocks.data()) * SIZE_OF_BLOCK;
+      const Node first = static_cast<Node>(i) * SIZE_OF_BLOCK;
       const Node beyond = first + (std::min)(SIZE_OF_BLOCK, number_of_nodes - first);
       for(Node node = first; node < beyond; ++node)
       {
@@ -269,8 +267,7 @@ private:
         });
         rows.append_row(arcs);
       }
-      block = std::move(rows);
-      return true;
+      blocks[i] = std::move(rows);
     });
 
     m_rows = internal::Compressed_arcs(unit);

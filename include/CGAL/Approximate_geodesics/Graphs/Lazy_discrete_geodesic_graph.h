@@ -103,7 +103,8 @@ public:
   explicit Lazy_discrete_geodesic_graph(Intrinsic_triangulation triangulation,
                                         const NamedParameters& np = parameters::default_values(),
                                         const Arcs arcs = Arcs::FORGOTTEN)
-    : m_loop(internal::Loop::with_tag<internal::Concurrency_tag<NamedParameters>>()),
+    : m_loop(internal::Loop::with_tag<internal::Concurrency_tag<NamedParameters>>().for_size(
+          triangulation.number_of_vertices())),
       m_rules(internal::checked_epsilon(np)),
       m_triangulation(
           internal::without_weights(std::move(triangulation), np, "Lazy_discrete_geodesic_graph")),

@@ -96,7 +96,8 @@ public:
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Saddle_vertex_graph(Intrinsic_triangulation triangulation,
                                const NamedParameters& np = parameters::default_values())
-    : m_loop(internal::Loop::with_tag<internal::Concurrency_tag<NamedParameters>>()),
+    : m_loop(internal::Loop::with_tag<internal::Concurrency_tag<NamedParameters>>().for_size(
+          triangulation.number_of_vertices())),
       m_edges(checked(std::move(triangulation), np)),
       m_tables(m_edges.triangulation(), m_loop)
   {

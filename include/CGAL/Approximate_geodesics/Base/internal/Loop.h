@@ -97,14 +97,25 @@ public:
     return result;
   }
 
+  // The loop for work on as many vertices: sequential where threads would take longer to start than
+  // they save. So it depends on the work, but not on the number of threads.
+  Loop for_size(const std::size_t size) const { return size > SIZE_OF_BLOCK ? *this : Loop(); }
+
   bool is_parallel() const { return m_run != nullptr; }
 
   // Returns the maximum number of threads available to the loop.
   std::size_t number_of_threads() const { return is_parallel() ? m_number_of_threads() : 1; }
 
   // Calls `turn(i, thread)` for all `i` below `size`. Concurrent calls have different values of
-  // `thread`, all below `number_of_threads()`. Precondition: the loop is parallel.
-  void run(const std::size_t size, const Turn& turn) const { m_run(size, turn); }
+  // `thread`, all below `number_of_threads()`.
+  void run(const std::size_t size, const Turn& turn) const
+  {
+    if(is_parallel() && size > 1)
+      m_run(size, turn);
+    else
+      for(std::size_t i = 0; i < size; ++i)
+        turn(i, 0);
+  }
 
   // Calls `f(first, beyond)` for blocks of `[0, size)`, or for the whole range if the loop is
   // sequential.

@@ -121,12 +121,15 @@ using Is_parallel = decltype(std::declval<const Graph&>().is_parallel());
 
 // Parallelizes over rows, unless the search of a single row is parallel.
 template <typename NamedParameters, typename Graph>
-Loop loop_over_rows([[maybe_unused]] const Graph& graph, const NamedParameters& /* np */)
+Loop loop_over_rows(const Graph& graph,
+                    const std::size_t number_of_rows,
+                    const NamedParameters& /* np */)
 {
   if constexpr(boost::is_detected_v<Is_parallel, Graph>)
     if(graph.is_parallel())
       return Loop();
-  return Loop::with_tag<Concurrency_tag<NamedParameters>>();
+  return Loop::with_tag<Concurrency_tag<NamedParameters>>().for_size(number_of_rows *
+                                                                     graph.number_of_nodes());
 }
 
 template <typename Rows, typename NamedParameters>
@@ -183,7 +186,7 @@ bool compute_rows(const typename Search::Input& input,
   auto& unwrapped = std::ref(visitor).get(); // of a `std::reference_wrapper`
   using Visitor = std::remove_reference_t<decltype(unwrapped)>;
   return Matrix_computation<Search, Rows, Visitor>(input, plan, rows, unwrapped)
-      .run(loop_over_rows(input.graph, np));
+      .run(loop_over_rows(input.graph, plan.number_of_rows(), np));
 }
 
 // Returns whether the matrix was completed.
