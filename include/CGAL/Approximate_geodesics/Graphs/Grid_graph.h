@@ -1,0 +1,355 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_GRID_GRAPH_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_GRID_GRAPH_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
+#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_border.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_lines.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsGraphs
+ *
+ * The graph of a regular grid of cells, each of which has a friction: a cost per unit of length. It
+ * is a graph for rasters: no mesh is built, and no arcs are stored.
+ *
+ * The first nodes are the centers of the cells, in the order of values. Straight lines join them to
+ * the centers of other cells, up to 15 columns and rows away; they cost their lengths within the
+ * cells that they cross, times the friction there. Where cells have the same friction, distances
+ * are at most 0.3 % too large in all directions, if the width of a cell is half to twice its
+ * height; `error_on_equal_cells()` returns this bound for any shape. Between cells of different
+ * friction, where cheapest paths bend at sides, there is no bound.
+ *
+ * With the named parameter `epsilon`, there are also nodes at the corners of cells, and on their
+ * sides, in the geometric progressions of `Geometric_points`, and straight arcs between all nodes
+ * at the border of a cell, and its center. Then paths between centers cost at most
+ * \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane, whatever the friction.
+ *
+ * Cells of infinite friction cannot be entered, nor those whose friction is `no_data`; paths may
+ * run along their sides. No path leads between two of them that touch at a corner, so that a
+ * diagonal row of cells is a barrier.
+ *
+ * The graph takes 8 bytes per cell, and a table of arcs that all cells share. With
+ * \f$\varepsilon = 0.1\f$, square cells have 15 points on a side, so there are 32 nodes per cell.
+ *
+ * \cgalModels{GeodesicGraph}
+ */
+class Grid_graph
+{
+public:
+  /// the number of a node.
+  using Node = std::uint32_t;
+
+  /*!
+   * builds the graph of a grid.
+   *
+   * \tparam FrictionRange a model of `ConstRange` whose value type is a number type
+   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * \param shape the numbers of columns and rows, and the size of a cell
+   * \param friction the costs per unit of length, row by row, not negative: `0` for cells that are
+   *        free, infinity or `no_data` for cells that cannot be entered
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{epsilon}
+   *     \cgalParamDescription{paths in the graph cost at most \f$1 + \varepsilon\f$ times as much
+   *                           as the cheapest ones in the plane}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{no bound: there are only lines between centers}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if there are no cells, the size of a cell is not a finite number
+   *         above `0`, there are not as many values as cells, a value is negative or not a number,
+   *         costs of arcs are too large for a `double`, or `epsilon` is not a finite number above
+   *         `0`.
+   * \throws std::length_error if there are more than \f$2^{32} - 1\f$ nodes, or more than 1000
+   *         points on a side.
+   *
+   * Run time and memory are \cgalBigO{n} for `n` cells, plus the square of the number of points on
+   * the border of a cell.
+   */
+  template <typename FrictionRange, typename NamedParameters = parameters::Default_named_parameters>
+  Grid_graph(const Grid_shape& shape,
+             const FrictionRange& friction,
+             [[maybe_unused]] const NamedParameters& np = parameters::default_values())
+    : m_shape(checked(shape)), m_lines(m_shape)
+  {
+    static_assert(!internal::ignores_any<NamedParameters, internal_np::epsilon_t>,
+                  "Grid_graph reads the named parameter epsilon only");
+    if constexpr(internal::is_given<NamedParameters, internal_np::epsilon_t>)
+      m_border = internal::Grid_border(m_shape, internal::checked_epsilon(np));
+    check_number_of_nodes();
+    read(friction);
+    summarize();
+  }
+
+  /// \name Graph
+  /// @{
+
+  /// returns the number of nodes. Some numbers beyond those of the centers stand for no node; they
+  /// have no arcs.
+  std::size_t number_of_nodes() const
+  {
+    return m_shape.number_of_cells() + number_of_blocks() * m_border.size_of_block();
+  }
+
+  /// returns `1`.
+  double unit() const { return 1; }
+
+  /// returns a summary of the costs of arcs, an estimate.
+  Arc_lengths arc_lengths() const { return m_arc_lengths; }
+
+  /// returns an upper bound of the number of arcs of a node.
+  std::size_t maximum_degree() const
+  {
+    return m_lines.lines().size() + 4 * (m_border.number_of_slots() + 1);
+  }
+
+  /// calls `f(target, cost)` for every arc from `node`, or `f(first, costs, number)` for arcs to
+  /// consecutive nodes.
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& /* labels */, F f) const
+  {
+    if(node < m_shape.number_of_cells())
+    {
+      const Grid_cell cell = m_shape.cell(node);
+      if(is_open(cell))
+      {
+        for_each_line(cell, f);
+        if(m_border.size_of_block() > 0)
+          for_each_arc_across(cell, m_border.number_of_slots(), f);
+      }
+    }
+    else if(const Place place = this->place(node); is_passable(place))
+      m_border.for_each_run_of(place.in_block, [&](const internal::Grid_border::Run& run,
+                                                   const std::size_t slot) {
+        // the cell in whose border the run has the node; beyond the grid if there is none
+        const Grid_cell cell{place.cell.column - run.next_column, place.cell.row - run.next_row};
+        if(is_open(cell))
+          for_each_arc_across(cell, slot, f);
+      });
+  }
+
+  /// @}
+
+  /// \name Cells
+  /// @{
+
+  /// returns the shape of the grid.
+  const Grid_shape& shape() const { return m_shape; }
+
+  /// returns the node at the center of a cell.
+  /// \throws std::invalid_argument if there is no such cell.
+  Node node(const Grid_cell& cell) const
+  {
+    return static_cast<Node>(internal::checked_index(m_shape, cell, "the"));
+  }
+
+  /// returns the friction of a cell, infinity if it cannot be entered.
+  /// \pre The cell exists.
+  double friction(const Grid_cell& cell) const { return m_friction[m_shape.index(cell)]; }
+
+  /// returns where a node is.
+  Grid_point position(const Node node) const
+  {
+    if(node < m_shape.number_of_cells())
+      return m_shape.center(m_shape.cell(node));
+    const Place place = this->place(node);
+    const Grid_point& p = m_border.position_in_block(place.in_block);
+    return {static_cast<double>(place.cell.column) * m_shape.cell_width + p.x,
+            static_cast<double>(place.cell.row) * m_shape.cell_height + p.y};
+  }
+
+  /// returns the largest relative error of distances where all cells have the same friction.
+  double error_on_equal_cells() const { return m_lines.error_on_equal_cells(); }
+
+  /// returns the number of bytes that the graph takes.
+  std::size_t memory() const { return internal::memory_of(m_friction, m_lines, m_border); }
+
+  /// @}
+
+private:
+  // A node at the border of cells: its block, and its place there.
+  struct Place
+  {
+    Grid_cell cell; // or one beyond the last one of a row or a column
+    std::size_t in_block;
+  };
+
+  static const Grid_shape& checked(const Grid_shape& shape)
+  {
+    constexpr std::size_t largest = (std::numeric_limits<Node>::max)();
+    if(shape.columns == 0 || shape.rows == 0)
+      internal::reject("the grid has no cells: " + std::to_string(shape.columns) + " columns and " +
+                       std::to_string(shape.rows) + " rows");
+    internal::checked_positive(shape.cell_width, "the width of a cell");
+    internal::checked_positive(shape.cell_height, "the height of a cell");
+    if(shape.columns > largest || shape.rows > largest / shape.columns)
+      refuse_size();
+    return shape;
+  }
+
+  [[noreturn]] static void refuse_size()
+  {
+    throw std::length_error("Approximate_geodesics: the grid has more than 2^32 - 1 nodes");
+  }
+
+  void check_number_of_nodes() const
+  {
+    constexpr std::size_t largest = (std::numeric_limits<Node>::max)();
+    if(m_border.size_of_block() > 0 &&
+       number_of_blocks() > (largest - m_shape.number_of_cells()) / m_border.size_of_block())
+      refuse_size();
+  }
+
+  template <typename FrictionRange>
+  void read(const FrictionRange& friction)
+  {
+    m_friction.reserve(m_shape.number_of_cells());
+    std::size_t number = 0;
+    for(const auto& value : friction)
+    {
+      if(number < m_shape.number_of_cells())
+        m_friction.push_back(
+            internal::checked_friction(m_shape, CGAL::to_double(value), m_shape.cell(number)));
+      ++number;
+    }
+    if(number != m_shape.number_of_cells())
+      internal::reject("there are " + std::to_string(number) + " values of friction, and " +
+                       std::to_string(m_shape.number_of_cells()) + " cells");
+  }
+
+  // Estimates costs of arcs from the lengths of all, and the friction of all cells.
+  void summarize()
+  {
+    internal::Arc_length_summary friction, lengths;
+    for(const double f : m_friction)
+      if(f < internal::infinity)
+        friction.add(f);
+    for(const internal::Grid_lines::Line& line : m_lines.lines())
+      lengths.add(line.length);
+    for(const double length : m_border.distances())
+      if(length > 0)
+        lengths.add(length);
+    const Arc_lengths a = friction.result(), b = lengths.result();
+    m_arc_lengths = {a.shortest * b.shortest, a.mean * b.mean, a.longest * b.longest};
+    constexpr double too_large = 1e150;
+    if(!(b.longest < too_large && a.longest < too_large))
+      internal::reject("the sizes of cells, or their friction, are too large");
+  }
+
+  // The blocks of all cells, and of those beyond the last ones of rows and columns.
+  std::size_t number_of_blocks() const { return (m_shape.columns + 1) * (m_shape.rows + 1); }
+
+  Place place(const Node node) const
+  {
+    const std::size_t i = node - m_shape.number_of_cells();
+    const std::size_t block = i / m_border.size_of_block();
+    const std::size_t stride = m_shape.columns + 1;
+    return {{block % stride, block / stride}, i % m_border.size_of_block()};
+  }
+
+  // Whether there is such a cell, and it can be entered. Numbers below 0 have wrapped around.
+  bool is_open(const Grid_cell& cell) const
+  {
+    return cell.column < m_shape.columns && cell.row < m_shape.rows &&
+           friction(cell) < internal::infinity;
+  }
+
+  // Whether paths lead through a node: not if it is a corner where only two cells are open, which
+  // have no common side.
+  bool is_passable(const Place& place) const
+  {
+    if(!m_border.is_corner(place.in_block))
+      return true;
+    const auto [column, row] = place.cell;
+    const bool a = is_open({column, row}), b = is_open({column - 1, row}),
+               c = is_open({column, row - 1}), d = is_open({column - 1, row - 1});
+    return !(a == d && b == c && a != b);
+  }
+
+  template <typename F>
+  void for_each_line(const Grid_cell& cell, F& f) const
+  {
+    const double* const friction = m_friction.data() + m_shape.index(cell);
+    const auto node = static_cast<std::ptrdiff_t>(m_shape.index(cell));
+    const auto stride = static_cast<std::ptrdiff_t>(m_shape.columns);
+    for(const internal::Grid_lines::Line& line : m_lines.lines())
+    {
+      // numbers below 0 wrap around
+      if(cell.column + static_cast<std::size_t>(line.columns) >= m_shape.columns ||
+         cell.row + static_cast<std::size_t>(line.rows) >= m_shape.rows)
+        continue;
+      if(const double cost = m_lines.cost(line, friction); cost < internal::infinity)
+        f(static_cast<Node>(node + line.rows * stride + line.columns), cost);
+    }
+  }
+
+  // Calls `f` for the arcs from a slot of a cell, or its center, to all slots, and the center.
+  template <typename F>
+  void for_each_arc_across(const Grid_cell& cell, const std::size_t slot, F& f) const
+  {
+    const double friction = this->friction(cell);
+    const double* const distances = m_border.distances(slot);
+    for(const internal::Grid_border::Run& run : m_border.runs())
+    {
+      const std::size_t block =
+          (cell.row + run.next_row) * (m_shape.columns + 1) + cell.column + run.next_column;
+      const std::size_t first =
+          m_shape.number_of_cells() + block * m_border.size_of_block() + run.first_in_block;
+      for_each_arc_to(static_cast<Node>(first), distances + run.first_slot, run.size, friction, f);
+    }
+    f(static_cast<Node>(m_shape.index(cell)), friction * distances[m_border.number_of_slots()]);
+  }
+
+  template <typename F>
+  static void for_each_arc_to(const Node first,
+                              const double* const distances,
+                              const std::size_t number,
+                              const double friction,
+                              F& f)
+  {
+    constexpr std::size_t size_of_part = 32;
+    std::array<double, size_of_part> costs;
+    for(std::size_t i = 0; i < number; i += size_of_part)
+    {
+      const std::size_t size = (std::min)(size_of_part, number - i);
+      for(std::size_t k = 0; k < size; ++k)
+        costs[k] = friction * distances[i + k];
+      f(static_cast<Node>(first + i), costs.data(), size);
+    }
+  }
+
+  Grid_shape m_shape;
+  internal::Grid_lines m_lines;
+  internal::Grid_border m_border;
+  std::vector<double> m_friction; // infinity for cells that cannot be entered
+  Arc_lengths m_arc_lengths;
+};
+
+} // namespace CGAL::Approximate_geodesics
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_GRID_GRAPH_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_GRID_SHAPE_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_GRID_SHAPE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace CGAL::Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsGraphs
+ *
+ * A cell of a grid: its column and its row, counted from `0`.
+ */
+struct Grid_cell
+{
+  /// the column.
+  std::size_t column = 0;
+  /// the row.
+  std::size_t row = 0;
+
+  /// compares column and row.
+  friend bool operator==(const Grid_cell& a, const Grid_cell& b)
+  {
+    return a.column == b.column && a.row == b.row;
+  }
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsGraphs
+ *
+ * A point of the plane of a grid. The cell `(0, 0)` has a corner at the origin, columns follow each
+ * other along `x`, and rows along `y`.
+ */
+struct Grid_point
+{
+  /// the first coordinate.
+  double x = 0;
+  /// the second coordinate.
+  double y = 0;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsGraphs
+ *
+ * The shape of a regular grid of rectangular cells. Values of cells are given row by row, the cells
+ * of a row one after the other.
+ */
+struct Grid_shape
+{
+  /// the number of columns.
+  std::size_t columns = 0;
+  /// the number of rows.
+  std::size_t rows = 0;
+  /// the width of a cell: its extent along a row.
+  double cell_width = 1;
+  /// the height of a cell: its extent along a column.
+  double cell_height = 1;
+  /// the friction of cells that cannot be entered, besides infinity; it can be NaN.
+  std::optional<double> no_data = {};
+
+  /// returns the number of cells.
+  std::size_t number_of_cells() const { return columns * rows; }
+
+  /// returns where a cell is in the order of values.
+  std::size_t index(const Grid_cell& cell) const { return cell.row * columns + cell.column; }
+
+  /// returns the cell with this place in the order of values.
+  Grid_cell cell(const std::size_t index) const { return {index % columns, index / columns}; }
+
+  /// returns the center of a cell.
+  Grid_point center(const Grid_cell& cell) const
+  {
+    return {(static_cast<double>(cell.column) + 0.5) * cell_width,
+            (static_cast<double>(cell.row) + 0.5) * cell_height};
+  }
+};
+
+namespace internal {
+
+// Returns where the cell of a query is. Throws an error if it is not in the grid.
+inline std::size_t checked_index(const Grid_shape& shape, const Grid_cell& cell, const char* role)
+{
+  if(cell.column >= shape.columns || cell.row >= shape.rows)
+    reject(std::string(role) + " cell (" + std::to_string(cell.column) + ", " +
+           std::to_string(cell.row) + ") does not exist: there are " +
+           std::to_string(shape.columns) + " columns and " + std::to_string(shape.rows) + " rows");
+  return shape.index(cell);
+}
+
+// Returns the friction of a cell, infinity if it cannot be entered. Throws an error if it is
+// negative or not a number.
+inline double checked_friction(const Grid_shape& shape, const double friction, const Grid_cell cell)
+{
+  constexpr double blocked = std::numeric_limits<double>::infinity();
+  if(shape.no_data &&
+     (friction == *shape.no_data || (std::isnan(friction) && std::isnan(*shape.no_data))))
+    return blocked;
+  if(!(friction >= 0))
+    reject("the friction of cell (" + std::to_string(cell.column) + ", " +
+           std::to_string(cell.row) + ") is " + text_of(friction) +
+           "; it must be a number that is not negative, infinity, or no_data");
+  return friction;
+}
+
+} // namespace internal
+} // namespace CGAL::Approximate_geodesics
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_GRID_SHAPE_H
