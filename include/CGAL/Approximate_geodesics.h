@@ -62,6 +62,7 @@
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/approximate_geodesic_distances_on_grid.h>
 #include <CGAL/approximate_geodesic_pair_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 

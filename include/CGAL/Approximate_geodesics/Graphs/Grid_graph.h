@@ -172,6 +172,10 @@ public:
   /// \pre The cell exists.
   double friction(const Grid_cell& cell) const { return m_friction[m_shape.index(cell)]; }
 
+  /// returns the smallest friction of all cells that can be entered, or `0` if there are none. A
+  /// straight line of this friction is a lower bound of all costs, for A* searches.
+  double smallest_friction() const { return m_smallest_friction; }
+
   /// returns where a node is.
   Grid_point position(const Node node) const
   {
@@ -255,6 +259,7 @@ private:
       if(length > 0)
         lengths.add(length);
     const Arc_lengths a = friction.result(), b = lengths.result();
+    m_smallest_friction = a.shortest;
     m_arc_lengths = {a.shortest * b.shortest, a.mean * b.mean, a.longest * b.longest};
     constexpr double too_large = 1e150;
     if(!(b.longest < too_large && a.longest < too_large))
@@ -348,6 +353,7 @@ private:
   internal::Grid_border m_border;
   std::vector<double> m_friction; // infinity for cells that cannot be entered
   Arc_lengths m_arc_lengths;
+  double m_smallest_friction = 0;
 };
 
 } // namespace CGAL::Approximate_geodesics

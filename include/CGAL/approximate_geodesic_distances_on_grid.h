@@ -1,0 +1,220 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESIC_DISTANCES_ON_GRID_H
+#define CGAL_APPROXIMATE_GEODESIC_DISTANCES_ON_GRID_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Approximate_geodesics::internal {
+
+// Adapts a visitor of cells to a visitor of nodes.
+template <typename Visitor>
+class Cell_visitor
+{
+public:
+  Cell_visitor(Visitor& visitor, const Grid_shape& shape) : m_visitor(visitor), m_shape(shape) {}
+
+  void on_settled(const Grid_graph::Node node, const double distance)
+  {
+    if(node < m_shape.number_of_cells())
+      m_visitor.on_settled(m_shape.cell(node), distance);
+  }
+
+  void on_progress(const std::size_t number_of_settled_nodes, const std::size_t number_of_nodes)
+  {
+    m_visitor.on_progress(number_of_settled_nodes, number_of_nodes);
+  }
+
+  bool go_further() { return m_visitor.go_further(); }
+
+private:
+  Visitor& m_visitor;
+  const Grid_shape& m_shape;
+};
+
+// The graph of a grid that named parameters of a search ask for.
+template <typename FrictionRange, typename NamedParameters>
+Grid_graph
+grid_graph(const Grid_shape& shape, const FrictionRange& friction, const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::epsilon_t>)
+    return Grid_graph(shape, friction,
+                      parameters::epsilon(parameters::get_parameter(np, internal_np::epsilon)));
+  else
+    return Grid_graph(shape, friction);
+}
+
+// The seeds of a source, or a range of sources.
+template <typename Sources>
+std::vector<Seed> seeds_of_cells(const Grid_graph& graph, const Sources& sources)
+{
+  if constexpr(std::is_convertible_v<const Sources&, Grid_cell>)
+    return {Seed{graph.node(sources)}};
+  else
+  {
+    std::vector<Seed> result;
+    for(const Grid_cell& source : sources)
+      result.push_back(name_in_message([&] { return name_in_list("source", result.size()); },
+                                       [&] {
+                                         return Seed{graph.node(source), 0, result.size()};
+                                       }));
+    return result;
+  }
+}
+
+} // namespace Approximate_geodesics::internal
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * computes, for each cell of a grid, the approximately smallest cost of a path from the center of
+ * the nearest source to its own.
+ *
+ * Each cell has a friction, a cost per unit of length. Without a bound `epsilon`, paths consist of
+ * straight lines between centers of cells. Where cells have the same friction, they are at most
+ * 0.3 % too long, in all directions, if the width of cells is half to twice their height. With a
+ * bound, paths cost at most \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane.
+ * A cost is never smaller than that of the cheapest path. See `Approximate_geodesics::Grid_graph`.
+ *
+ * \tparam FrictionRange a model of `ConstRange` whose value type is a number type
+ * \tparam OutputIterator a model of `OutputIterator` that takes `double`
+ * \tparam Sources `Approximate_geodesics::Grid_cell`, or a model of `ConstRange` with this value
+ *         type
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param shape the numbers of columns and rows, the size of a cell, and the value for no data
+ * \param friction the friction of the cells, row by row, not negative; cells of infinite friction
+ *        and those without data cannot be entered, and no path leads between two that touch at a
+ *        corner
+ * \param distances receives a cost for each cell, row by row: infinity for cells that cannot be
+ *        entered, are not reachable, or not within `maximum_distance`, or if there is no source
+ * \param sources a cell, or a range of cells; there is no path from a cell that cannot be entered
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `epsilon`,
+ *        `maximum_distance` and `visitor`, as for `approximate_geodesic_distances()`; the visitor
+ *        is told of cells
+ *
+ * \throws std::invalid_argument as the constructor of `Approximate_geodesics::Grid_graph` does, and
+ *         if a source is not in the grid, or the maximum distance is negative or not a number.
+ * \throws std::length_error as this constructor does.
+ *
+ * Run time is \cgalBigO{n} in practice for `n` nodes: cells, and points on their sides if there is
+ * a bound.
+ *
+ * \sa `approximate_geodesic_path_on_grid()`
+ */
+template <typename FrictionRange,
+          typename OutputIterator,
+          typename Sources,
+          typename NamedParameters = parameters::Default_named_parameters>
+void approximate_geodesic_distances_on_grid(
+    const Approximate_geodesics::Grid_shape& shape,
+    const FrictionRange& friction,
+    OutputIterator distances,
+    const Sources& sources,
+    const NamedParameters& np = parameters::default_values())
+{
+  namespace AG = Approximate_geodesics;
+  static_assert(!AG::internal::ignores_any<NamedParameters, internal_np::epsilon_t,
+                                           internal_np::maximum_distance_t, internal_np::visitor_t>,
+                "approximate_geodesic_distances_on_grid() reads the named parameters epsilon, "
+                "maximum_distance and visitor only");
+  const AG::Grid_graph graph = AG::internal::grid_graph(shape, friction, np);
+  const std::vector<AG::Seed> seeds = AG::internal::seeds_of_cells(graph, sources);
+  const AG::Stop_rule stop{AG::internal::maximum_distance(np)};
+  AG::Propagation search(graph);
+  if constexpr(AG::internal::is_given<NamedParameters, internal_np::visitor_t>)
+  {
+    auto visitor = parameters::get_parameter(np, internal_np::visitor);
+    search.run(seeds, stop, AG::internal::Cell_visitor(std::ref(visitor).get(), graph.shape()));
+  }
+  else
+    search.run(seeds, stop);
+  for(std::size_t i = 0; i < shape.number_of_cells(); ++i)
+    *distances++ = search.distance(static_cast<AG::Grid_graph::Node>(i));
+}
+
+/*!
+ * \ingroup PkgApproximateGeodesicsFunctions
+ *
+ * computes an approximately cheapest path between the centers of two cells of a grid, and returns
+ * its cost.
+ *
+ * The cost is that of `approximate_geodesic_distances_on_grid()`, up to rounding. The search is an
+ * A* search with straight lines through cells of the smallest friction.
+ *
+ * \tparam FrictionRange a model of `ConstRange` whose value type is a number type
+ * \tparam OutputIterator a model of `OutputIterator` that takes `Approximate_geodesics::Grid_point`
+ * \tparam Sources `Approximate_geodesics::Grid_cell`, or a model of `ConstRange` with this value
+ *         type
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param shape the numbers of columns and rows, the size of a cell, and the value for no data
+ * \param friction the friction of the cells, row by row
+ * \param points receives the points of the path, from the source to the target; none if there is no
+ *        path
+ * \param source a cell, or a range of cells, of which the nearest is taken
+ * \param target a cell
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `epsilon` and
+ *        `maximum_distance`
+ *
+ * \return the cost of the path, or infinity if there is none, or not within `maximum_distance`.
+ *
+ * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances_on_grid()`
+ *         does, and if `target` is not in the grid.
+ *
+ * \sa `approximate_geodesic_distances_on_grid()`
+ */
+template <typename FrictionRange,
+          typename OutputIterator,
+          typename Sources,
+          typename NamedParameters = parameters::Default_named_parameters>
+double approximate_geodesic_path_on_grid(const Approximate_geodesics::Grid_shape& shape,
+                                         const FrictionRange& friction,
+                                         OutputIterator points,
+                                         const Sources& source,
+                                         const Approximate_geodesics::Grid_cell& target,
+                                         const NamedParameters& np = parameters::default_values())
+{
+  namespace AG = Approximate_geodesics;
+  using Node = AG::Grid_graph::Node;
+  static_assert(!AG::internal::ignores_any<NamedParameters, internal_np::epsilon_t,
+                                           internal_np::maximum_distance_t>,
+                "approximate_geodesic_path_on_grid() reads the named parameters epsilon and "
+                "maximum_distance only");
+  const AG::Grid_graph graph = AG::internal::grid_graph(shape, friction, np);
+  const Node end = graph.node(target);
+  const std::vector<AG::Seed> seeds = AG::internal::seeds_of_cells(graph, source);
+  const AG::Grid_point goal = graph.position(end);
+  AG::Propagation search(graph);
+  search.run_toward(seeds, AG::Stop_rule{AG::internal::maximum_distance(np), {end}},
+                    [&graph, goal](const Node node) {
+                      const AG::Grid_point p = graph.position(node);
+                      return graph.smallest_friction() * std::hypot(p.x - goal.x, p.y - goal.y);
+                    });
+  std::vector<Node> path; // from the target
+  if(search.is_reached(end))
+    for(Node node = end; node != search.null_node; node = search.predecessor(node))
+      path.push_back(node);
+  for(auto node = path.rbegin(); node != path.rend(); ++node)
+    *points++ = graph.position(*node);
+  return search.distance(end);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_APPROXIMATE_GEODESIC_DISTANCES_ON_GRID_H
