@@ -1,0 +1,238 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Grids of cells: errors by direction where all have the same friction, beside steps in 8 and 16
+// directions as other programs for rasters have them; time and memory of a search where friction
+// varies, and errors against a graph with many more points. See --help.
+
+#include "measuring/Errors.h"
+#include "measuring/measure.h"
+#include "output/Options.h"
+#include "output/Table.h"
+
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace AG = CGAL::Approximate_geodesics;
+using AG::Grid_graph;
+using AG::Grid_shape;
+using CGAL::parameters::epsilon;
+
+// Steps to 8 or 16 neighbors, which cost their lengths times the mean friction of both ends.
+class Step_graph
+{
+public:
+  using Node = std::uint32_t;
+
+  Step_graph(const Grid_shape& shape, const std::vector<double>& friction, const int directions)
+    : m_shape(shape), m_friction(friction)
+  {
+    for(int x = -2; x <= 2; ++x)
+      for(int y = -2; y <= 2; ++y)
+        if(x * x + y * y == 1 || x * x + y * y == 2 || (directions == 16 && x * x + y * y == 5))
+          m_steps.push_back({x, y, std::sqrt(double(x * x + y * y))});
+    const auto [least, most] = std::minmax_element(friction.begin(), friction.end());
+    m_lengths = {*least, (*least + *most) / 2 * 1.5, *most * m_steps.front().length};
+  }
+
+  std::size_t number_of_nodes() const { return m_shape.number_of_cells(); }
+  double unit() const { return 1; }
+  AG::Arc_lengths arc_lengths() const { return m_lengths; }
+  std::size_t maximum_degree() const { return m_steps.size(); }
+  std::size_t memory() const { return m_friction.size() * sizeof(double); }
+
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels&, F f) const
+  {
+    const AG::Grid_cell cell = m_shape.cell(node);
+    for(const Step& step : m_steps)
+    {
+      // numbers below 0 wrap around
+      const AG::Grid_cell next{cell.column + std::size_t(step.x), cell.row + std::size_t(step.y)};
+      if(next.column >= m_shape.columns || next.row >= m_shape.rows)
+        continue;
+      const std::size_t target = m_shape.index(next);
+      f(Node(target), step.length * (m_friction[node] + m_friction[target]) / 2);
+    }
+  }
+
+private:
+  struct Step
+  {
+    int x, y;
+    double length;
+  };
+
+  Grid_shape m_shape;
+  const std::vector<double>& m_friction;
+  std::vector<Step> m_steps;
+  AG::Arc_lengths m_lengths;
+};
+
+static AG::Grid_cell middle_of(const Grid_shape& shape)
+{
+  return {shape.columns / 2, shape.rows / 2};
+}
+
+// ----- equal friction
+
+static constexpr int NUMBER_OF_ANGLES = 9; // parts of 5 degrees up to 45; the rest is symmetric
+
+// Returns the largest error in percent in each part of the angles, and the mean error.
+template <typename Graph>
+std::vector<double> errors_by_direction(const Graph& graph, const Grid_shape& shape)
+{
+  const AG::Grid_cell source = middle_of(shape);
+  AG::Propagation<Graph> search(graph);
+  search.run_from(static_cast<std::uint32_t>(shape.index(source)));
+  std::vector<double> result(NUMBER_OF_ANGLES);
+  Errors errors;
+  for(std::size_t i = 0; i < shape.number_of_cells(); ++i)
+  {
+    const AG::Grid_point p = shape.center(shape.cell(i)), q = shape.center(source);
+    const double x = std::abs(p.x - q.x), y = std::abs(p.y - q.y), distance = std::hypot(x, y);
+    if(distance == 0)
+      continue;
+    const double angle = std::atan2((std::min)(x, y), (std::max)(x, y)) * 180 / std::acos(-1.);
+    const auto part = (std::min)(static_cast<int>(angle / 5), NUMBER_OF_ANGLES - 1);
+    double& largest = result[static_cast<std::size_t>(part)];
+    const double found = search.distance(static_cast<std::uint32_t>(i));
+    largest = (std::max)(largest, 100 * (found / distance - 1));
+    errors.add(found, distance);
+  }
+  result.push_back(*std::max_element(result.begin(), result.end()));
+  result.push_back(100 * errors.mean());
+  return result;
+}
+
+static Table compare_directions(const std::size_t side)
+{
+  const Grid_shape shape{side, side, 1, 1, {}};
+  const std::vector<double> friction(shape.number_of_cells(), 1);
+  Table table({"graph", "0-5", "5-10", "10-15", "15-20", "20-25", "25-30", "30-35", "35-40",
+               "40-45", "largest %", "mean %"});
+  const auto add = [&](const std::string& name, const auto& graph) {
+    auto row = table.add_row();
+    row.add(name);
+    for(const double error : errors_by_direction(graph, shape))
+      row.add(error, 3);
+  };
+  add("8 directions", Step_graph(shape, friction, 8));
+  add("16 directions", Step_graph(shape, friction, 16));
+  add("lines", Grid_graph(shape, friction));
+  add("epsilon 0.1", Grid_graph(shape, friction, epsilon(0.1)));
+  return table;
+}
+
+// ----- friction that varies
+
+// Smooth bands, and noise from cell to cell: the largest friction is some 30 times the smallest.
+static std::vector<double> varied_friction(const Grid_shape& shape)
+{
+  std::mt19937 random(1);
+  std::vector<double> result;
+  for(std::size_t i = 0; i < shape.number_of_cells(); ++i)
+  {
+    const double x = double(shape.cell(i).column) / double(shape.columns),
+                 y = double(shape.cell(i).row) / double(shape.rows);
+    result.push_back(std::exp(1.5 * std::sin(20 * x + 3 * std::sin(14 * y)) +
+                              0.5 * double(random()) / 4294967296.));
+  }
+  return result;
+}
+
+static Table measure_searches(const std::size_t side, const std::size_t rounds)
+{
+  const Grid_shape shape{side, side, 1, 1, {}};
+  const std::vector<double> friction = varied_friction(shape);
+  const double n = double(shape.number_of_cells());
+  Table table({"graph", "nodes/cell", "build ns/cell", "search us/cell", "bytes/cell"});
+  const auto add = [&](const std::string& name, const auto make) {
+    std::vector<double> build, seconds;
+    for(std::size_t i = 0; i < rounds; ++i)
+      build.push_back(seconds_of([&] { make(); }));
+    const auto graph = make();
+    AG::Propagation search(graph);
+    const auto source = static_cast<std::uint32_t>(shape.index(middle_of(shape)));
+    for(std::size_t i = 0; i < rounds; ++i)
+      seconds.push_back(seconds_of([&] { search.run_from(source); }));
+    table.add_row()
+        .add(name)
+        .add(double(graph.number_of_nodes()) / n, 1)
+        .add(median(build) / n * 1e9, 1)
+        .add(median(seconds) / n * 1e6, 2)
+        .add(double(graph.memory() + search.memory()) / n, 0);
+  };
+  add("8 directions", [&] { return Step_graph(shape, friction, 8); });
+  add("16 directions", [&] { return Step_graph(shape, friction, 16); });
+  add("lines", [&] { return Grid_graph(shape, friction); });
+  add("epsilon 0.5", [&] { return Grid_graph(shape, friction, epsilon(0.5)); });
+  add("epsilon 0.1", [&] { return Grid_graph(shape, friction, epsilon(0.1)); });
+  return table;
+}
+
+static std::vector<double> distances_of_cells(const Grid_graph& graph)
+{
+  AG::Propagation search(graph);
+  search.run_from(graph.node(middle_of(graph.shape())));
+  std::vector<double> result;
+  for(std::uint32_t i = 0; i < graph.shape().number_of_cells(); ++i)
+    result.push_back(search.distance(i));
+  return result;
+}
+
+static Table compare_errors(const std::size_t side)
+{
+  const Grid_shape shape{side, side, 1, 1, {}};
+  const std::vector<double> friction = varied_friction(shape);
+  const std::vector<double> reference =
+      distances_of_cells(Grid_graph(shape, friction, epsilon(0.01)));
+  Table table({"graph", "mean %", "largest %"});
+  const auto add = [&](const std::string& name, const Grid_graph& graph) {
+    const std::vector<double> distances = distances_of_cells(graph);
+    Errors errors;
+    for(std::size_t i = 0; i < distances.size(); ++i)
+      if(reference[i] > 0)
+        errors.add(distances[i], reference[i]);
+    table.add_row().add(name).add(100 * errors.mean(), 4).add(100 * errors.largest(), 3);
+  };
+  add("lines", Grid_graph(shape, friction));
+  for(const double e : {1., 0.5, 0.1, 0.05})
+    add("epsilon " + Table::text_of(e, 2), Grid_graph(shape, friction, epsilon(e)));
+  return table;
+}
+
+int main(int argc, char* argv[])
+{
+  std::size_t side = 1000;
+  More_options more;
+  more.add_options()("side,s", boost::program_options::value(&side),
+                     "the number of rows and columns where friction varies");
+  const auto measure = [&](const Options& options, const Report& report) {
+    const std::size_t part = options.is_quick ? 10 : 1;
+    report.print("grid_directions",
+                 "Errors in percent by direction in degrees, cells of equal friction",
+                 compare_directions(400 / part));
+    report.print("grid_errors", "Friction that varies, errors against epsilon = 0.01",
+                 compare_errors(150 / part));
+    report.print("grid_searches",
+                 "Friction that varies, " + std::to_string(side / part) + " x " +
+                     std::to_string(side / part) + " cells (times as medians of " +
+                     std::to_string(options.number_of_rounds) + ")",
+                 measure_searches(side / part, options.number_of_rounds));
+  };
+  return run_benchmark(argc, argv, "bench_grid", {{}, 3, ""}, measure, more);
+}
