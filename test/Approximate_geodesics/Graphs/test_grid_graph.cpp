@@ -257,16 +257,69 @@ TEST(Grid_graph, keeps_its_bound_on_random_rasters)
 TEST(Grid_graph, gives_the_same_with_all_queues)
 {
   Random random(test_seed());
-  const Grid_shape shape{12, 9, 1, 1.5, {}};
+  const Grid_shape shape{20, 17, 1, 1.5, {}};
   for(std::size_t i = 0; i < 10; ++i)
   {
-    const Grid_graph graph(shape, random_friction(random, shape), epsilon(0.2));
+    const Friction friction = i == 0 ? equal_friction(shape) : random_friction(random, shape);
+    const Grid_graph graph(shape, friction, epsilon(0.1));
     Propagation search(graph);
     Propagation<Grid_graph, AG::Binary_heap_queue> other(graph);
     search.run_from(0);
     other.run_from(0);
     for(Grid_graph::Node node = 0; node < graph.number_of_nodes(); ++node)
       EXPECT_EQ(search.distance(node), other.distance(node));
+  }
+}
+
+// Labels as before a search, so that no arcs are left out.
+AG::internal::Labels labels_of_sources(const Grid_graph& graph)
+{
+  AG::internal::Labels result(graph.number_of_nodes());
+  for(Grid_graph::Node node = 0; node < graph.number_of_nodes(); ++node)
+    result.set(node, 0, AG::internal::Labels::null_node);
+  return result;
+}
+
+// The graph with all arcs.
+class Graph_with_all_arcs : public Grid_graph
+{
+public:
+  explicit Graph_with_all_arcs(const Grid_graph& graph)
+    : Grid_graph(graph), m_labels(labels_of_sources(graph))
+  {
+  }
+
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& /* labels */, F f) const
+  {
+    Grid_graph::for_each_arc(node, m_labels, f);
+  }
+
+private:
+  AG::internal::Labels m_labels;
+};
+
+TEST(Grid_graph, leaves_out_useless_arcs_only)
+{
+  Random random(test_seed());
+  const Grid_shape shape{15, 11, 1, 0.8, {}};
+  for(std::size_t i = 0; i < 10; ++i)
+  {
+    const Friction friction = i == 0 ? equal_friction(shape) : random_friction(random, shape);
+    const Graph_with_all_arcs all(Grid_graph(shape, friction, epsilon(0.2)));
+    const Grid_graph& graph = all;
+    Propagation search(graph);
+    Propagation<Graph_with_all_arcs> other(all);
+    search.run_from(0);
+    other.run_from(0);
+    for(Grid_graph::Node node = 0; node < graph.number_of_nodes(); ++node)
+    {
+      const double distance = search.distance(node), expected = other.distance(node);
+      if(std::isinf(expected))
+        EXPECT_EQ(distance, expected);
+      else
+        EXPECT_NEAR(distance, expected, 1e-12 * expected);
+    }
   }
 }
 
@@ -358,7 +411,7 @@ TEST(Grid_graph, knows_where_nodes_are)
 {
   const Grid_shape shape{4, 3, 2, 5, {}};
   const Grid_graph graph(shape, equal_friction(shape), epsilon(0.2));
-  const AG::internal::Labels labels(graph.number_of_nodes());
+  const AG::internal::Labels labels = labels_of_sources(graph);
   for(Grid_graph::Node node = 0; node < graph.number_of_nodes(); ++node)
     graph.for_each_arc(node, labels, [&](const auto target, const auto& costs, auto... number) {
       if constexpr(sizeof...(number) == 0)

@@ -128,29 +128,21 @@ public:
     return m_lines.lines().size() + 4 * (m_border.number_of_slots() + 1);
   }
 
-  /// calls `f(target, cost)` for every arc from `node`, or `f(first, costs, number)` for arcs to
-  /// consecutive nodes.
+  /// calls `f(target, cost)` for arcs from `node`, or `f(first, costs, number)` for arcs to
+  /// consecutive nodes. Arcs from a border back into the cell that the path arrives through are
+  /// left out, as the node before is joined to their targets itself.
   template <typename Labels, typename F>
-  void for_each_arc(const Node node, const Labels& /* labels */, F f) const
+  void for_each_arc(const Node node, const Labels& labels, F f) const
   {
-    if(node < m_shape.number_of_cells())
+    if(node >= m_shape.number_of_cells())
+      for_each_arc_from_border(place(node), labels.predecessor(node), f);
+    else if(const Grid_cell cell = m_shape.cell(node); is_open(cell))
     {
-      const Grid_cell cell = m_shape.cell(node);
-      if(is_open(cell))
-      {
-        for_each_line(cell, f);
-        if(m_border.size_of_block() > 0)
-          for_each_arc_across(cell, m_border.number_of_slots(), f);
-      }
+      // all of them, as a path straight through a center is rounded in another way
+      for_each_line(cell, f);
+      if(m_border.size_of_block() > 0)
+        for_each_arc_across(cell, m_border.number_of_slots(), f);
     }
-    else if(const Place place = this->place(node); is_passable(place))
-      m_border.for_each_run_of(place.in_block, [&](const internal::Grid_border::Run& run,
-                                                   const std::size_t slot) {
-        // the cell in whose border the run has the node; beyond the grid if there is none
-        const Grid_cell cell{place.cell.column - run.next_column, place.cell.row - run.next_row};
-        if(is_open(cell))
-          for_each_arc_across(cell, slot, f);
-      });
   }
 
   /// @}
@@ -196,6 +188,8 @@ public:
   /// @}
 
 private:
+  static constexpr Node null_node = (std::numeric_limits<Node>::max)();
+
   // A node at the border of cells: its block, and its place there.
   struct Place
   {
@@ -294,6 +288,49 @@ private:
     const bool a = is_open({column, row}), b = is_open({column - 1, row}),
                c = is_open({column, row - 1}), d = is_open({column - 1, row - 1});
     return !(a == d && b == c && a != b);
+  }
+
+  // Whether a node is at the border of a cell, or its center.
+  bool has_node(const Grid_cell& cell, const Node node) const
+  {
+    if(node == null_node)
+      return false;
+    if(node < m_shape.number_of_cells())
+      return node == m_shape.index(cell);
+    const Place place = this->place(node);
+    return m_border.has_node(place.cell.column - cell.column, place.cell.row - cell.row,
+                             place.in_block);
+  }
+
+  // The path that arrives has crossed a cell that has the node before, or run along its side. If
+  // two cells have both nodes, it was for the lower friction of the two.
+  template <typename F>
+  void for_each_arc_from_border(const Place& place, const Node predecessor, F& f) const
+  {
+    if(!is_passable(place))
+      return;
+    double friction_before = internal::infinity;
+    for_each_cell_at(place, [&](const Grid_cell& cell, std::size_t /* slot */) {
+      if(has_node(cell, predecessor))
+        friction_before = (std::min)(friction_before, friction(cell));
+    });
+    for_each_cell_at(place, [&](const Grid_cell& cell, const std::size_t slot) {
+      if(friction(cell) > friction_before || !has_node(cell, predecessor))
+        for_each_arc_across(cell, slot, f);
+    });
+  }
+
+  // Calls `f(cell, slot)` for the cells that can be entered from a node at their border.
+  template <typename F>
+  void for_each_cell_at(const Place& place, F f) const
+  {
+    m_border.for_each_run_of(
+        place.in_block, [&](const internal::Grid_border::Run& run, const std::size_t slot) {
+          // beyond the grid if there is no cell
+          const Grid_cell cell{place.cell.column - run.next_column, place.cell.row - run.next_row};
+          if(is_open(cell))
+            f(cell, slot);
+        });
   }
 
   template <typename F>

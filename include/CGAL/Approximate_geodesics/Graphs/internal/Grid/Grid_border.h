@@ -106,6 +106,16 @@ public:
         f(run, run.first_slot + in_block - run.first_in_block);
   }
 
+  // Returns whether the border of a cell has this node of the block of a cell so many columns and
+  // rows farther.
+  bool has_node(const std::size_t columns, const std::size_t rows, const std::size_t in_block) const
+  {
+    if(columns > 1 || rows > 1)
+      return false;
+    const Run& run = m_runs[columns + 2 * rows];
+    return in_block >= run.first_in_block && in_block < run.first_in_block + run.size;
+  }
+
   bool is_corner(const std::size_t in_block) const { return in_block == m_in_row; }
 
   std::size_t memory() const { return memory_of(m_block, m_distances); }
