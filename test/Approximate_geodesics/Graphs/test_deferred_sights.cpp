@@ -89,7 +89,7 @@ public:
       m_search.run(seeds, {maximum, {}, {}});
       expect_all_nearer_than(maximum);
     }
-    for(const std::size_t number : {1, 3})
+    for(const std::size_t number : {std::size_t{1}, std::size_t{3}})
     {
       std::vector<Node> targets(number);
       for(Node& target : targets)

@@ -188,7 +188,7 @@ private:
                                               face.vector_to_corner(2, m_at)};
     const std::size_t side = side_ahead(corners, way), next = (side + 1) % 3;
     double t = part_of_side(corners[side], corners[next], way);
-    t = t < ROUNDING ? 0 : t > 1 - ROUNDING ? 1 : t;
+    t = t < NEAR_VERTEX ? 0 : t > 1 - NEAR_VERTEX ? 1 : t;
     const Plane_vector edge = face.edge(side, next);
     const double part = advance(
         internal::length(t < 0.5 ? corners[side] + t * edge : corners[next] - (1 - t) * edge));
