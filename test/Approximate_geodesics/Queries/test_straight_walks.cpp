@@ -73,7 +73,8 @@ TEST(StraightWalks, in_a_plane_are_segments)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(grid(12, 9, [&](const double i, const double j) {
-    return Point(i + random.between(-0.4, 0.4), j + random.between(-0.4, 0.4), 0);
+    // less than a quarter, so that no face is folded over
+    return Point(i + random.between(-0.2, 0.2), j + random.between(-0.2, 0.2), 0);
   }));
   const AG::Geodesic_tracer tracer(mesh);
   for(int i = 0; i < 300; ++i)
@@ -81,12 +82,13 @@ TEST(StraightWalks, in_a_plane_are_segments)
     const Surface_point start = random_surface_point(mesh, random);
     const double angle = random.between(0, 2 * pi), length = random.between(0, 8);
     const Space_vector way(std::cos(angle), std::sin(angle), 0);
-    const Walk walk = tracer.trace(start, way, length);
-    if(tracer.tangent_vector(start, way).x == 0 && tracer.tangent_vector(start, way).y == 0)
+    const Tangent_vector tangent = tracer.tangent_vector(start, way);
+    if(tangent.x == 0 && tangent.y == 0)
       continue;
+    const Walk walk = tracer.trace(start, way, length);
     EXPECT_TRUE(walk.meets_border || walk.length == length);
     EXPECT_NEAR(length_of(mesh, walk.points), walk.length, 1e-12);
-    const Space_vector first = tracer.vector_3(start, tracer.tangent_vector(start, way));
+    const Space_vector first = tracer.vector_3(start, tangent);
     if(CGAL::scalar_product(first, way) > 1 - 1e-9) // else, it was projected to the border
     {
       EXPECT_LT(gap(mesh, walk.points.back(), position(mesh, start) + walk.length * way), 1e-11);
@@ -435,7 +437,7 @@ TEST(TangentVectors, are_converted_to_space_and_back)
       p = random_vertex(mesh, random);
     const Tangent_vector v = at_angle(random.between(0, 2 * pi), 3);
     const Walk walk = tracer.trace(p, v, 1e-3);
-    if(walk.meets_border)
+    if(walk.meets_border || walk.points.size() > 2) // it leaves the face
       continue;
     const Space_vector in_space = tracer.vector_3(p, v);
     EXPECT_NEAR(std::sqrt(in_space.squared_length()), 3, 1e-12);

@@ -42,7 +42,7 @@ inline Intrinsic_point point_in_face(const Intrinsic_triangulation& triangulatio
  * straight across faces and edges, and through vertices as `Fan::straight_on()` says. Lengths are
  * in units of the triangulation.
  *
- * An edge that is crossed close to a vertex is crossed at the vertex. So no line passes an edge of
+ * A vertex that is passed closely is passed through. So no line passes an edge of
  * length zero but through its ends; there, it goes on as if the edge were very short.
  */
 class Straight_walk
@@ -187,9 +187,9 @@ private:
                                               face.vector_to_corner(1, m_at),
                                               face.vector_to_corner(2, m_at)};
     const std::size_t side = side_ahead(corners, way), next = (side + 1) % 3;
-    double t = part_of_side(corners[side], corners[next], way);
-    t = t < NEAR_VERTEX ? 0 : t > 1 - NEAR_VERTEX ? 1 : t;
     const Plane_vector edge = face.edge(side, next);
+    const double t =
+        part_of_side(corners[side], corners[next], way, NEAR_VERTEX * internal::length(edge));
     const double part = advance(
         internal::length(t < 0.5 ? corners[side] + t * edge : corners[next] - (1 - t) * edge));
     if(part < 1)
@@ -214,15 +214,30 @@ private:
                                     inside.begin());
   }
 
-  // Where the way crosses the line from `right` to `left`; the nearer end ahead if it is along it.
-  static double
-  part_of_side(const Plane_vector right, const Plane_vector left, const Plane_vector way)
+  // Whether the way passes a corner so closely that it goes through. It need not pass close to the
+  // start of the way, where rounding decides what is ahead.
+  static bool passes(const Plane_vector corner, const Plane_vector way, const double near)
+  {
+    constexpr double ahead = 1e-6; // an angle
+    const double offset = std::abs(cross(corner, way));
+    return offset <= near && offset <= ahead * dot(corner, way);
+  }
+
+  // Where the way crosses the line from `right` to `left`: 0 or 1 if it goes through an end, also
+  // where it is almost parallel to an edge of that, and crosses this far from the end.
+  static double part_of_side(const Plane_vector right,
+                             const Plane_vector left,
+                             const Plane_vector way,
+                             const double near)
   {
     const double r = (std::max)(0., cross(right, way)), l = (std::max)(0., cross(way, left));
-    if(r + l > 0)
-      return r / (r + l);
+    const bool is_right = passes(right, way, near), is_left = passes(left, way, near);
+    if(is_right != is_left)
+      return is_left ? 1 : 0;
+    if(!is_right && r + l > 0)
+      return (std::clamp)(r / (r + l), ROUNDING * ROUNDING, 1 - ROUNDING);
     const double to_right = dot(right, way), to_left = dot(left, way);
-    return to_left >= 0 && (to_right < 0 || to_left < to_right) ? 1 : 0;
+    return to_left >= 0 && (to_right < 0 || to_left < to_right) ? 1 : 0; // the nearer end ahead
   }
 
   // Ends at a part of the way to a point of a side.
