@@ -128,7 +128,7 @@ TEST(LogarithmicMap, of_a_plane_is_the_plane)
   Random random(test_seed());
   const Mesh mesh = to_mesh(
       grid(12, 9, [&](const double i, const double j) {
-        return Point(i + random.between(-0.4, 0.4), j + random.between(-0.4, 0.4), 0);
+        return Point(i + random.between(-0.2, 0.2), j + random.between(-0.2, 0.2), 0);
       }).transformed([](const Point& p) { return Point(p.x() * 1e200, p.y() * 1e200, 0); }));
   const AG::Geodesic_tracer tracer(mesh);
   const Face_location source = random_face_location(mesh, random);
@@ -259,7 +259,7 @@ TEST(KarcherMean, in_a_plane_is_the_weighted_mean)
   }
 }
 
-// No point close to it is better.
+// No point close to it is better; farther ones may be, beyond lines where distances have kinks.
 TEST(KarcherMean, of_many_points_is_a_local_minimum)
 {
   const Mesh mesh = sample_mesh("bunny00.off");
@@ -287,7 +287,7 @@ TEST(KarcherMean, of_many_points_is_a_local_minimum)
     for(const double angle : {0., 1.5, 3., 4.5})
     {
       const auto walk = tracer.trace(mean.point, Tangent_vector{std::cos(angle), std::sin(angle)},
-                                     1e-3 * mean.deviation);
+                                     1e-5 * mean.deviation);
       EXPECT_GE(sum_of_squares(walk.points.back()), best * (1 - 1e-12));
     }
   }
