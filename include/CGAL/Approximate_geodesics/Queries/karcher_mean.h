@@ -121,7 +121,7 @@ private:
     {
       Path path = m_search.find_path(m_points[i]);
       check_reached(path, i);
-      if(path.points.size() == 1)
+      if(!(path.length > 0)) // the same point, or one that edges of length zero join it with
         continue;
       std::reverse(path.points.begin(), path.points.end());
       result.add(m_weights[i], path.length / triangulation().unit(), m_first_lines(path.points));
