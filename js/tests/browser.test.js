@@ -7,7 +7,7 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
 import { build } from 'esbuild';
 
@@ -80,7 +80,7 @@ test('modules of a server, and a worker that is a module', async () => {
 
 test('a file that holds all, with a worker in a blob', async () => {
   const bundled = async (contents) => {
-    const stdin = { contents, resolveDir: new URL('.', import.meta.url).pathname };
+    const stdin = { contents, resolveDir: fileURLToPath(new URL('.', import.meta.url)) };
     const { outputFiles, warnings } = await build({
       stdin,
       bundle: true,
