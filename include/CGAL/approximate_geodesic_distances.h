@@ -170,7 +170,8 @@ void write_distances(const TriangleMesh& tmesh,
  *   \cgalParamNEnd
  *   \cgalParamNBegin{initial_distances}
  *     \cgalParamDescription{the initial distances of the sources, which are added to the distances
- *                           from them}
+ *                           from them. With `epsilon(0)`, distances of more than \f$10^{10}\f$
+ *                           times the longest edge are rejected.}
  *     \cgalParamType{a model of `ConstRange` with a number type convertible by `CGAL::to_double()`
  *                    as value type, and of the size of `sources`}
  *     \cgalParamDefault{`0` for all of them}

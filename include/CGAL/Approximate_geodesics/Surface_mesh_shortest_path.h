@@ -183,7 +183,8 @@ public:
    * adds `v` as a source, and returns an iterator to it.
    *
    * \param v a vertex
-   * \param initial_distance a distance that is added to all distances from `v`
+   * \param initial_distance a distance that is added to all distances from `v`. Exact searches
+   *        reject distances of more than \f$10^{10}\f$ times the longest edge.
    *
    * \throws std::invalid_argument if `v` is not a vertex of the mesh, or the initial distance is
    *         negative, infinite, or NaN.

@@ -142,6 +142,24 @@ TEST_F(Exact_queries, several_sources)
               expected);
 }
 
+// Rounded to labels as large, all lines would be short enough, and searches would not end. A second
+// source that is nearer everywhere leaves nothing to reject.
+TEST_F(Exact_queries, reject_initial_distances_that_lengths_vanish_beside)
+{
+  const auto run = [&](const std::vector<Vertex>& sources, const std::vector<double>& offsets) {
+    return distances(mesh, sources, parameters::epsilon(0).initial_distances(offsets));
+  };
+  for(const double offset : {1e12, 1e160})
+    expect_message<std::invalid_argument>([&] { run({source}, {offset}); },
+                                          "an initial distance is so large");
+  expect_near(run({source, target}, {0., 1e160}), exact);
+  std::vector<double> moved = run({source}, {1e5});
+  for(double& distance : moved)
+    distance -= 1e5;
+  for(std::size_t i = 0; i < exact.size(); ++i)
+    EXPECT_NEAR(moved[i], exact[i], 1e-9);
+}
+
 TEST_F(Exact_queries, farthest_points_are_those_of_searches_from_all)
 {
   std::vector<Vertex> points;

@@ -106,7 +106,9 @@ public:
   void start(Search& search)
   {
     m_distance_to_goal = search.heuristic();
+    const double largest = LARGEST_LABEL * graph().arc_lengths().longest;
     search.find_upper_bounds(graph().m_edges, [&](const Node node, const double label) {
+      check_label(label, largest);
       m_limit = search.limit();
       lower_bound(node, (std::min)(label, largest_label(node)));
       m_bounded_nodes.push_back(node);
@@ -265,6 +267,18 @@ public:
   }
 
 private:
+  // In longest edges: paths are shorter, but for initial distances. To larger labels, lengths of
+  // lines add nothing, or no more than rounding errors, so that no line would be too long.
+  static constexpr double LARGEST_LABEL = 1e10;
+
+  void check_label(const double label, const double largest) const
+  {
+    if(label > largest && largest > 0)
+      reject("an initial distance is so large that distances are " +
+             text_of(label * graph().unit()) +
+             "; exact searches need distances of at most 1e10 times the longest edge");
+  }
+
   double largest_label(const Node node) const
   {
     return m_distance_to_goal ? m_limit - m_distance_to_goal(node) : m_limit;
