@@ -443,6 +443,7 @@ TEST(TangentVectors, are_converted_to_space_and_back)
     EXPECT_NEAR(std::sqrt(in_space.squared_length()), 3, 1e-12);
     const Space_vector step = position(mesh, walk.points.back()) - position(mesh, p);
     EXPECT_LT(std::sqrt((in_space * 1e-3 / 3 - step).squared_length()), 1e-12);
+    EXPECT_LT(gap(mesh, p, tracer.point_3(p)), 1e-14);
     const Tangent_vector back = tracer.tangent_vector(p, in_space);
     EXPECT_LT(std::hypot(back.x - v.x, back.y - v.y), 1e-9);
   }

@@ -259,6 +259,19 @@ public:
                              "the vector");
   }
 
+  /// returns the position of a point, for example of a `Walk`, in space.
+#ifdef DOXYGEN_RUNNING
+  template <typename Point>
+  Point_3 point_3(const Point& point) const;
+#else
+  template <typename Point>
+  auto point_3(const Point& point) const
+  {
+    return internal::point(m_translation, internal::intrinsic_point(m_translation, point, "point"),
+                           internal::vertex_point_map(m_translation.mesh(), m_np), m_np);
+  }
+#endif
+
   /// returns the vector in space that a tangent vector stands for, in the face that it points into.
   /// \throws std::invalid_argument if it points out of the surface at a border vertex.
 #ifdef DOXYGEN_RUNNING
