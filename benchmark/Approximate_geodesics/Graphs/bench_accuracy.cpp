@@ -9,6 +9,7 @@
 
 #include "measuring/Errors.h"
 #include "measuring/measure.h"
+#include "measuring/resident_memory.h"
 #include "meshes/Mesh.h"
 #include "output/Options.h"
 #include "output/Table.h"
@@ -190,6 +191,18 @@ public:
     return double(bytes) / double(m_built[i]->number_of_nodes());
   }
 
+  // the most memory that building takes, by what the graph takes with its triangulation
+  double peak_memory_ratio(const std::size_t i) const
+  {
+    constexpr unsigned seconds = 600;
+    return peak_memory_of(seconds,
+                          [&] {
+                            const AG::Discrete_geodesic_graph graph(
+                                m_triangulation, CGAL::parameters::epsilon(EPSILONS[i]));
+                          }) /
+           double(m_built[i]->memory());
+  }
+
 private:
   Index node(const Vertex v) const { return m_triangulation.vertex(v.idx()); }
 
@@ -270,7 +283,8 @@ public:
   struct Tables
   {
     Table epsilon = Table({"mesh", "epsilon", "mean %", "largest %", "arcs/vertex", "bytes/vertex",
-                           "build us/vertex", "build : parallel", "search ms", "lazy search ms"});
+                           "peak : graph", "build us/vertex", "build : parallel", "search ms",
+                           "lazy search ms"});
     Table targets = Table({"mesh", "vertices", "search ms", "std::priority_queue ms",
                            "search : std::priority_queue", "build us/vertex",
                            "parallel build us/vertex", "build : parallel"});
@@ -322,6 +336,7 @@ private:
         .add(errors.largest() * 100, 2)
         .add(m_source.arcs_per_vertex(i), 1)
         .add(m_source.bytes_per_vertex(i), 1)
+        .add(m_source.peak_memory_ratio(i), 2)
         .add(per_vertex(m_preparation.build_seconds(i)), 2)
         .add_if(HAS_THREADS, build_ratio(i), 2)
         .add(m_source.seconds("built", epsilon) * 1e3, 3)

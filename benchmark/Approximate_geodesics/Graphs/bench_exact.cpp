@@ -212,18 +212,11 @@ private:
   Contest m_contest;
 };
 
-// The memory at its largest, in bytes per vertex, beside the mesh, in a process of its own.
+// The memory at its largest, in bytes per vertex, beside the mesh.
 template <typename F>
 double peak_bytes(const Mesh& mesh, F f)
 {
-  release_free_memory();
-  const std::vector<double> numbers =
-      numbers_from_child(1, LIMITS.seconds, [&](double* const result) {
-        const double before = resident_memory();
-        f();
-        result[0] = peak_memory() - before;
-      });
-  return numbers[0] / double(mesh.number_of_vertices());
+  return peak_memory_of(LIMITS.seconds, f) / double(mesh.number_of_vertices());
 }
 
 // The memory that one source takes in the free function and in CGAL's exact class, and how their

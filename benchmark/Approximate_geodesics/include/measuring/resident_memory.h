@@ -6,12 +6,15 @@
 #ifndef BENCHMARK_RESIDENT_MEMORY_H
 #define BENCHMARK_RESIDENT_MEMORY_H
 
+#include "measuring/child_process.h"
+
 #include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <fstream>
 #include <stdexcept>
+#include <vector>
 
 // The resident memory of a process, in bytes.
 
@@ -34,6 +37,20 @@ inline double peak_memory()
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) * 1024;
+}
+
+// How much memory `f` takes at its largest, in a process of its own that may run for so many
+// seconds.
+template <typename F>
+double peak_memory_of(const unsigned seconds, F f)
+{
+  release_free_memory();
+  const std::vector<double> numbers = numbers_from_child(1, seconds, [&](double* const result) {
+    const double before = resident_memory();
+    f();
+    result[0] = peak_memory() - before;
+  });
+  return numbers[0];
 }
 
 #endif // BENCHMARK_RESIDENT_MEMORY_H

@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <istream>
 #include <limits>
+#include <memory>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -232,9 +233,9 @@ private:
 
   // Each thread works on blocks of nodes. They do not depend on the number of threads, so that the
   // graph does not either.
-  static constexpr Node SIZE_OF_BLOCK = 1024;
+  static constexpr Node SIZE_OF_BLOCK = internal::Compressed_rows::MAXIMUM_SIZE;
 
-  using Expansion = internal::Cone_expansion<internal::Unfolding>;
+  using Expansion = internal::Cone_expansion<internal::Recent_unfolding>;
 
   // With the visitor and the rules by which `build()` has found the arcs.
   template <typename F>
@@ -245,37 +246,50 @@ private:
                                                               rounding, f);
   }
 
+  // What a thread builds blocks with.
+  struct Workspace
+  {
+    explicit Workspace(const Intrinsic_triangulation& triangulation) : unfolding(triangulation) {}
+
+    internal::Recent_unfolding unfolding;
+    std::vector<internal::Stored_arc> arcs;
+    internal::Compressed_rows rows;
+  };
+
   void build(const internal::Loop& loop)
   {
-    const internal::Unfolding unfolding(m_triangulation.get(), loop);
-    const Node number_of_nodes = static_cast<Node>(this->number_of_nodes());
-    std::vector<internal::Compressed_arcs> blocks((number_of_nodes + SIZE_OF_BLOCK - 1) /
+    m_triangulation.get().check_triangle_inequality();
+    std::vector<internal::Compressed_rows> blocks((number_of_nodes() + SIZE_OF_BLOCK - 1) /
                                                   SIZE_OF_BLOCK);
     const double unit = internal::unit_of_arcs(triangulation());
     std::atomic<std::size_t> number_done(0);
-    loop.run(blocks.size(), [&](const std::size_t i, std::size_t /* thread */) {
-      const Expansion expansion(m_triangulation.get(), unfolding, m_rules);
-      internal::Compressed_arcs rows(unit);
-      std::vector<internal::Stored_arc> arcs;
-      const Node first = static_cast<Node>(i) * SIZE_OF_BLOCK;
-      const Node beyond = first + (std::min)(SIZE_OF_BLOCK, number_of_nodes - first);
-      for(Node node = first; node < beyond; ++node)
-      {
-        internal::check_for_interruption(number_done++, number_of_nodes);
-        internal::find_stored_arcs(node, unit, arcs, [&](const auto f) {
-          m_triangulation.for_each_arc(expansion, node, f);
-        });
-        rows.append_row(arcs);
-      }
-      blocks[i] = std::move(rows);
+    std::vector<std::unique_ptr<Workspace>> workspaces(loop.number_of_threads());
+    loop.run(blocks.size(), [&](const std::size_t i, const std::size_t thread) {
+      std::unique_ptr<Workspace>& workspace = workspaces[thread];
+      if(!workspace)
+        workspace = std::make_unique<Workspace>(m_triangulation.get());
+      build_block(static_cast<Node>(i) * SIZE_OF_BLOCK, unit, *workspace, number_done);
+      blocks[i] = workspace->rows; // a copy takes no more memory than it needs
     });
+    m_rows = internal::Compressed_arcs(unit, std::move(blocks));
+  }
 
-    m_rows = internal::Compressed_arcs(unit);
-    m_rows.reserve(blocks);
-    for(internal::Compressed_arcs& block : blocks)
+  void build_block(const Node first,
+                   const double unit,
+                   Workspace& workspace,
+                   std::atomic<std::size_t>& number_done) const
+  {
+    const Expansion expansion(m_triangulation.get(), workspace.unfolding, m_rules);
+    const Node number_of_nodes = static_cast<Node>(this->number_of_nodes());
+    const Node beyond = first + (std::min)(SIZE_OF_BLOCK, number_of_nodes - first);
+    workspace.rows.clear();
+    for(Node node = first; node < beyond; ++node)
     {
-      m_rows.append(block);
-      block = internal::Compressed_arcs();
+      internal::check_for_interruption(number_done++, number_of_nodes);
+      internal::find_stored_arcs(node, unit, workspace.arcs, [&](const auto f) {
+        m_triangulation.for_each_arc(expansion, node, f);
+      });
+      workspace.rows.append(workspace.arcs);
     }
   }
 

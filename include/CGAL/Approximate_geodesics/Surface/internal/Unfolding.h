@@ -145,6 +145,35 @@ private:
   const Intrinsic_triangulation& m_triangulation;
 };
 
+// The same interface, if faces are needed several times in a row: those that were computed last are
+// kept, in little memory. Each thread needs its own.
+class Recent_unfolding
+{
+public:
+  explicit Recent_unfolding(const Intrinsic_triangulation& triangulation)
+    : m_on_demand(triangulation), m_halfedges(SIZE, null_index), m_faces(SIZE)
+  {
+  }
+
+  Unfolded_face operator[](const Index h) const
+  {
+    const Index i = h % SIZE;
+    if(m_halfedges[i] != h)
+    {
+      m_halfedges[i] = h;
+      m_faces[i] = m_on_demand[h];
+    }
+    return m_faces[i];
+  }
+
+private:
+  static constexpr Index SIZE = 1 << 15;
+
+  Unfolding_on_demand m_on_demand;
+  mutable std::vector<Index> m_halfedges;
+  mutable std::vector<Unfolded_face> m_faces; // of these
+};
+
 // A halfedge that straight lines from the origin meet, laid out between two points.
 struct Crossing
 {

@@ -81,7 +81,6 @@ public:
     check_nodes(reader, nodes, &nodes == &triangulation ? mark : fingerprint(nodes));
     const Index number_of_nodes = nodes.number_of_vertices();
     rows = Compressed_arcs(unit_of_arcs(triangulation));
-    rows.reserve(number_of_nodes);
     std::vector<Stored_arc> arcs;
     for(Index v = 0; v < number_of_nodes; ++v)
     {

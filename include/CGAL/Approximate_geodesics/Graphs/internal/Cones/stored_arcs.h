@@ -21,6 +21,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -115,87 +116,60 @@ void find_stored_arcs(const Index node,
 }
 
 /*
- * The arcs of a graph, one node after the other, in 6 bytes each.
+ * The arcs of consecutive nodes, in 6 bytes each.
  *
  * A search reads most of them from main memory, so their size determines its time. A row is made up
  * of words of 32 bits: the smallest target, the lengths, and the differences of the targets from
  * the smallest one, 16 bits each. In the few rows where these do not fit, there are whole targets
- * instead, after the mark WIDE.
+ * instead, after the mark WIDE. Before all rows, a word each tells where they begin.
  */
-class Compressed_arcs
+class Compressed_rows
 {
   using Word = std::uint32_t;
 
 public:
-  using Node = Index;
+  static constexpr std::size_t MAXIMUM_SIZE = 1024; // a power of two
 
-  // Lengths are in units of `unit`, a power of two.
-  explicit Compressed_arcs(const double unit = 1) : m_first(1, 0), m_unit(unit) {}
-
-  std::size_t number_of_rows() const { return m_first.size() - 1; }
-  std::size_t number_of_arcs() const { return m_summary.number_of_arcs(); }
+  std::size_t size() const { return m_size; }
   std::size_t maximum_degree() const { return m_maximum_degree; }
-  double unit() const { return m_unit; }
+  const Arc_length_summary& summary() const { return m_summary; }
 
-  Arc_lengths arc_lengths() const { return m_summary.result(m_unit); }
-
-  void reserve(const std::size_t number_of_rows) { m_first.reserve(number_of_rows + 1); }
-
-  // Reserves memory for the rows of all parts.
-  void reserve(const std::vector<Compressed_arcs>& parts)
+  // Removes all rows, and keeps the memory.
+  void clear()
   {
-    std::size_t number_of_rows = 0, number_of_words = 0;
-    for(const Compressed_arcs& part : parts)
-    {
-      number_of_rows += part.number_of_rows();
-      number_of_words += part.m_words.size();
-    }
-    reserve(number_of_rows);
-    m_words.reserve(number_of_words);
+    m_words.clear();
+    m_size = m_maximum_degree = 0;
+    m_summary = Arc_length_summary();
   }
 
   // Appends the arcs of the next node, which are sorted by targets, all different.
-  void append_row(const std::vector<Stored_arc>& arcs)
+  // \pre There are less than `MAXIMUM_SIZE` rows.
+  void append(const std::vector<Stored_arc>& arcs)
   {
+    CGAL_precondition(m_size < MAXIMUM_SIZE);
+    if(m_size == 0)
+      m_words.assign(MAXIMUM_SIZE + 1, static_cast<Word>(MAXIMUM_SIZE + 1));
     if(!arcs.empty())
       append_words(arcs);
-    m_first.push_back(m_words.size());
+    if(m_words.size() > (std::numeric_limits<Word>::max)())
+      throw std::length_error("Approximate_geodesics: consecutive nodes of a discrete geodesic "
+                              "graph have more than 2^31 arcs");
+    m_words[++m_size] = static_cast<Word>(m_words.size());
     m_maximum_degree = (std::max)(m_maximum_degree, arcs.size());
     for(const Stored_arc& arc : arcs)
       m_summary.add(static_cast<double>(arc.length));
   }
 
-  // Appends the rows of the nodes that follow, in the same unit.
-  void append(const Compressed_arcs& other)
-  {
-    CGAL_precondition(other.m_unit == m_unit);
-    const std::size_t shift = m_words.size();
-    m_words.insert(m_words.end(), other.m_words.begin(), other.m_words.end());
-    for(std::size_t i = 1; i < other.m_first.size(); ++i)
-      m_first.push_back(shift + other.m_first[i]);
-    m_maximum_degree = (std::max)(m_maximum_degree, other.m_maximum_degree);
-    m_summary.add(other.m_summary);
-  }
-
-  // Calls `f(target, length)` for every arc of `node`.
+  // Calls `f(target, length)` for every arc of a row.
   template <typename F>
-  void for_each_arc(const Node node, F f) const
+  void for_each_arc(const std::size_t row, F f) const
   {
-    const double unit = m_unit; // `f` cannot change it
-    for_each_stored_arc(node, [&](const Node target, const float length) {
-      f(target, static_cast<double>(length) * unit);
-    });
-  }
-
-  template <typename F>
-  void for_each_stored_arc(const Node node, F f) const
-  {
-    const Word* const row = m_words.data() + m_first[node];
-    const std::size_t size = m_first[node + 1] - m_first[node];
+    const std::size_t size = number_of_words(row);
     if(size == 0)
       return;
-    const Word base = *row;
-    const char* const lengths = reinterpret_cast<const char*>(row + 1);
+    const Word* const words = first_word(row);
+    const Word base = *words;
+    const char* const lengths = reinterpret_cast<const char*>(words + 1);
     if(base != WIDE)
     {
       const std::size_t degree = narrow_degree(size);
@@ -212,35 +186,37 @@ public:
     }
   }
 
-  std::size_t degree(const Node node) const
+  std::size_t degree(const std::size_t row) const
   {
-    const std::size_t size = m_first[node + 1] - m_first[node];
+    const std::size_t size = number_of_words(row);
     if(size == 0)
       return 0;
-    return m_words[m_first[node]] != WIDE ? narrow_degree(size) : wide_degree(size);
+    return *first_word(row) != WIDE ? narrow_degree(size) : wide_degree(size);
   }
 
   // Prefetches six cache lines, the size of a typical row, even if there are fewer.
-  void prefetch(const Node node) const
+  void prefetch(const std::size_t row) const
   {
-    constexpr std::size_t lines = 6, words_per_cache_line = 64 / sizeof(m_words[0]);
+    constexpr std::size_t lines = 6, words_per_cache_line = 64 / sizeof(Word);
     for(std::size_t i = 0; i < lines; ++i)
-      internal::prefetch(m_words.data(), m_first[node] + i * words_per_cache_line);
+      internal::prefetch(m_words.data(), m_words[row] + i * words_per_cache_line);
   }
 
-  void shrink_to_fit()
-  {
-    m_words.shrink_to_fit();
-    m_first.shrink_to_fit();
-  }
+  void shrink_to_fit() { m_words.shrink_to_fit(); }
 
-  std::size_t memory() const { return memory_of(m_words, m_first); }
+  std::size_t memory() const { return memory_of(m_words); }
 
 private:
   static constexpr Word WIDE = null_index;
 
   static std::size_t narrow_degree(const std::size_t size) { return (4 * size - 4) / 6; }
   static std::size_t wide_degree(const std::size_t size) { return (size - 1) / 2; }
+
+  const Word* first_word(const std::size_t row) const { return m_words.data() + m_words[row]; }
+  std::size_t number_of_words(const std::size_t row) const
+  {
+    return m_words[row + 1] - m_words[row];
+  }
 
   template <typename T>
   static T read(const char* const array, const std::size_t i)
@@ -259,8 +235,8 @@ private:
 
   void append_words(const std::vector<Stored_arc>& arcs)
   {
-    constexpr Node largest_difference = (std::numeric_limits<std::uint16_t>::max)();
-    const Node base = arcs.front().target;
+    constexpr Index largest_difference = (std::numeric_limits<std::uint16_t>::max)();
+    const Index base = arcs.front().target;
     const bool is_wide = arcs.back().target - base > largest_difference;
     const std::size_t words_of_targets = is_wide ? arcs.size() : (arcs.size() + 1) / 2;
     const std::size_t first = m_words.size();
@@ -276,11 +252,106 @@ private:
         write(end, static_cast<std::uint16_t>(arc.target - base));
   }
 
-  std::vector<Word> m_words;
-  std::vector<std::size_t> m_first; // per node, and one beyond
-  double m_unit;
-  Arc_length_summary m_summary; // in that unit
+  std::vector<Word> m_words; // where rows begin, where the last one ends, and the rows
+  std::size_t m_size = 0;
   std::size_t m_maximum_degree = 0;
+  Arc_length_summary m_summary;
+};
+
+/*
+ * The arcs of a graph, in blocks of rows: threads build these independently, and none is copied.
+ */
+class Compressed_arcs
+{
+public:
+  using Node = Index;
+
+  // Lengths are in units of `unit`, a power of two.
+  explicit Compressed_arcs(const double unit = 1) : m_unit(unit) {}
+
+  // All blocks but the last one are full.
+  Compressed_arcs(const double unit, std::vector<Compressed_rows> blocks)
+    : m_blocks(std::move(blocks)), m_unit(unit)
+  {
+  }
+
+  std::size_t number_of_rows() const
+  {
+    return m_blocks.empty() ? 0 : (m_blocks.size() - 1) * SIZE_OF_BLOCK + m_blocks.back().size();
+  }
+  std::size_t number_of_arcs() const { return summary().number_of_arcs(); }
+  Arc_lengths arc_lengths() const { return summary().result(m_unit); }
+  double unit() const { return m_unit; }
+
+  std::size_t maximum_degree() const
+  {
+    std::size_t result = 0;
+    for(const Compressed_rows& block : m_blocks)
+      result = (std::max)(result, block.maximum_degree());
+    return result;
+  }
+
+  // Appends the arcs of the next node, which are sorted by targets, all different.
+  void append_row(const std::vector<Stored_arc>& arcs)
+  {
+    if(m_blocks.empty() || m_blocks.back().size() == SIZE_OF_BLOCK)
+    {
+      shrink_to_fit();
+      m_blocks.emplace_back();
+    }
+    m_blocks.back().append(arcs);
+  }
+
+  // Calls `f(target, length)` for every arc of `node`.
+  template <typename F>
+  void for_each_arc(const Node node, F f) const
+  {
+    const double unit = m_unit; // `f` cannot change it
+    for_each_stored_arc(node, [&](const Node target, const float length) {
+      f(target, static_cast<double>(length) * unit);
+    });
+  }
+
+  template <typename F>
+  void for_each_stored_arc(const Node node, F f) const
+  {
+    block(node).for_each_arc(node % SIZE_OF_BLOCK, f);
+  }
+
+  std::size_t degree(const Node node) const { return block(node).degree(node % SIZE_OF_BLOCK); }
+
+  void prefetch(const Node node) const { block(node).prefetch(node % SIZE_OF_BLOCK); }
+
+  // Of the last block: the others have no more memory than they need.
+  void shrink_to_fit()
+  {
+    if(!m_blocks.empty())
+      m_blocks.back().shrink_to_fit();
+  }
+
+  std::size_t memory() const
+  {
+    std::size_t result = memory_of(m_blocks);
+    for(const Compressed_rows& block : m_blocks)
+      result += block.memory();
+    return result;
+  }
+
+private:
+  static constexpr std::size_t SIZE_OF_BLOCK = Compressed_rows::MAXIMUM_SIZE;
+
+  const Compressed_rows& block(const Node node) const { return m_blocks[node / SIZE_OF_BLOCK]; }
+
+  Arc_length_summary summary() const
+  {
+    Arc_length_summary result;
+    for(const Compressed_rows& block : m_blocks)
+      result.add(block.summary());
+    return result;
+  }
+
+  std::vector<Compressed_rows> m_blocks;
+  double m_unit;
 };
 
 /*
