@@ -141,7 +141,11 @@ public:
     if(!triangulation.is_crossable(h))
       return 0;
     const std::size_t result = progressions(triangulation, h).number_of_points();
-    return result <= m_largest_number ? result : number_if_given_up();
+    constexpr double most_if_given_up = 20; // times the root of epsilon
+    return result <= m_largest_number
+               ? result
+               : (std::min)(m_largest_number,
+                            static_cast<std::size_t>(most_if_given_up / std::sqrt(m_epsilon)) + 1);
   }
 
   /// writes the positions of these points to `positions`. `number_of_points` is the result of
@@ -185,13 +189,6 @@ private:
       internal::reject("the bound epsilon cannot be kept, as " + reason +
                        "; accept_weaker_bound(true) accepts that there is no bound");
     m_bound = infinity;
-  }
-
-  std::size_t number_if_given_up() const
-  {
-    constexpr double largest = 20;
-    return (std::min)(m_largest_number,
-                      static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
   }
 
   // Computes, per face, the largest admissible square of the shift of a point, relative to the

@@ -123,8 +123,11 @@ public:
   prepare(const Intrinsic_triangulation& triangulation,
           const std::size_t maximum_number_of_points = (std::numeric_limits<std::size_t>::max)())
   {
-    if(!m_limit.is_soft)
-      reject_raised_weights(triangulation);
+    if(const Index h = raised_weight(triangulation);
+       h != Intrinsic_triangulation::null_index && !m_limit.is_soft)
+      internal::reject("the bound epsilon cannot be kept, as " + triangulation.name_of_face(h) +
+                       " has a weight that is less than 1e-307 of the largest finite one; "
+                       "accept_weaker_bound(true) accepts that there is no bound");
     const Index number_of_vertices = triangulation.number_of_vertices();
     std::vector<bool> is_uniform(number_of_vertices);
     for(Index v = 0; v < number_of_vertices; ++v)
@@ -221,15 +224,6 @@ private:
       if(triangulation.weight(h) == Face_weights::SMALLEST_WEIGHT)
         return h;
     return Intrinsic_triangulation::null_index;
-  }
-
-  static void reject_raised_weights(const Intrinsic_triangulation& triangulation)
-  {
-    const Index h = raised_weight(triangulation);
-    if(h != Intrinsic_triangulation::null_index)
-      internal::reject("the bound epsilon cannot be kept, as " + triangulation.name_of_face(h) +
-                       " has a weight that is less than 1e-307 of the largest finite one; "
-                       "accept_weaker_bound(true) accepts that there is no bound");
   }
 
   // Returns where progressions start, relative to the radius of the star.

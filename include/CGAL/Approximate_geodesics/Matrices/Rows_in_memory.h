@@ -435,13 +435,6 @@ public:
 
 namespace internal {
 
-inline std::size_t checked_number_of_nearest(const std::size_t number)
-{
-  if(number == 0)
-    reject("the number of nearest columns is 0; it must be at least 1");
-  return number;
-}
-
 // Returns the `number` nearest columns, sorted by distance, then by column.
 inline std::vector<Distance_row::Column> nearest_columns(const Distance_row& row,
                                                          const std::size_t number)
@@ -485,9 +478,10 @@ class Nearest_rows : public Sparse_rows<T>
 {
 public:
   /// constructs a sink for up to `number` entries per row. \pre `number > 0`
-  explicit Nearest_rows(const std::size_t number)
-    : m_number(internal::checked_number_of_nearest(number))
+  explicit Nearest_rows(const std::size_t number) : m_number(number)
   {
+    if(number == 0)
+      internal::reject("the number of nearest columns is 0; it must be at least 1");
   }
 
   /// \name Row Sink

@@ -34,13 +34,9 @@ namespace internal {
  * A placement of equally spaced points on the edges near a path: edges of faces that the path
  * touches, and of `number_of_rings` rings of faces around them.
  */
-class Points_near_path
+class Points_near_path : public Equal_parts
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
-  static constexpr bool makes_equal_parts = true;
-
   Points_near_path(const Intrinsic_triangulation& triangulation,
                    const Path& path,
                    const std::size_t number_of_rings,
@@ -54,14 +50,14 @@ public:
           m_is_near[triangulation.source(side)] = true;
       });
     for(std::size_t ring = 0; ring < number_of_rings; ++ring)
-      mark_neighbors(triangulation);
+    {
+      const std::vector<bool> was_near = m_is_near;
+      for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+        if(was_near[v])
+          for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+            m_is_near[triangulation.target(h)] = true;
+    }
   }
-
-  void prepare(const Intrinsic_triangulation& /* triangulation */,
-               std::size_t /* maximum_number_of_points */)
-  {
-  }
-
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
     return m_is_near[triangulation.source(h)] && m_is_near[triangulation.target(h)]
@@ -69,20 +65,9 @@ public:
                : 0;
   }
 
-  double epsilon(const Intrinsic_triangulation& /* triangulation */) const { return infinity; }
-
-  std::size_t memory() const { return m_is_near.capacity() / 8; }
+  std::size_t memory() const { return memory_of(m_is_near); }
 
 private:
-  void mark_neighbors(const Intrinsic_triangulation& triangulation)
-  {
-    const std::vector<bool> was_near = m_is_near;
-    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-      if(was_near[v])
-        for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-          m_is_near[triangulation.target(h)] = true;
-  }
-
   std::size_t m_number_of_points;
   std::vector<bool> m_is_near; // per vertex
 };

@@ -223,7 +223,11 @@ public:
     check(seeds, stop);
     forget();
     search(seeds, stop, Geodesic_visitor_base(), heuristic, find_entries);
-    if(internal::reopens_too_often(m_labels) || has_lost_goal(stop))
+    const auto is_lost = [&] { // although the goal has an upper bound
+      return m_limit < internal::infinity &&
+             goal(stop, internal::No_heuristic()).distance() == internal::infinity;
+    };
+    if(internal::reopens_too_often(m_labels) || is_lost())
     {
       forget();
       search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_entries);
@@ -462,13 +466,6 @@ private:
   {
     m_labels.discard(node);
     m_run.discard(node);
-  }
-
-  // Whether the goal was not reached although it has an upper bound.
-  bool has_lost_goal(const Stop_rule& stop) const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return m_limit < infinity && goal(stop, internal::No_heuristic()).distance() == infinity;
   }
 
   // In units of the graph.

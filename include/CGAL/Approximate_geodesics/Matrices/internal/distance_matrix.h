@@ -82,16 +82,6 @@ Matrix_points matrix_points(const Surface& surface,
     return {std::move(rows), all(), false};
 }
 
-inline bool are_the_same(const std::vector<Intrinsic_point>& a,
-                         const std::vector<Intrinsic_point>& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Intrinsic_point& p, const Intrinsic_point& q) {
-                      return p.vertex == q.vertex && p.halfedge == q.halfedge && p.t == q.t &&
-                             p.s == q.s;
-                    });
-}
-
 // Orders rows by the indices of their sources, so that nearby sources are consecutive.
 inline std::vector<std::size_t> order_of_rows(const Intrinsic_triangulation& triangulation,
                                               const std::vector<Intrinsic_point>& sources)
@@ -116,58 +106,54 @@ double checked_maximum_distance(const NamedParameters& np)
   return result;
 }
 
-template <typename Graph>
-using Is_parallel = decltype(std::declval<const Graph&>().is_parallel());
-
 // Parallelizes over rows, unless the search of a single row is parallel.
 template <typename NamedParameters, typename Graph>
 Loop loop_over_rows(const Graph& graph,
                     const std::size_t number_of_rows,
                     const NamedParameters& /* np */)
 {
-  if constexpr(boost::is_detected_v<Is_parallel, Graph>)
+  if constexpr(is_valid<const Graph&>([](auto& g) -> decltype(g.is_parallel()) {}))
     if(graph.is_parallel())
       return Loop();
   return Loop::with_tag<Concurrency_tag<NamedParameters>>().for_size(number_of_rows *
                                                                      graph.number_of_nodes());
 }
 
-template <typename Rows, typename NamedParameters>
-bool wants_symmetry(const Matrix_points& points, const NamedParameters& np)
+template <typename Rows, typename Graph, typename NamedParameters>
+bool wants_symmetry(const Graph& graph, const Matrix_points& points, const NamedParameters& np)
 {
   static_assert(!is_given<NamedParameters, internal_np::symmetric_t> || can_be_symmetric<Rows>,
                 "symmetric: only supported by sinks that keep all rows and columns: "
                 "Dense_rows, Radius_rows, Npy_file");
+  const auto& [rows, columns, are_columns_given] = points;
   const bool result =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::symmetric), false);
-  if(result && !are_the_same(points.sources, points.targets))
+  const auto is_same = [&](const Intrinsic_point& p, const Intrinsic_point& q) {
+    return p.is_same(q, graph.triangulation());
+  };
+  if(result && !std::equal(rows.begin(), rows.end(), columns.begin(), columns.end(), is_same))
     reject("symmetric: targets are not the same points as sources, in the same order");
+  if(result && is_directed<Graph>)
+    reject("symmetric: costs depend on the direction, so distances cannot be symmetric");
   return result;
 }
 
-// Returns the accessible properties of a graph; the first row depends on the others.
-template <typename Graph>
-std::vector<double> facts_of_graph(const Graph& graph)
-{
-  const Arc_lengths lengths = graph.arc_lengths();
-  std::vector<double> result{static_cast<double>(graph.number_of_nodes()),
-                             graph.unit(),
-                             lengths.shortest,
-                             lengths.mean,
-                             lengths.longest,
-                             static_cast<double>(leads_to_sources(graph))};
-  if constexpr(boost::is_detected_v<Epsilon_of, Graph>)
-    result.push_back(graph.epsilon());
-  return result;
-}
-
+// The accessible properties of a graph stand for it; the first row depends on the others.
 template <typename Graph>
 Matrix_facts facts_of_matrix(const Matrix_input<Graph>& input)
 {
   const auto& [graph, points, columns, limits] = input;
-  Matrix_facts result{graph.triangulation(), facts_of_graph(graph),   points.sources,
-                      points.targets,        limits.maximum_distance, limits.number_of_nearest,
+  const Arc_lengths lengths = graph.arc_lengths();
+  Matrix_facts result{graph.triangulation(),
+                      {static_cast<double>(graph.number_of_nodes()), graph.unit(), lengths.shortest,
+                       lengths.mean, lengths.longest, static_cast<double>(leads_to_sources(graph))},
+                      points.sources,
+                      points.targets,
+                      limits.maximum_distance,
+                      limits.number_of_nearest,
                       Distance_row()};
+  if constexpr(has_epsilon<Graph>)
+    result.graph.push_back(graph.epsilon());
   if(!points.sources.empty())
     result.first_row = Row_search<Graph>(input).find(0);
   return result;
@@ -196,9 +182,7 @@ bool compute_distance_matrix(const Graph& graph,
                              const Matrix_points& points,
                              const NamedParameters& np)
 {
-  const bool is_symmetric = wants_symmetry<Rows>(points, np);
-  if(is_symmetric && is_directed<Graph>)
-    reject("symmetric: costs depend on the direction, so distances cannot be symmetric");
+  const bool is_symmetric = wants_symmetry<Rows>(graph, points, np);
   Row_limits limits{checked_maximum_distance(np), number_of_nearest(rows), {}};
   const Matrix_columns<Graph> columns(graph, points.targets);
   if(points.are_targets_given && columns.are_vertices() &&

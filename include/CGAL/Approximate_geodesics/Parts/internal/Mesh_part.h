@@ -53,7 +53,13 @@ public:
       return entry.number;
     entry = {d, number};
     if(++m_size > m_entries.size() / 2)
-      grow();
+    {
+      std::vector<Entry> old(2 * m_entries.size());
+      old.swap(m_entries);
+      for(const Entry& moved : old)
+        if(moved.number != null_index)
+          m_entries[place_of(moved.descriptor)] = moved;
+    }
     return number;
   }
 
@@ -75,15 +81,6 @@ private:
     while(m_entries[i].number != null_index && m_entries[i].descriptor != d)
       i = (i + 1) & mask;
     return i;
-  }
-
-  void grow()
-  {
-    std::vector<Entry> old(2 * m_entries.size());
-    old.swap(m_entries);
-    for(const Entry& entry : old)
-      if(entry.number != null_index)
-        m_entries[place_of(entry.descriptor)] = entry;
   }
 
   std::vector<Entry> m_entries; // the size is a power of two
@@ -507,7 +504,9 @@ public:
       if(!m_part.contains(h) && !enter(h))
         return false;
     }
-    return measure_new_vertices() && m_part.close() && do_lengths_fit();
+    // an edge is at most as long as the detours of its ends together
+    return measure_new_vertices() && m_part.close() &&
+           std::isfinite(2 * m_largest_detour * static_cast<double>(num_halfedges(m_part)));
   }
 
   Mesh_part<TriangleMesh>& part() { return m_part; }
@@ -590,12 +589,6 @@ private:
       m_largest_detour = (std::max)(m_largest_detour, detour);
     }
     return true;
-  }
-
-  // An edge is at most as long as the detours of its ends together.
-  bool do_lengths_fit() const
-  {
-    return std::isfinite(2 * m_largest_detour * static_cast<double>(num_halfedges(m_part)));
   }
 
   Mesh_part<TriangleMesh> m_part;

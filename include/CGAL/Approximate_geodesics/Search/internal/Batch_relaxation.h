@@ -298,8 +298,12 @@ public:
       m_turns[i] = {thread, first, list.size()};
       m_lists[thread] = std::move(list);
     });
-    for(const Turn& turn : m_turns)
-      append_part(m_lists[turn.thread], turn.first, turn.beyond);
+    for(const auto& [thread, first, beyond] : m_turns)
+    {
+      const Candidate* const part = m_lists[thread].m_memory.data();
+      std::copy(part + first, part + beyond, reserve(beyond - first));
+      m_size += beyond - first;
+    }
     for(const Candidate_list& list : m_lists)
       m_number_of_arcs += list.m_number_of_arcs;
   }
@@ -326,7 +330,10 @@ private:
     void operator()(const Node target, const double length) const
     {
       if constexpr(!has_maximum_degree<Graph>)
-        end = list.with_room_at(end);
+      {
+        list.m_size = static_cast<std::size_t>(end - list.m_memory.data());
+        end = list.reserve(1); // which may move the others
+      }
       end = append(end, target, length);
     }
 
@@ -368,24 +375,17 @@ private:
                                           const Labels& labels)
   {
     const double* const distances = m_distances; // kept in a register
+    std::size_t largest_degree = 1;
+    if constexpr(has_maximum_degree<Graph>)
+      largest_degree = graph.maximum_degree();
     for(std::size_t i = 0; i < number; ++i)
     {
-      Candidate* end = reserve(largest_degree(graph));
+      Candidate* end = reserve(largest_degree);
       graph.for_each_arc(
           nodes[i], labels,
           Arc_visitor<COUNT, Graph>{*this, distances, distances[nodes[i]], nodes[i], end});
       m_size = static_cast<std::size_t>(end - m_memory.data());
     }
-  }
-
-  // The maximum degree if the graph has one, else 1.
-  template <typename Graph>
-  static std::size_t largest_degree([[maybe_unused]] const Graph& graph)
-  {
-    if constexpr(has_maximum_degree<Graph>)
-      return graph.maximum_degree();
-    else
-      return 1;
   }
 
   static void
@@ -402,20 +402,6 @@ private:
     if(m_memory.size() < m_size + room)
       m_memory.resize(2 * (m_size + room));
     return m_memory.data() + m_size;
-  }
-
-  // Reserves memory for one more candidate, which may move the others.
-  Candidate* with_room_at(const Candidate* const end)
-  {
-    m_size = static_cast<std::size_t>(end - m_memory.data());
-    return reserve(1);
-  }
-
-  void append_part(const Candidate_list& list, const std::size_t first, const std::size_t beyond)
-  {
-    Candidate* const end = reserve(beyond - first);
-    std::copy(list.m_memory.data() + first, list.m_memory.data() + beyond, end);
-    m_size += beyond - first;
   }
 
   std::vector<Candidate> m_memory;

@@ -225,7 +225,12 @@ private:
     double start = 0.5;
     for(double height = FIRST_HEIGHT; !needles.empty(); height *= GROWTH)
     {
-      add_vertices(needles, height, start);
+      // on the line to the apex from the part `start` of the short side, if no vertex is close by
+      const auto has_none = [&](const Needle& n) {
+        return !add_vertex(n, height * n.length, start);
+      };
+      needles.erase(std::remove_if(needles.begin(), needles.end(), has_none), needles.end());
+      flip_far_edges();
       start = start < 0.5 ? 0.875 : 0.125;
     }
   }
@@ -286,15 +291,6 @@ private:
     }
   }
 
-  // Adds vertices in those needles that have none close by, on the line to the apex from the part
-  // `start` of the short side. Removes other needles.
-  void add_vertices(std::vector<Needle>& needles, const double height, const double start)
-  {
-    const auto has_none = [&](const Needle& n) { return !add_vertex(n, height * n.length, start); };
-    needles.erase(std::remove_if(needles.begin(), needles.end(), has_none), needles.end());
-    flip_far_edges();
-  }
-
   // Adds a vertex at this distance from a short side, if there is room for it.
   bool add_vertex(const Needle& needle, const double distance, const double start)
   {
@@ -308,7 +304,9 @@ private:
     if(!place || !is_free(*place, p, SMALLEST_GAP * distance))
       return false;
     const auto sides = m_flips.halfedges_of_face(place->halfedge);
-    const Index first = insert(*place, p);
+    const Plane_vector edge = place->target - place->source, x = 1 / length(edge) * edge;
+    const Plane_vector way = p - place->source;
+    const Index first = m_flips.insert(place->halfedge, {dot(x, way), cross(x, way)}, x);
     m_positions.push_back(Intrinsic_point::in_face(h, start * (1 - part), part));
     flip_edges_around(sides, WIDTH_OF_FLIPS * distance);
     cover(first, distance);
@@ -362,14 +360,6 @@ private:
       if(v < m_number_of_vertices && m_flips[g].length < WIDTH_OF_COVER * distance)
         m_covered[v] = distance;
     });
-  }
-
-  Index insert(const Place& place, const Plane_vector p)
-  {
-    const Plane_vector edge = place.target - place.source;
-    const Plane_vector x = 1 / length(edge) * edge;
-    return m_flips.insert(place.halfedge, {dot(x, p - place.source), cross(x, p - place.source)},
-                          x);
   }
 
   Edge_flips& m_flips;

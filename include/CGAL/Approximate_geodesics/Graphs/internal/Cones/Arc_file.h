@@ -77,7 +77,9 @@ public:
     const std::uint32_t mark = fingerprint(triangulation);
     check_header(reader, triangulation, mark);
     epsilon = reader.read<double>();
-    check_shares(reader);
+    for(const double share : SHARES) // paths are found by computing arcs again, by the same rules
+      if(reader.read<double>() != share)
+        reject("the graph of the file was built by other rules than those of this version");
     check_nodes(reader, nodes, &nodes == &triangulation ? mark : fingerprint(nodes));
     const Index number_of_nodes = nodes.number_of_vertices();
     rows = Compressed_arcs(unit_of_arcs(triangulation));
@@ -124,14 +126,6 @@ private:
     if(reader.read<std::uint32_t>() != mark)
       reject("the file of the graph belongs to another mesh of the same size, or to the same one "
              "with other lengths or indices, or with lengths in place of coordinates");
-  }
-
-  // Paths are found by computing arcs again, by the same rules.
-  static void check_shares(Binary_reader& reader)
-  {
-    for(const double share : SHARES)
-      if(reader.read<double>() != share)
-        reject("the graph of the file was built by other rules than those of this version");
   }
 
   // Nodes inside long thin faces have to be where they were when the graph was built.

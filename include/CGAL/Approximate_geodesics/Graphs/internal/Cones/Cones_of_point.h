@@ -134,6 +134,21 @@ public:
     }
   }
 
+  // Considers the line of an arc from `source`, the point, that was found in another triangulation.
+  void find_arc(const Retriangulation& other,
+                const Index source,
+                const Straight_arc& arc,
+                const Intrinsic_point& end,
+                Line_search& search) const
+  {
+    std::optional<Direction_in_mesh> direction = other.direction(source, arc.start);
+    if(!direction)
+      return;
+    direction->angle += angle_of(arc.position);
+    for(double tolerance = 1e-11; tolerance < 1e-3 && !search.is_found(); tolerance *= 100)
+      find_line(end, *direction, tolerance, arc.length, search);
+  }
+
   // Calls `f(h, t)` for the edges that the line found crosses. Returns its length.
   template <typename F>
   double trace(const Line_search& search, F f) const

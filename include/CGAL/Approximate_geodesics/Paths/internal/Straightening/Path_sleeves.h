@@ -191,7 +191,7 @@ private:
     const Step &before = m_path.steps[i - 1], &after = m_path.steps[i];
     if(m_path.points[i].is_vertex())
     {
-      const Direction back = direction_back(i), ahead = direction_ahead(i);
+      const Direction back = direction(i, true), ahead = direction(i, false);
       stop.angle = {angle(ahead, back), angle(back, ahead)};
       stop.is_end = stop.is_closed();
     }
@@ -281,7 +281,7 @@ private:
         sleeve.cross(first_face(i));
       return;
     }
-    const Direction back = direction_back(i), ahead = direction_ahead(i);
+    const Direction back = direction(i, true), ahead = direction(i, false);
     const bool is_right = m_stops[i].side == RIGHT;
     if(is_right ? is_in_corner(back, ahead) : is_in_corner(ahead, back))
       return;
@@ -309,27 +309,17 @@ private:
 
   // ----- directions
 
-  Direction direction_back(const std::size_t i) const
+  // The direction of the path at its point `i`, back or ahead.
+  Direction direction(const std::size_t i, const bool is_back) const
   {
-    const Step& step = m_path.steps[i - 1];
+    const Step& step = m_path.steps[is_back ? i - 1 : i];
     if(step.is_along_edge())
-      return {m_triangulation.opposite(step.edge), 0, false};
-    return direction(step.to.halfedge, step.from);
-  }
-
-  Direction direction_ahead(const std::size_t i) const
-  {
-    const Step& step = m_path.steps[i];
-    if(step.is_along_edge())
-      return {step.edge, 0, false};
-    return direction(step.from.halfedge, step.to);
-  }
-
-  Direction direction(const Index h, const Face_point& p) const
-  {
-    const Plane_vector d =
-        p.seen_from(m_triangulation, h).position(m_triangulation, {0, 0}, {1, 0});
-    return {h, std::atan2(d.y, d.x), true};
+      return {is_back ? m_triangulation.opposite(step.edge) : step.edge, 0, false};
+    const Index h = is_back ? step.to.halfedge : step.from.halfedge;
+    const Plane_vector way = (is_back ? step.from : step.to)
+                                 .seen_from(m_triangulation, h)
+                                 .position(m_triangulation, {0, 0}, {1, 0});
+    return {h, angle_of(way), true};
   }
 
   // counterclockwise
