@@ -223,43 +223,34 @@ private:
 
   void compute_starts(const Intrinsic_triangulation& triangulation, const double epsilon)
   {
+    const auto& gauges = triangulation.gauges();
     const Index number_of_vertices = triangulation.number_of_vertices();
     m_start.assign(number_of_vertices, 0);
     for(Index v = 0; v < number_of_vertices; ++v)
     {
+      // the latter two of costs that are not zero, and of those along the sides at the vertex
       double radius = infinity, smallest = infinity, largest = 0;
       for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
         if(triangulation.is_open(h))
         {
           radius = (std::min)(radius,
                               internal::Face_shape(triangulation, h).distance_to_opposite_edge());
-          add_costs(triangulation, h, smallest, largest);
+          const Index face = gauges.face(h), previous = triangulation.halfedges_of_face(h)[2];
+          const Gauge_shape shape(gauges, face);
+          if(shape.smallest() > 0)
+            smallest = (std::min)(smallest, shape.smallest());
+          for(const Index side : {h, previous})
+            for(const double sign : {1., -1.})
+            {
+              const double cost = gauges.cost(face, sign * gauges.side(side));
+              largest = cost < infinity ? (std::max)(largest, cost) : largest;
+            }
         }
       if(radius == 0)
         give_up("a face at vertex " + std::to_string(triangulation.index(v)) + " has no area");
       const double ratio = largest > 0 ? largest / smallest : 1;
       m_start[v] = radius < infinity ? radius * (epsilon / (2 * (ratio + epsilon))) : 0;
     }
-  }
-
-  // Updates the smallest cost in the face to the left of `h` that is not zero, and the largest cost
-  // along its two sides at the source of `h`.
-  static void add_costs(const Intrinsic_triangulation& triangulation,
-                        const Index h,
-                        double& smallest,
-                        double& largest)
-  {
-    const auto& gauges = triangulation.gauges();
-    const Index face = gauges.face(h), previous = triangulation.halfedges_of_face(h)[2];
-    const Gauge_shape shape(gauges, face);
-    if(shape.smallest() > 0)
-      smallest = (std::min)(smallest, shape.smallest());
-    for(const Index side : {h, previous})
-      for(const double sign : {1., -1.})
-      {
-        const double cost = gauges.cost(face, sign * gauges.side(side));
-        largest = cost < infinity ? (std::max)(largest, cost) : largest;
-      }
   }
 
   // \pre The edge of `h` is not at the border, and longer than zero.

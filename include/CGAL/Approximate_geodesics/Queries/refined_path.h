@@ -124,17 +124,6 @@ std::pair<Path, double> selective_refinement(const Intrinsic_triangulation& tria
   return {std::move(path), lower_bound};
 }
 
-template <typename NamedParameters>
-double relative_tolerance(const NamedParameters& np)
-{
-  const double result = CGAL::to_double(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::relative_tolerance), 1e-5));
-  if(!(result >= 0))
-    reject("the relative tolerance is " + text_of(result) +
-           "; it must be a number that is not negative");
-  return result;
-}
-
 // Returns a lower bound on the distance, and the length of the path.
 template <typename TriangleMesh,
           typename OutputIterator,
@@ -151,7 +140,11 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
   static_assert(!has_directional_cost<NamedParameters>,
                 "directional_cost: selective refinement does not support directional costs; use "
                 "approximate_geodesic_path()");
-  const double tolerance = relative_tolerance(np);
+  const double tolerance = CGAL::to_double(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::relative_tolerance), 1e-5));
+  if(!(tolerance >= 0))
+    reject("the relative tolerance is " + text_of(tolerance) +
+           "; it must be a number that is not negative");
   const Intrinsic_triangulation triangulation(tmesh, np);
   Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), triangulation);
   translation.list_vertices();

@@ -375,7 +375,18 @@ private:
       constexpr double slack = 1e-6; // much more than rounding, and not much more to search
       Labels& labels = search.m_labels;
       const std::size_t size_of_order = labels.order().size();
-      label_nodes(graph);
+      for(const Seed& seed : seeds)
+        search.enter(seed.node, search.to_graph_unit(seed.distance), stop, to_goal);
+      using Other_relaxation = Relaxation<OtherGraph, Heuristic>;
+      typename Other_relaxation::Run run(graph);
+      typename Other_relaxation::Candidates candidates;
+      Other_relaxation batch(graph, run, search.m_queue, labels, candidates, to_goal, limit(),
+                             nullptr);
+      Geodesic_visitor_base no_visitor;
+      internal::Watch watch(labels, search.goal(stop, to_goal), no_visitor, search.m_graph->unit(),
+                            false);
+      batch.run(watch, false);
+      labels.append_to_order(search.m_queue); // all labeled nodes
       search.m_limit = search.goal(stop, to_goal).distance() * (1 + slack);
       for(std::size_t i = size_of_order; i < labels.order().size(); ++i)
         if(const Node node = labels.order()[i]; labels.is_reached(node)) // first occurrence
@@ -385,24 +396,6 @@ private:
         }
       labels.order().resize(size_of_order);
       search.m_queue.clear();
-    }
-
-    // Appends all labeled nodes to the order.
-    template <typename OtherGraph>
-    void label_nodes(const OtherGraph& graph)
-    {
-      for(const Seed& seed : seeds)
-        search.enter(seed.node, search.to_graph_unit(seed.distance), stop, to_goal);
-      using Other_relaxation = Relaxation<OtherGraph, Heuristic>;
-      typename Other_relaxation::Run run(graph);
-      typename Other_relaxation::Candidates candidates;
-      Other_relaxation batch(graph, run, search.m_queue, search.m_labels, candidates, to_goal,
-                             limit(), nullptr);
-      Geodesic_visitor_base no_visitor;
-      internal::Watch watch(search.m_labels, search.goal(stop, to_goal), no_visitor,
-                            search.m_graph->unit(), false);
-      batch.run(watch, false);
-      search.m_labels.append_to_order(search.m_queue);
     }
 
     Propagation& search;
@@ -545,8 +538,8 @@ private:
     for(std::vector<Last_arc>& arcs : points)
       for(Last_arc& arc : arcs)
         arc.length = to_graph_unit(arc.length);
-    return internal::Goal<Queue, Heuristic>(m_labels, m_queue, heuristic, stop.targets,
-                                            std::move(points));
+    return internal::Goal<Queue, Heuristic>{m_labels, m_queue, heuristic, stop.targets,
+                                            std::move(points)};
   }
 
   void count_all()

@@ -66,7 +66,18 @@ public:
       m_vertices.push_back(p.vertex);
     }
     sort_by_vertex(graph.triangulation().number_of_vertices());
-    attach(graph, points);
+    std::vector<Intrinsic_point> points_of_columns;
+    for(const Column column : m_columns_of_points)
+    {
+      points_of_columns.push_back(points[column]);
+      std::vector<Last_arc>& arcs = m_arcs.emplace_back();
+      if constexpr(!Run_of<Graph>::attaches_by_labels)
+        attach_target(graph, points[column])
+            .for_each_node([&](const auto node, const double length) {
+              arcs.push_back({node, length});
+            });
+    }
+    m_points = Points_by_face(graph.triangulation(), std::move(points_of_columns));
   }
 
   std::size_t size() const { return m_vertices.size(); }
@@ -112,22 +123,6 @@ private:
   {
     if(distance < infinity)
       row.set(column, distance);
-  }
-
-  void attach(const Graph& graph, const std::vector<Intrinsic_point>& points)
-  {
-    std::vector<Intrinsic_point> points_of_columns;
-    for(const Column column : m_columns_of_points)
-    {
-      points_of_columns.push_back(points[column]);
-      std::vector<Last_arc>& arcs = m_arcs.emplace_back();
-      if constexpr(!Run_of<Graph>::attaches_by_labels)
-        attach_target(graph, points[column])
-            .for_each_node([&](const auto node, const double length) {
-              arcs.push_back({node, length});
-            });
-    }
-    m_points = Points_by_face(graph.triangulation(), std::move(points_of_columns));
   }
 
   template <typename SurfaceSearch>

@@ -106,19 +106,6 @@ double checked_maximum_distance(const NamedParameters& np)
   return result;
 }
 
-// Parallelizes over rows, unless the search of a single row is parallel.
-template <typename NamedParameters, typename Graph>
-Loop loop_over_rows(const Graph& graph,
-                    const std::size_t number_of_rows,
-                    const NamedParameters& /* np */)
-{
-  if constexpr(is_valid<const Graph&>([](auto& g) -> decltype(g.is_parallel()) {}))
-    if(graph.is_parallel())
-      return Loop();
-  return Loop::with_tag<Concurrency_tag<NamedParameters>>().for_size(number_of_rows *
-                                                                     graph.number_of_nodes());
-}
-
 template <typename Rows, typename Graph, typename NamedParameters>
 bool wants_symmetry(const Graph& graph, const Matrix_points& points, const NamedParameters& np)
 {
@@ -171,8 +158,12 @@ bool compute_rows(const typename Search::Input& input,
                                               Distance_matrix_visitor_base());
   auto& unwrapped = std::ref(visitor).get(); // of a `std::reference_wrapper`
   using Visitor = std::remove_reference_t<decltype(unwrapped)>;
-  return Matrix_computation<Search, Rows, Visitor>(input, plan, rows, unwrapped)
-      .run(loop_over_rows(input.graph, plan.number_of_rows(), np));
+  Loop loop = Loop::with_tag<Concurrency_tag<NamedParameters>>().for_size(
+      plan.number_of_rows() * input.graph.number_of_nodes());
+  if constexpr(is_valid<decltype(input.graph)>([](auto& g) -> decltype(g.is_parallel()) {}))
+    if(input.graph.is_parallel()) // the search of a single row is parallel
+      loop = Loop();
+  return Matrix_computation<Search, Rows, Visitor>(input, plan, rows, unwrapped).run(loop);
 }
 
 // Returns whether the matrix was completed.

@@ -137,8 +137,14 @@ public:
     m_faces.push_back(f);
     halfedge_descriptor side = h;
     for(int i = 0; i < 3; ++i, side = next(side, *m_mesh))
-      if(!add_side(side))
+    {
+      const halfedge_descriptor across = opposite(side, *m_mesh);
+      const vertex_descriptor v = target(side, *m_mesh);
+      if(v == Graph_traits::null_vertex() || across == side || opposite(across, *m_mesh) != side ||
+         source(next(side, *m_mesh), *m_mesh) != v || !add_halfedge(side))
         return false;
+      m_halfedge_to[add_vertex(v)] = side;
+    }
     return true;
   }
 
@@ -256,17 +262,6 @@ public:
   }
 
 private:
-  bool add_side(const halfedge_descriptor h)
-  {
-    const halfedge_descriptor across = opposite(h, *m_mesh);
-    const vertex_descriptor v = target(h, *m_mesh);
-    if(v == Graph_traits::null_vertex() || across == h || opposite(across, *m_mesh) != h ||
-       source(next(h, *m_mesh), *m_mesh) != v || !add_halfedge(h))
-      return false;
-    m_halfedge_to[add_vertex(v)] = h;
-    return true;
-  }
-
   // Returns whether `h` is new.
   bool add_halfedge(const halfedge_descriptor h)
   {
@@ -533,28 +528,19 @@ private:
     {
       const Vertex to = vertex(target(side, m_mesh));
       const halfedge_descriptor across = opposite(side, m_mesh);
-      if(is_border(across, m_mesh))
+      if(is_border(across,
+                   m_mesh)) // the face across the border at the target of `across` may be met
       {
-        if(!follow_border(across, from))
+        const halfedge_descriptor following = next(across, m_mesh);
+        if(following == Graph_traits::null_halfedge() ||
+           is_border(opposite(following, m_mesh), m_mesh)) // an edge without faces
           return false;
+        enter_later(opposite(following, m_mesh), from.detour * (1 - Detour::rounding));
       }
       else
         enter_later(across, m_detour.on_edge(from.detour, to.detour, distance(from, to)));
       from = to;
     }
-    return true;
-  }
-
-  // Enters the face across the border at the target of `h`. Returns false if links are invalid.
-  bool follow_border(const halfedge_descriptor h, const Vertex& end)
-  {
-    const halfedge_descriptor following = next(h, m_mesh);
-    if(following == Graph_traits::null_halfedge())
-      return false;
-    const halfedge_descriptor across = opposite(following, m_mesh);
-    if(is_border(across, m_mesh))
-      return false; // an edge without faces
-    enter_later(across, end.detour * (1 - Detour::rounding));
     return true;
   }
 

@@ -84,22 +84,18 @@ private:
       for(const Index h : edges)
         if(!m_has_changed[h] && try_flip(hub, h))
           for(const Index side : {m_flips.next(m_flips.next(h)), m_flips.next(h)})
-            note_change(hub, side, changed);
+          {
+            const Index edge = m_flips[side].target == hub ? m_flips[side].opposite : side;
+            if(m_flips.is_taken(edge) || m_has_changed[edge])
+              continue;
+            m_has_changed[edge] = true;
+            changed.push_back(edge);
+          }
       for(const Index h : changed)
         m_has_changed[h] = false;
       edges.swap(changed);
       changed.clear();
     }
-  }
-
-  // Marks the edge of the hub at a side of a new face.
-  void note_change(const Index hub, const Index side, std::vector<Index>& changed)
-  {
-    const Index h = m_flips[side].target == hub ? m_flips[side].opposite : side;
-    if(m_flips.is_taken(h) || m_has_changed[h])
-      return;
-    m_has_changed[h] = true;
-    changed.push_back(h);
   }
 
   bool try_flip(const Index hub, const Index h)
@@ -309,7 +305,12 @@ private:
     const Index first = m_flips.insert(place->halfedge, {dot(x, way), cross(x, way)}, x);
     m_positions.push_back(Intrinsic_point::in_face(h, start * (1 - part), part));
     flip_edges_around(sides, WIDTH_OF_FLIPS * distance);
-    cover(first, distance);
+    // there is no room for another vertex in needles whose short side ends at a neighbor this close
+    m_flips.for_each_around(first, [&](const Index g) {
+      const Index v = m_flips[g].target;
+      if(v < m_number_of_vertices && m_flips[g].length < WIDTH_OF_COVER * distance)
+        m_covered[v] = distance;
+    });
     return true;
   }
 
@@ -349,17 +350,6 @@ private:
         return false;
     }
     return true;
-  }
-
-  // Marks the neighbors of a new vertex, the source of `h`, that are closer than this: there is no
-  // room for another vertex in needles whose short side is there.
-  void cover(const Index h, const double distance)
-  {
-    m_flips.for_each_around(h, [&](const Index g) {
-      const Index v = m_flips[g].target;
-      if(v < m_number_of_vertices && m_flips[g].length < WIDTH_OF_COVER * distance)
-        m_covered[v] = distance;
-    });
   }
 
   Edge_flips& m_flips;

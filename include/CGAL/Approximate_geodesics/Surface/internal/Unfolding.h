@@ -128,23 +128,15 @@ private:
 using Unfolding = Unfolded_faces<Unfolded_face>;
 
 // The same interface, if few faces are needed: each is computed when it is asked for.
-class Unfolding_on_demand
+struct Unfolding_on_demand
 {
-public:
-  explicit Unfolding_on_demand(const Intrinsic_triangulation& triangulation)
-    : m_triangulation(triangulation)
-  {
-  }
-
   Unfolded_face operator[](const Index h) const
   {
-    return Unfolded_face::of(m_triangulation, m_triangulation.source(h), h);
+    return Unfolded_face::of(triangulation, triangulation.source(h), h);
   }
 
-private:
-  const Intrinsic_triangulation& m_triangulation;
+  const Intrinsic_triangulation& triangulation;
 };
-
 // A halfedge that straight lines from the origin meet, laid out between two points.
 struct Crossing
 {

@@ -80,9 +80,18 @@ public:
     constexpr std::size_t fewest_nodes = 64;
     const std::size_t number_of_turns = (number + NODES_AT_A_TIME - 1) / NODES_AT_A_TIME;
     const auto expand_some = [&](const std::size_t i, Candidates& part) {
-      const Node* const first = nodes + i * NODES_AT_A_TIME;
+      boost::container::small_vector<Node, NODES_AT_A_TIME> together;
       const Node* const beyond = nodes + (std::min)((i + 1) * NODES_AT_A_TIME, number);
-      expand_together(first, beyond, labels, part);
+      for(const Node* n = nodes + i * NODES_AT_A_TIME; n != beyond; ++n)
+        if(const Node node = *n; graph().advances_together() && !m_is_expanded[node])
+          together.push_back(node);
+        else
+          graph().find_arcs_in_turn(
+              node, m_is_expanded[node], labels, [&](const Node target, const double length) {
+                part.make_room(1);
+                part.append(true, node, labels.distance(node), target, length);
+              });
+      graph().expand(together.data(), together.size(), labels, part);
     };
     if(graph().is_parallel() && number >= fewest_nodes)
       candidates.append_in_parallel(graph().m_loop, number_of_turns, expand_some);
@@ -105,25 +114,6 @@ public:
 
 private:
   static constexpr std::size_t NODES_AT_A_TIME = 32;
-
-  template <typename Labels, typename Candidates>
-  void expand_together(const Node* const first,
-                       const Node* const beyond,
-                       const Labels& labels,
-                       Candidates& candidates) const
-  {
-    boost::container::small_vector<Node, NODES_AT_A_TIME> together;
-    for(const Node* n = first; n != beyond; ++n)
-      if(const Node node = *n; graph().advances_together() && !m_is_expanded[node])
-        together.push_back(node);
-      else
-        graph().find_arcs_in_turn(
-            node, m_is_expanded[node], labels, [&](const Node target, const double length) {
-              candidates.make_room(1);
-              candidates.append(true, node, labels.distance(node), target, length);
-            });
-    graph().expand(together.data(), together.size(), labels, candidates);
-  }
 
   std::vector<bool> m_is_expanded; // empty before the first run
 };

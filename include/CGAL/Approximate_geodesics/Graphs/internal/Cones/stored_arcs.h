@@ -158,7 +158,23 @@ public:
   void append_row(const std::vector<Stored_arc>& arcs)
   {
     if(!arcs.empty())
-      append_words(arcs);
+    {
+      constexpr Node largest_difference = (std::numeric_limits<std::uint16_t>::max)();
+      const Node base = arcs.front().target;
+      const bool is_wide = arcs.back().target - base > largest_difference;
+      const std::size_t words_of_targets = is_wide ? arcs.size() : (arcs.size() + 1) / 2;
+      const std::size_t first = m_words.size();
+      m_words.resize(first + 1 + arcs.size() + words_of_targets);
+      char* end = reinterpret_cast<char*>(m_words.data() + first);
+      write(end, is_wide ? WIDE : base);
+      for(const Stored_arc& arc : arcs)
+        write(end, arc.length);
+      for(const Stored_arc& arc : arcs)
+        if(is_wide)
+          write(end, arc.target);
+        else
+          write(end, static_cast<std::uint16_t>(arc.target - base));
+    }
     m_first.push_back(m_words.size());
     m_maximum_degree = (std::max)(m_maximum_degree, arcs.size());
     for(const Stored_arc& arc : arcs)
@@ -255,25 +271,6 @@ private:
   {
     std::memcpy(end, &value, sizeof(T));
     end += sizeof(T);
-  }
-
-  void append_words(const std::vector<Stored_arc>& arcs)
-  {
-    constexpr Node largest_difference = (std::numeric_limits<std::uint16_t>::max)();
-    const Node base = arcs.front().target;
-    const bool is_wide = arcs.back().target - base > largest_difference;
-    const std::size_t words_of_targets = is_wide ? arcs.size() : (arcs.size() + 1) / 2;
-    const std::size_t first = m_words.size();
-    m_words.resize(first + 1 + arcs.size() + words_of_targets);
-    char* end = reinterpret_cast<char*>(m_words.data() + first);
-    write(end, is_wide ? WIDE : base);
-    for(const Stored_arc& arc : arcs)
-      write(end, arc.length);
-    for(const Stored_arc& arc : arcs)
-      if(is_wide)
-        write(end, arc.target);
-      else
-        write(end, static_cast<std::uint16_t>(arc.target - base));
   }
 
   std::vector<Word> m_words;

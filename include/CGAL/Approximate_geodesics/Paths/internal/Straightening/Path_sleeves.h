@@ -62,7 +62,9 @@ private:
       if(p.is_vertex() && p.vertex == points.back().vertex)
         return;
       const Step next = step(points.back(), p);
-      if(steps.empty() || !is_along_same_edge(steps.back(), next) || turns_at_barrier(next))
+      // a path that turns back at a barrier may do so to get to its other side
+      if(steps.empty() || !is_along_same_edge(steps.back(), next) ||
+         (points.back().is_vertex() && m_triangulation.is_barrier(next.edge)))
       {
         steps.push_back(next);
         break;
@@ -77,12 +79,6 @@ private:
   {
     return a.is_along_edge() && b.is_along_edge() &&
            (a.edge == b.edge || a.edge == m_triangulation.opposite(b.edge));
-  }
-
-  // Whether a path that turns back here may do so to get to the other side of the barrier.
-  bool turns_at_barrier(const Step& next) const
-  {
-    return points.back().is_vertex() && m_triangulation.is_barrier(next.edge);
   }
 
   Step step(const Intrinsic_point& p, const Intrinsic_point& q) const

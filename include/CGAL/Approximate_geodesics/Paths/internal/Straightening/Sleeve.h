@@ -63,7 +63,16 @@ public:
     else if(h == m_triangulation->opposite(m_gates.back().halfedge))
       m_gates.pop_back();
     else
-      m_gates.push_back(gate_after(m_gates.back(), h));
+    {
+      const Gate& gate = m_gates.back();
+      const Index right = m_triangulation->next(gate.halfedge), left = m_triangulation->next(right);
+      const bool keeps_left = h != m_triangulation->opposite(right);
+      const double length = m_triangulation->length(h);
+      const double rest = m_triangulation->length(keeps_left ? right : left);
+      const Index corner = keeps_left ? gate.halfedge : right;
+      m_gates.push_back({h, keeps_left, length,
+                         corner_angle(*m_triangulation, corner, gate.length, length, rest)});
+    }
   }
 
   // Crosses the same edges as another sleeve. \pre They are consecutive gates there.
@@ -151,17 +160,6 @@ private:
     else
       p = p.seen_from_opposite(h);
     return true;
-  }
-
-  Gate gate_after(const Gate& gate, const Index h) const
-  {
-    const Index right = m_triangulation->next(gate.halfedge), left = m_triangulation->next(right);
-    const bool keeps_left = h != m_triangulation->opposite(right);
-    const double length = m_triangulation->length(h);
-    const double rest = m_triangulation->length(keeps_left ? right : left);
-    const Index corner = keeps_left ? gate.halfedge : right;
-    return {h, keeps_left, length,
-            corner_angle(*m_triangulation, corner, gate.length, length, rest)};
   }
 
   const Intrinsic_triangulation* m_triangulation;
