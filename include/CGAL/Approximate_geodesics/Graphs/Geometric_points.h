@@ -217,7 +217,8 @@ private:
   // vertices. This share approximately minimizes the number of points.
   static constexpr double SHARE_OF_CROSSINGS = 0.65;
 
-  // Returns a halfedge of a face whose weight was raised since others are too large beside it.
+  // Returns a halfedge of a face whose weight was raised to the smallest one that is allowed beside
+  // the largest, or the null index.
   static Index raised_weight(const Intrinsic_triangulation& triangulation)
   {
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)

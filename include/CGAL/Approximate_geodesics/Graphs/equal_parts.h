@@ -66,7 +66,7 @@ protected:
 class Fixed_number_of_points : public internal::Equal_parts
 {
 public:
-  /// places so many points on every edge.
+  /// places this number of points on every edge.
   explicit Fixed_number_of_points(const std::size_t number_of_points_per_edge = 3)
     : m_number_of_points(number_of_points_per_edge)
   {
@@ -80,8 +80,8 @@ public:
    *     \cgalParamDescription{the number of points on every edge}
    *     \cgalParamType{an integer type}
    *     \cgalParamDefault{`3`}
-   *     \cgalParamExtra{Names of this package do not follow a chain that begins with it, see
-   *                     \ref AG_chains.}
+   *     \cgalParamExtra{A chain that starts with this parameter cannot be continued with those of
+   *                     this package, see \ref AG_chains.}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *

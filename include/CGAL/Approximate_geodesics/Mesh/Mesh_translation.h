@@ -240,7 +240,7 @@ public:
   /// of its source.
   halfedge_descriptor mesh_halfedge(const Index h) const
   {
-    // halfedges have the same order around vertices
+    // halfedges have the order of the mesh around vertices
     const Index source = m_triangulation->source(h);
     halfedge_descriptor result = internal::first_halfedge_from(vertex(source), *m_mesh);
     for(Index i = m_triangulation->first_halfedge(source); i < h; ++i)

@@ -436,9 +436,9 @@ private:
     }
   }
 
-  // Calls `run(seeds, rule, entries)`. Sources and results fit together, even if the run fails:
-  // if the search refuses its input, nothing changes; after other exceptions, it has reached
-  // nothing, and there are no sources.
+  // Calls `run(seeds, rule, entries)`. Sources and results are consistent, even if the run
+  // fails: if the search rejects its input, nothing changes; after other exceptions, nothing is
+  // reached, and there are no sources.
   template <typename F>
   void run_and_adopt(std::vector<Source_point> sources,
                      Points_by_face points,

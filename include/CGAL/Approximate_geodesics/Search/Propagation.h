@@ -293,8 +293,8 @@ public:
   /*!
    * returns the index of the source nearest to `node`, or `null_source` if `node` was not reached.
    *
-   * The first call after a run makes room for an index per node, and each call keeps what it finds
-   * along its path. So run time is \cgalBigO{1}, amortized over the nodes that were reached.
+   * The first call after a run allocates an index per node, and each call stores its result for
+   * all nodes of the path. So run time is \cgalBigO{1}, amortized over the nodes that were reached.
    *
    * \warning Although this member function is `const`, it writes to the object: two threads must
    * not call it for the same object at the same time.
@@ -308,7 +308,7 @@ public:
   /// returns the figures of the last run, if statistics were enabled.
   const Propagation_statistics& statistics() const { return m_statistics; }
 
-  /// returns the queue, which may have figures of its own.
+  /// returns the queue, which may have statistics, too.
   const Queue& queue() const { return m_queue; }
 
   /// @}
@@ -572,7 +572,7 @@ private:
   Labels m_labels;
   Queue m_queue;
   internal::Candidate_list<typename Run::Payload> m_candidates; // of a batch; memory is kept
-  mutable internal::Nearest_sources m_sources;                  // found when first asked for
+  mutable internal::Nearest_sources m_sources;                  // computed on first request
   std::vector<Seed> m_seeds; // of the last run, distances in units of the graph
   Propagation_statistics m_statistics;
   bool m_counts = false;

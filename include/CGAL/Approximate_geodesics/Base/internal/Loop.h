@@ -97,8 +97,8 @@ public:
     return result;
   }
 
-  // The loop for work on as many vertices: sequential where threads would take longer to start than
-  // they save. So it depends on the work, but not on the number of threads.
+  // The loop for work on `size` vertices: sequential if starting threads would take longer than it
+  // saves. So it depends on the work, but not on the number of threads.
   Loop for_size(const std::size_t size) const { return size > SIZE_OF_BLOCK ? *this : Loop(); }
 
   bool is_parallel() const { return m_run != nullptr; }

@@ -173,8 +173,8 @@ private:
   // ... unless another vertex is closer than this part of that height, or the apex is too close.
   static constexpr double SMALLEST_GAP = 0.65, WIDTH_OF_COVER = 1.25, LARGEST_PART = 0.6;
 
-  // Edges no farther from a new vertex than this, in its heights, are flipped at once. The others
-  // are flipped after the vertices beside it are added, as most of these flips would be undone.
+  // Edges no farther from a new vertex than this, in its heights, are flipped immediately. The
+  // others are flipped after its neighbors are added, which would undo most of these flips.
   static constexpr double WIDTH_OF_FLIPS = 1.05, LARGEST_GAIN = 0.9;
 
   // A needle of the mesh, laid out: its short side starts from the origin and lies along x.
@@ -245,7 +245,7 @@ private:
     return result;
   }
 
-  // Flips edges until these are locally Delaunay, and those that change on the way. Edges along
+  // Flips edges until these, and all edges of changed faces, are locally Delaunay. Edges along
   // strips stay where the other diagonal is about as long.
   void flip_far_edges()
   {
@@ -384,7 +384,7 @@ public:
     return std::nullopt;
   }
 
-  // Refines needles if asked for. Throws if a face of `mesh` breaks the triangle inequality.
+  // Refines needles on request. Throws if a face of `mesh` breaks the triangle inequality.
   Retriangulation(const Intrinsic_triangulation& mesh,
                   const bool refines_needles,
                   const std::size_t most_flips)

@@ -23,8 +23,8 @@ namespace CGAL::Approximate_geodesics::internal {
 // The data for laying out the face to the left of a halfedge that is laid out.
 struct Unfolded_face
 {
-  // That of `h`, which starts from `source`. Also writes the position of the apex, if asked for and
-  // if there is a face.
+  // The data for `h`, which starts from `source`. Also writes the position of the apex if
+  // `position` is not null and there is a face.
   static Unfolded_face of(const Intrinsic_triangulation& triangulation,
                           const Index source,
                           const Index h,
@@ -127,7 +127,7 @@ private:
 
 using Unfolding = Unfolded_faces<Unfolded_face>;
 
-// The same interface, if few faces are needed: each is computed when it is asked for.
+// The same interface for few faces: each is computed on request.
 struct Unfolding_on_demand
 {
   Unfolded_face operator[](const Index h) const

@@ -119,8 +119,8 @@ void find_stored_arcs(const Index node,
  *
  * A search reads most of them from main memory, so their size determines its time. A row is made up
  * of words of 32 bits: the smallest target, the lengths, and the differences of the targets from
- * the smallest one, 16 bits each. In the few rows where these do not fit, there are whole targets
- * instead, after the mark WIDE.
+ * the smallest one, 16 bits each. In the few rows where these do not fit, targets are stored as
+ * they are, after the marker WIDE.
  */
 class Compressed_arcs
 {
@@ -310,7 +310,7 @@ public:
   // Whether arcs are kept.
   bool is_enabled() const { return !m_arcs.empty(); }
 
-  // The arcs of `node`, found by `find(arcs)` when first asked for.
+  // The arcs of `node`, computed by `find(arcs)` on first request.
   template <typename F>
   const Arcs& arcs(const std::size_t node, F find)
   {

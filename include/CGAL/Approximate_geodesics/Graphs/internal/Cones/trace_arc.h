@@ -32,7 +32,7 @@ public:
     return static_cast<std::uint32_t>(m_windows.size() - 1);
   }
 
-  // the halfedges on the way to and through a window
+  // the halfedges on the lines to a window, and its own
   std::vector<Index> halfedges(std::uint32_t trail) const
   {
     std::vector<Index> result;
@@ -82,8 +82,8 @@ struct Within_reach : Visitor
 // Calls `f(h, t)` for the halfedges that the line from the origin to `end` crosses, at the part `t`
 // of the way from their source to their target. `edge(i)` returns the positions of the source and
 // the target of the `i`th one; it is called for one after the other. If an edge and the line are
-// collinear, as where faces have no area, the line crosses it where it has got to, or at the next
-// point. The end may be the origin, where vertices are at the same place.
+// collinear, as where faces have no area, the line crosses it at its present position, or at
+// the next point. The end may be the origin, where vertices are at the same place.
 template <typename Edge, typename F>
 void for_each_crossed_edge(const std::vector<Index>& halfedges,
                            const Plane_vector end,

@@ -491,7 +491,7 @@ private:
 
   std::vector<double> m_start;     // per vertex: the distance from it
   std::vector<bool> m_is_given_up; // per halfedge, whether the face to its left is; or empty
-  double m_root = 0;               // of epsilon
+  double m_root = 0;               // the square root of epsilon
   double m_number_if_given_up = 0;
 };
 

@@ -199,7 +199,7 @@ private:
 
   static void close(Stop& stop, const Side side) { stop.angle[side] = infinity; }
 
-  // whether the path may change to the other side of the edge on the way
+  // whether the path may change to the other side of the edge during the step
   bool is_crossable(const std::size_t step) const
   {
     return !m_path.steps[step].is_along_edge() ||
@@ -267,7 +267,7 @@ private:
     return result;
   }
 
-  // ----- going past a point
+  // ----- passing a point
 
   void pass(const std::size_t i, Sleeve& sleeve) const
   {
