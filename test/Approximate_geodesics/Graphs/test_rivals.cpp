@@ -67,7 +67,7 @@ TEST(Rivals, win_by_sums_that_are_smaller_after_rounding)
     {
       const Contest contest(random, random.between(0, 10), spread);
       const auto [first, beyond] = contest.worthwhile();
-      for(std::uint32_t rank = 0; rank < contest.row.size(); ++rank)
+      for(std::uint32_t rank = 0; rank < contest.row.size; ++rank)
       {
         const bool is_left_out = rank < first || rank >= beyond;
         if(is_left_out)
@@ -101,7 +101,7 @@ TEST(Rivals, share_the_row_where_sums_are_the_same)
   const auto [first, beyond] = cell(row, {label, 0.5}, {label, 0.25}, {label, 0.75});
   EXPECT_LT(beyond - first, 100);
   EXPECT_GT(first, 0);
-  EXPECT_LT(beyond, row.size());
+  EXPECT_LT(beyond, row.size);
 }
 
 } // namespace

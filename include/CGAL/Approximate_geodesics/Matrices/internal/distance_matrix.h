@@ -125,22 +125,29 @@ bool wants_symmetry(const Graph& graph, const Matrix_points& points, const Named
   return result;
 }
 
-// The accessible properties of a graph stand for it; the first row depends on the others.
+// Returns the accessible properties of a graph; the first row depends on the others.
+template <typename Graph>
+std::vector<double> facts_of_graph(const Graph& graph)
+{
+  const Arc_lengths lengths = graph.arc_lengths();
+  std::vector<double> result{static_cast<double>(graph.number_of_nodes()),
+                             graph.unit(),
+                             lengths.shortest,
+                             lengths.mean,
+                             lengths.longest,
+                             static_cast<double>(leads_to_sources(graph))};
+  if constexpr(has_epsilon<Graph>)
+    result.push_back(graph.epsilon());
+  return result;
+}
+
 template <typename Graph>
 Matrix_facts facts_of_matrix(const Matrix_input<Graph>& input)
 {
   const auto& [graph, points, columns, limits] = input;
-  const Arc_lengths lengths = graph.arc_lengths();
-  Matrix_facts result{graph.triangulation(),
-                      {static_cast<double>(graph.number_of_nodes()), graph.unit(), lengths.shortest,
-                       lengths.mean, lengths.longest, static_cast<double>(leads_to_sources(graph))},
-                      points.sources,
-                      points.targets,
-                      limits.maximum_distance,
-                      limits.number_of_nearest,
+  Matrix_facts result{graph.triangulation(), facts_of_graph(graph),   points.sources,
+                      points.targets,        limits.maximum_distance, limits.number_of_nearest,
                       Distance_row()};
-  if constexpr(has_epsilon<Graph>)
-    result.graph.push_back(graph.epsilon());
   if(!points.sources.empty())
     result.first_row = Row_search<Graph>(input).find(0);
   return result;

@@ -528,9 +528,9 @@ private:
     {
       const Vertex to = vertex(target(side, m_mesh));
       const halfedge_descriptor across = opposite(side, m_mesh);
-      if(is_border(across,
-                   m_mesh)) // the face across the border at the target of `across` may be met
+      if(is_border(across, m_mesh))
       {
+        // the face across the border at the target of `across` may be met
         const halfedge_descriptor following = next(across, m_mesh);
         if(following == Graph_traits::null_halfedge() ||
            is_border(opposite(following, m_mesh), m_mesh)) // an edge without faces

@@ -340,6 +340,7 @@ private:
 
   // Returns the range of ranks of the points of a row that a viewpoint may reach at a lower cost
   // than its neighbors. The row starts from the corner at the source or target of its halfedge.
+  // `Gauge_costs::worthwhile()` does the same for gauges.
   template <typename Labels>
   std::pair<Index, Index> worthwhile(const Row& row,
                                      const Viewpoint& view,
