@@ -139,6 +139,7 @@ public:
   {
     return std::sqrt((x - y) * (x - y) + (x * m_opening) * y);
   }
+
   // the squared length of the base of a triangle with two sides of length 1 at this corner
   double opening() const { return m_opening; }
 

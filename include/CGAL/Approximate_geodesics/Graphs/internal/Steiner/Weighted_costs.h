@@ -351,17 +351,13 @@ private:
       return {0, row.size};
     const double label = labels.distance(view.node);
     // a neighbor, whose label the arc from here may lower
-    const double length = m_triangulation.length(view.halfedge);
-    const auto rival = [&](const Node node, const double cost, double distance) {
-      if(m_nodes.is_point(node)) // and not an end of the edge, at this distance from the corner
-      {
-        const Index p = m_nodes.point(node), e = m_points.edge(view.halfedge);
-        const bool is_from_first_end = m_points.is_first(view.halfedge) == is_at_source;
-        distance =
-            length * (is_from_first_end ? m_points.part_before(e, p) : m_points.part_behind(e, p));
-      }
-      return Reached_point{(std::min)(labels.distance(node), label + cost), distance};
+    const auto rival = [&](const Node node, const double cost, const double distance_if_end) {
+      return Reached_point{(std::min)(labels.distance(node), label + cost),
+                           m_nodes.is_point(node)
+                               ? distance_from_end(view.halfedge, node, is_at_source)
+                               : distance_if_end};
     };
+    const double length = m_triangulation.length(view.halfedge);
     const Reached_point point{label, is_at_source ? view.from_source : view.from_target};
     const Reached_point at_source =
         rival(view.toward_source, view.cost_to_source, is_at_source ? 0 : length);
@@ -369,6 +365,15 @@ private:
         rival(view.toward_target, view.cost_to_target, is_at_source ? length : 0);
     return is_at_source ? cell(row, point, at_source, at_target)
                         : cell(row, point, at_target, at_source);
+  }
+
+  // Returns the distance of a point on the edge of `h` from the source or the target of `h`.
+  double distance_from_end(const Index h, const Node node, const bool is_from_source) const
+  {
+    const Index p = m_nodes.point(node), e = m_points.edge(h);
+    const bool is_from_first_end = m_points.is_first(h) == is_from_source;
+    return m_triangulation.length(h) *
+           (is_from_first_end ? m_points.part_before(e, p) : m_points.part_behind(e, p));
   }
 };
 
