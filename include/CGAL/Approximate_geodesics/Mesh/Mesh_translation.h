@@ -324,6 +324,7 @@ private:
       result = t.next(result);
     return result;
   }
+
   Index number_around_source(const halfedge_descriptor h) const
   {
     const vertex_descriptor v = source(h, *m_mesh);

@@ -115,8 +115,10 @@ namespace internal {
 
 template <typename T>
 constexpr bool is_directional_cost = false;
+
 template <typename F>
 constexpr bool is_directional_cost<Directional_cost<F>> = true;
+
 // Whether named parameters contain costs that depend on the direction.
 template <typename NamedParameters>
 constexpr bool has_directional_cost =

@@ -58,6 +58,7 @@ public:
             m_is_near[triangulation.target(h)] = true;
     }
   }
+
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
     return m_is_near[triangulation.source(h)] && m_is_near[triangulation.target(h)]

@@ -11,8 +11,9 @@
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
-#include <algorithm>
 #include <boost/type_traits/detected_or.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -39,6 +40,7 @@ constexpr bool has_positions =
 template <typename SurfaceGraph>
 constexpr bool attaches_targets = is_valid<const SurfaceGraph&>(
     [](auto& g) -> decltype(g.attach_target(std::declval<Intrinsic_point>())) {});
+
 // Attaches a target, which differs from attaching a source if arcs are directed.
 template <typename SurfaceGraph>
 auto attach_target(const SurfaceGraph& graph, const Intrinsic_point& point)
@@ -53,6 +55,7 @@ auto attach_target(const SurfaceGraph& graph, const Intrinsic_point& point)
 template <typename SurfaceGraph>
 constexpr bool
     is_directed = is_valid<const SurfaceGraph&>([](auto& g) -> decltype(g.leads_to_sources()) {});
+
 // Whether distances are those to the sources of a search.
 template <typename SurfaceGraph>
 bool leads_to_sources([[maybe_unused]] const SurfaceGraph& graph)
@@ -67,6 +70,7 @@ bool leads_to_sources([[maybe_unused]] const SurfaceGraph& graph)
 template <typename T>
 constexpr bool is_surface_graph = is_valid<const T&, const Intrinsic_triangulation&>(
     [](auto& g) -> decltype(g.triangulation()) {});
+
 // The position of a node.
 template <typename SurfaceGraph>
 Intrinsic_point position(const SurfaceGraph& graph, const typename SurfaceGraph::Node node)
@@ -83,6 +87,7 @@ struct Check_surface_graph
 {
   static void on_crossing(Intrinsic_point::Index, double);
   static void on_point(std::size_t, double);
+
   static constexpr bool has_crossings = is_valid<const Graph&, double>(
       [](auto& g) -> decltype(g.for_each_crossing(0, 0, 1., on_crossing)) {});
   static constexpr bool can_attach =
@@ -102,6 +107,7 @@ struct Check_surface_graph
           [](auto& g) -> decltype(g.attach(std::declval<Intrinsic_point>())
                                       .for_each_crossing(
                                           std::declval<Intrinsic_point>(), 1., on_crossing)) {});
+
   static_assert(is_surface_graph<Graph>,
                 "A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation() "
                 "const`.");
@@ -133,6 +139,7 @@ constexpr bool has_epsilon = is_valid<const Graph&>([](auto& g) -> decltype(g.ep
 template <typename Graph>
 constexpr bool has_cost_to_corner = is_valid<const Graph&>(
     [](auto& g) -> decltype(g.cost_to_corner(std::declval<Intrinsic_point>())) {});
+
 // Returns the error bound of a graph; infinity if it has none.
 template <typename Graph>
 double error_bound([[maybe_unused]] const Graph& graph)

@@ -56,6 +56,7 @@ struct Check_graph
   static constexpr bool has_arcs = is_valid<const Graph&>(
       [](auto& g) -> decltype(g.for_each_arc(
                       Labels::Node(), std::declval<const Labels&>(), Some_function())) {});
+
   static_assert(has_node,
                 "A model of GeodesicGraph must have a type `Node`, which is `std::uint32_t`.");
   static_assert(has_size,
@@ -100,6 +101,7 @@ struct Check_queue
   static constexpr bool can_clear = is_valid<Queue&>([](auto& q) -> decltype(q.clear()) {});
   static constexpr bool has_memory =
       is_valid<const Queue&, std::size_t>([](auto& q) -> decltype(q.memory()) {});
+
   static_assert(
       std::is_constructible_v<Queue, std::size_t, const Arc_lengths&>,
       "A model of GeodesicPriorityQueue must have a constructor for arguments of the types "

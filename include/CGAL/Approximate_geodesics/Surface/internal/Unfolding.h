@@ -137,6 +137,7 @@ struct Unfolding_on_demand
 
   const Intrinsic_triangulation& triangulation;
 };
+
 // A halfedge that straight lines from the origin meet, laid out between two points.
 struct Crossing
 {
