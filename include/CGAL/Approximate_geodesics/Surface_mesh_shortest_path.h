@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <list>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -506,7 +507,14 @@ public:
                        const Target& target,
                        const NamedParameters& np = parameters::default_values())
   {
-    return m_pair_search.distance(m_search, source, target, np);
+    if constexpr(internal::is_given<NamedParameters, internal_np::straighten_t>)
+      return for_each_point_between(source, target, np, [](const Intrinsic_point&) {});
+    else
+    {
+      const Intrinsic_point end = run_between(source, target, np);
+      const auto answer = m_pair_search->search.search().nearest(end);
+      return answer.is_reached() ? answer.distance : -1;
+    }
   }
 
   /// writes the points of a shortest path from `source` to `target` to `points`, in this order.
@@ -519,8 +527,8 @@ public:
                           OutputIterator points,
                           const NamedParameters& np = parameters::default_values())
   {
-    return m_pair_search.for_each_point(m_search, source, target, np,
-                                        [&](const Intrinsic_point& p) { *points++ = point_of(p); });
+    return for_each_point_between(source, target, np,
+                                  [&](const Intrinsic_point& p) { *points++ = point_of(p); });
   }
 
   /// @}
@@ -665,6 +673,44 @@ private:
     return result;
   }
 
+  // A workspace for single pairs, which is allocated on first use.
+  struct Pair_search
+  {
+    Mesh_search search;
+    Vertex_positions positions;
+  };
+
+  // Returns where the search ends: in a reversed graph, it runs from the target to the source.
+  template <typename Source, typename Target, typename NamedParameters>
+  Intrinsic_point run_between(const Source& source, const Target& target, const NamedParameters& np)
+  {
+    static_assert(!internal::ignores_any<NamedParameters, internal_np::straighten_t,
+                                         internal_np::maximum_distance_t, internal_np::visitor_t>,
+                  "single pairs read straighten, maximum_distance and visitor");
+    if(!m_pair_search)
+      m_pair_search = std::make_unique<Pair_search>(Pair_search{
+          Mesh_search(m_graph, m_translation, this->point_map()), m_search.positions()});
+    const auto run = [&](const auto& from, const auto& to) {
+      m_pair_search->search.run_to(from, to, m_pair_search->positions, np);
+      return m_translation.intrinsic_point(to);
+    };
+    return internal::leads_to_sources(m_graph) ? run(target, source) : run(source, target);
+  }
+
+  // Calls `f(point)` for the points of the path. Returns its length, or -1 if there is no path.
+  template <typename Source, typename Target, typename NamedParameters, typename F>
+  FT for_each_point_between(const Source& source,
+                            const Target& target,
+                            const NamedParameters& np,
+                            F f)
+  {
+    const Intrinsic_point end = run_between(source, target, np);
+    const Path path =
+        internal::from_source_to_target(m_graph, m_pair_search->search.find_path(end, np));
+    std::for_each(path.points.begin(), path.points.end(), f);
+    return path.points.empty() ? -1 : path.length;
+  }
+
   template <typename... Read, typename PairRange, typename NamedParameters, typename Find>
   auto find_pairs(const PairRange& pairs, const NamedParameters& np, const Find& find) const
   {
@@ -685,7 +731,7 @@ private:
   Graph m_graph;
   Translation m_translation;
   Mesh_search m_search;
-  internal::Pair_search<Mesh_search> m_pair_search;
+  std::unique_ptr<Pair_search> m_pair_search;
   mutable internal::Pair_workspaces<Graph> m_workspaces{m_graph}; // for lists of pairs
   std::list<Listed_source> m_sources;
   std::vector<Source_point_iterator> m_source_points; // of the last search

@@ -343,13 +343,12 @@ TEST(Needles, have_no_lines_of_other_lengths)
 {
   const Triangulation mesh(to_mesh(tube(200, 5, 40)));
   const auto expect_none = [&](const AG::Intrinsic_point& a, const AG::Intrinsic_point& b) {
-    const double length = 0.9 * mesh.length(0);
-    const auto trace = [&] {
-      AG::internal::Line_in_mesh line(mesh, a, b, length, 0);
-      line.find();
-      line.for_each_crossing([](Node, double) {});
-    };
-    expect_message<std::invalid_argument>(trace, "an arc of length");
+    const AG::internal::Cones_of_point lines(mesh, AG::internal::Cone_rules(1e-300), a);
+    AG::internal::Line_search line(0.9 * mesh.length(0));
+    lines.consider_lines_in_faces(b, line);
+    using Any = AG::internal::Within_reach<AG::internal::Leave_out_nothing_in_doubt>;
+    lines.find_line(b, Any{{}, line.reach()}, line);
+    EXPECT_FALSE(line.is_found());
   };
   const auto start = AG::Intrinsic_point::at_vertex(mesh.source(0)),
              end = AG::Intrinsic_point::at_vertex(mesh.target(0)),
@@ -357,6 +356,12 @@ TEST(Needles, have_no_lines_of_other_lengths)
   expect_none(start, end);
   expect_none(start, beside);
   expect_none(beside, end);
+  const auto trace = [&] {
+    AG::internal::Cone_triangulation(mesh).trace<AG::internal::Leave_out_detours>(
+        AG::internal::Cone_rules(0.1), start.vertex, end.vertex, 0.9 * mesh.length(0), 0,
+        [](Node, double) {});
+  };
+  expect_message<std::invalid_argument>(trace, "an arc of length");
 }
 
 // A search of all that is within reach would find them as well, but crosses a strip of needles.
@@ -374,10 +379,13 @@ TEST(Needles, have_arcs_that_are_found_by_their_direction)
     std::size_t number = 0, number_found = 0;
     for(Node v = 0; v < t.number_of_vertices(); v += 7)
       expansion.expand(v, [&](const AG::internal::Straight_arc& arc) {
-        AG::internal::Line_in_mesh line(mesh, needles.position(v), needles.position(arc.target),
-                                        arc.length, 0);
+        const AG::Intrinsic_point end = needles.position(arc.target);
+        const AG::internal::Cones_of_point lines(mesh, AG::internal::Cone_rules(1e-300),
+                                                 needles.position(v));
+        AG::internal::Line_search line(arc.length);
+        lines.consider_lines_in_faces(end, line);
         if(!line.is_found())
-          line.find(needles, v, arc);
+          lines.find_arc(needles, v, arc, end, line);
         ++number;
         number_found += line.is_found() ? 1 : 0;
       });

@@ -30,7 +30,7 @@ struct Contest
   Contest(Random& random, const double label, const double spread)
     : corner(1, 1, random.between(0.1, 1.9)),
       weight(std::pow(10, random.between(-3, 3))),
-      row(0, 200, nullptr, 1, true, corner, weight)
+      row{0, 200, nullptr, 1, 0, corner, weight}
   {
     double x[3] = {random.between(0, 1), random.between(0, 1), random.between(0, 1)};
     std::sort(x, x + 3);
@@ -67,7 +67,7 @@ TEST(Rivals, win_by_sums_that_are_smaller_after_rounding)
     {
       const Contest contest(random, random.between(0, 10), spread);
       const auto [first, beyond] = contest.worthwhile();
-      for(std::uint32_t rank = 0; rank < contest.row.size(); ++rank)
+      for(std::uint32_t rank = 0; rank < contest.row.size; ++rank)
       {
         const bool is_left_out = rank < first || rank >= beyond;
         if(is_left_out)
@@ -87,7 +87,7 @@ TEST(Rivals, win_by_sums_that_are_smaller_after_rounding)
 // rounding. If none of two were better, both would look at the whole row.
 TEST(Rivals, win_if_they_are_at_the_same_place)
 {
-  const Point_row row(0, 200, nullptr, 1, true, Corner(1, 1, 1), 1);
+  const Point_row row{0, 200, nullptr, 1, 0, Corner(1, 1, 1), 1};
   const Reached_point here{1, 0.5};
   const auto [first, beyond] = cell(row, here, here, {1, 0.75});
   EXPECT_EQ(first, beyond);
@@ -96,12 +96,12 @@ TEST(Rivals, win_if_they_are_at_the_same_place)
 // Beside labels that are this large, sums are the same wherever a path goes on.
 TEST(Rivals, share_the_row_where_sums_are_the_same)
 {
-  const Point_row row(0, 200, nullptr, 1, true, Corner(1, 1, 0.2), 1);
+  const Point_row row{0, 200, nullptr, 1, 0, Corner(1, 1, 0.2), 1};
   const double label = 1e200;
   const auto [first, beyond] = cell(row, {label, 0.5}, {label, 0.25}, {label, 0.75});
   EXPECT_LT(beyond - first, 100);
   EXPECT_GT(first, 0);
-  EXPECT_LT(beyond, row.size());
+  EXPECT_LT(beyond, row.size);
 }
 
 } // namespace

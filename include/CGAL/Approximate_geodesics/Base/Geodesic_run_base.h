@@ -11,6 +11,7 @@
 #include <boost/type_traits/detected_or.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
@@ -150,6 +151,14 @@ using Own_run = typename Graph::Run;
 // The run of a graph: its own, or the default.
 template <typename Graph>
 using Run_of = boost::detected_or_t<Geodesic_run_base<Graph>, Own_run, Graph>;
+
+// Whether an expression is valid for a `T`, with a value that converts to `Result`. It is the
+// return type of a generic lambda, which has no body and is never called.
+template <typename T, typename Result = void, typename F>
+constexpr bool is_valid(const F& /* expression */)
+{
+  return std::is_invocable_r_v<Result, const F&, T>;
+}
 
 } // namespace internal
 } // namespace CGAL::Approximate_geodesics

@@ -141,7 +141,11 @@ public:
     if(!triangulation.is_crossable(h))
       return 0;
     const std::size_t result = progressions(triangulation, h).number_of_points();
-    return result <= m_largest_number ? result : number_if_given_up();
+    constexpr double most_if_given_up = 20; // times the root of epsilon
+    return result <= m_largest_number
+               ? result
+               : (std::min)(m_largest_number,
+                            static_cast<std::size_t>(most_if_given_up / std::sqrt(m_epsilon)) + 1);
   }
 
   /// writes the positions of these points to `positions`. `number_of_points` is the result of
@@ -187,13 +191,6 @@ private:
     m_bound = infinity;
   }
 
-  std::size_t number_if_given_up() const
-  {
-    constexpr double largest = 20;
-    return (std::min)(m_largest_number,
-                      static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
-  }
-
   // Computes, per face, the largest admissible square of the shift of a point, relative to the
   // square of its distance from the other edges.
   void compute_spacings(const Intrinsic_triangulation& triangulation, const double epsilon)
@@ -226,43 +223,34 @@ private:
 
   void compute_starts(const Intrinsic_triangulation& triangulation, const double epsilon)
   {
+    const auto& gauges = triangulation.gauges();
     const Index number_of_vertices = triangulation.number_of_vertices();
     m_start.assign(number_of_vertices, 0);
     for(Index v = 0; v < number_of_vertices; ++v)
     {
+      // the latter two of costs that are not zero, and of those along the sides at the vertex
       double radius = infinity, smallest = infinity, largest = 0;
       for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
         if(triangulation.is_open(h))
         {
           radius = (std::min)(radius,
                               internal::Face_shape(triangulation, h).distance_to_opposite_edge());
-          add_costs(triangulation, h, smallest, largest);
+          const Index face = gauges.face(h), previous = triangulation.halfedges_of_face(h)[2];
+          const Gauge_shape shape(gauges, face);
+          if(shape.smallest() > 0)
+            smallest = (std::min)(smallest, shape.smallest());
+          for(const Index side : {h, previous})
+            for(const double sign : {1., -1.})
+            {
+              const double cost = gauges.cost(face, sign * gauges.side(side));
+              largest = cost < infinity ? (std::max)(largest, cost) : largest;
+            }
         }
       if(radius == 0)
         give_up("a face at vertex " + std::to_string(triangulation.index(v)) + " has no area");
       const double ratio = largest > 0 ? largest / smallest : 1;
       m_start[v] = radius < infinity ? radius * (epsilon / (2 * (ratio + epsilon))) : 0;
     }
-  }
-
-  // Updates the smallest cost in the face to the left of `h` that is not zero, and the largest cost
-  // along its two sides at the source of `h`.
-  static void add_costs(const Intrinsic_triangulation& triangulation,
-                        const Index h,
-                        double& smallest,
-                        double& largest)
-  {
-    const auto& gauges = triangulation.gauges();
-    const Index face = gauges.face(h), previous = triangulation.halfedges_of_face(h)[2];
-    const Gauge_shape shape(gauges, face);
-    if(shape.smallest() > 0)
-      smallest = (std::min)(smallest, shape.smallest());
-    for(const Index side : {h, previous})
-      for(const double sign : {1., -1.})
-      {
-        const double cost = gauges.cost(face, sign * gauges.side(side));
-        largest = cost < infinity ? (std::max)(largest, cost) : largest;
-      }
   }
 
   // \pre The edge of `h` is not at the border, and longer than zero.

@@ -162,13 +162,20 @@ public:
   /*!
    * calls `f(h, t)` for every edge that the arc of the given length from `source` to `target`
    * crosses, in this order: the crossing is at the part `t` of the halfedge `h`, from its source.
-   * Returns the length of the arc, before it was rounded.
+   * `rounding` is a bound on the error of the given length. Returns the length of the arc, before
+   * it was rounded.
    * \pre There is such an arc.
    */
   template <typename F>
-  double for_each_crossing(const Node source, const Node target, const double length, F f) const
+  double for_each_crossing(const Node source,
+                           const Node target,
+                           const double length,
+                           F f,
+                           const double rounding = 0) const
   {
-    return trace(source, target, length, 0, f);
+    // with the visitor and the rules by which `build()` has found the arcs
+    return m_triangulation.trace<internal::Leave_out_detours>(m_rules, source, target, length,
+                                                              rounding, f);
   }
 
   /// returns where a node is, which may be one of the vertices.
@@ -229,22 +236,11 @@ public:
   /// @}
 
 private:
-  friend class internal::Arc_run<Discrete_geodesic_graph>;
-
   // Each thread works on blocks of nodes. They do not depend on the number of threads, so that the
   // graph does not either.
   static constexpr Node SIZE_OF_BLOCK = internal::Compressed_rows::MAXIMUM_SIZE;
 
   using Expansion = internal::Cone_expansion<internal::Recent_unfolding>;
-
-  // With the visitor and the rules by which `build()` has found the arcs.
-  template <typename F>
-  double
-  trace(const Node source, const Node target, const double length, const double rounding, F f) const
-  {
-    return m_triangulation.trace<internal::Leave_out_detours>(m_rules, source, target, length,
-                                                              rounding, f);
-  }
 
   // What a thread builds blocks with.
   struct Workspace

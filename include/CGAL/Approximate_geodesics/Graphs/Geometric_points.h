@@ -123,8 +123,11 @@ public:
   prepare(const Intrinsic_triangulation& triangulation,
           const std::size_t maximum_number_of_points = (std::numeric_limits<std::size_t>::max)())
   {
-    if(!m_limit.is_soft)
-      reject_raised_weights(triangulation);
+    if(const Index h = raised_weight(triangulation);
+       h != Intrinsic_triangulation::null_index && !m_limit.is_soft)
+      internal::reject("the bound epsilon cannot be kept, as " + triangulation.name_of_face(h) +
+                       " has a weight that is less than 1e-307 of the largest finite one; "
+                       "accept_weaker_bound(true) accepts that there is no bound");
     const Index number_of_vertices = triangulation.number_of_vertices();
     std::vector<bool> is_uniform(number_of_vertices);
     for(Index v = 0; v < number_of_vertices; ++v)
@@ -214,22 +217,14 @@ private:
   // vertices. This share approximately minimizes the number of points.
   static constexpr double SHARE_OF_CROSSINGS = 0.65;
 
-  // Returns a halfedge of a face whose weight was raised since others are too large beside it.
+  // Returns a halfedge of a face whose weight was raised to the smallest one that is allowed beside
+  // the largest, or the null index.
   static Index raised_weight(const Intrinsic_triangulation& triangulation)
   {
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(triangulation.weight(h) == Face_weights::SMALLEST_WEIGHT)
         return h;
     return Intrinsic_triangulation::null_index;
-  }
-
-  static void reject_raised_weights(const Intrinsic_triangulation& triangulation)
-  {
-    const Index h = raised_weight(triangulation);
-    if(h != Intrinsic_triangulation::null_index)
-      internal::reject("the bound epsilon cannot be kept, as " + triangulation.name_of_face(h) +
-                       " has a weight that is less than 1e-307 of the largest finite one; "
-                       "accept_weaker_bound(true) accepts that there is no bound");
   }
 
   // Returns where progressions start, relative to the radius of the star.

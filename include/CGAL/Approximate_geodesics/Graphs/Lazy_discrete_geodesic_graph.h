@@ -163,13 +163,22 @@ public:
   /*!
    * calls `f(h, t)` for every edge that the arc of the given length from `source` to `target`
    * crosses, in this order: at the point that is at the part `t` of the way from the source to the
-   * target of the halfedge `h`. Returns the length of the arc.
+   * target of the halfedge `h`. `rounding` is a bound on the error of the given length. Returns the
+   * length of the arc.
    * \pre There is such an arc.
    */
   template <typename F>
-  double for_each_crossing(const Node source, const Node target, const double length, F f) const
+  double for_each_crossing(const Node source,
+                           const Node target,
+                           const double length,
+                           F f,
+                           const double rounding = 0) const
   {
-    return trace(source, target, length, 0, f);
+    if(!advances_together())
+      return m_triangulation.trace<internal::Leave_out_detours>(m_rules, source, target, length,
+                                                                rounding, f);
+    return m_triangulation.trace<internal::Leave_out_nothing>(rules_of_longest_arcs(), source,
+                                                              target, length, rounding, f);
   }
 
   /// returns where a node is, which may be one of the vertices.
@@ -206,7 +215,6 @@ public:
   /// @}
 
 private:
-  friend class internal::Arc_run<Lazy_discrete_geodesic_graph>;
   friend class internal::Cone_run<Lazy_discrete_geodesic_graph>;
 
   using Expansion = internal::Cone_expansion<internal::Unfolding>;
@@ -222,17 +230,6 @@ private:
   internal::Cone_rules rules_of_longest_arcs() const
   {
     return m_rules.farther(internal::Cone_rules::share_of_ends_beside_labels(m_rules.epsilon));
-  }
-
-  template <typename F>
-  double
-  trace(const Node source, const Node target, const double length, const double rounding, F f) const
-  {
-    if(!advances_together())
-      return m_triangulation.trace<internal::Leave_out_detours>(m_rules, source, target, length,
-                                                                rounding, f);
-    return m_triangulation.trace<internal::Leave_out_nothing>(rules_of_longest_arcs(), source,
-                                                              target, length, rounding, f);
   }
 
   template <typename F>
@@ -273,7 +270,15 @@ private:
                          const F& f) const
   {
     if(m_arc_cache.is_enabled())
-      for_each_kept_arc(node, f);
+    {
+      const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
+        internal::find_stored_arcs(node, m_unit, arcs, [&](const auto& f_of_arc) {
+          find_arcs(node, f_of_arc, internal::Leave_out_detours(), m_rules);
+        });
+      };
+      for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
+        f(arc.target, static_cast<double>(arc.length) * m_unit);
+    }
     else if(!m_triangulation.has_balanced_fans()) // it was expanded before
       find_arcs(node, f, internal::Leave_out_nothing(), rules_of_longest_arcs());
     else if(was_expanded)
@@ -284,18 +289,6 @@ private:
           internal::Label_pruning<internal::Leave_out_detours, Labels>{
               {}, m_triangulation.get(), labels, labels.distance(node), m_rules.longest_detour},
           m_rules);
-  }
-
-  template <typename F>
-  void for_each_kept_arc(const Node node, const F& f) const
-  {
-    const auto find = [&](std::vector<internal::Stored_arc>& arcs) {
-      internal::find_stored_arcs(node, m_unit, arcs, [&](const auto& f_of_arc) {
-        find_arcs(node, f_of_arc, internal::Leave_out_detours(), m_rules);
-      });
-    };
-    for(const internal::Stored_arc& arc : m_arc_cache.arcs(node, find))
-      f(arc.target, static_cast<double>(arc.length) * m_unit);
   }
 
   template <typename F, typename Visitor>

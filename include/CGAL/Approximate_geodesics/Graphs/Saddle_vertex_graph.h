@@ -134,7 +134,7 @@ public:
   bool is_parallel() const { return m_loop.is_parallel(); }
 
   /// attaches a point of the surface by straight lines: those in its faces if no labels are known,
-  /// and else all that are of use.
+  /// otherwise all that may be part of shortest paths.
   internal::Lines_of_sight attach(const Intrinsic_point& point) const
   {
     return {triangulation(), m_tables, point};

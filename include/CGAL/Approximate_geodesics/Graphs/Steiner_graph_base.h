@@ -340,11 +340,11 @@ public:
   double epsilon() const { return m_placement.epsilon(m_triangulation); }
 
   /// returns the cost of the straight line from `point` to a corner of its face, or of both faces
-  /// if it lies on an edge, or the cost of the way back, whichever is larger, for the corner where
-  /// this is least; `0` for vertices. Paths between points \f$p\f$ and \f$q\f$ cost at most \f$(1 +
-  /// \varepsilon)\,d(p,q) + (2 + \varepsilon)(c_p + c_q)\f$, where \f$d\f$ is the cost of the
-  /// cheapest path on the surface, \f$\varepsilon\f$ is `epsilon()`, and \f$c\f$ is this cost. It
-  /// is in units of the graph, see `unit()`, and infinity for points that no path leaves or
+  /// if it lies on an edge, or that in the opposite direction, whichever is larger, for the corner
+  /// where this is least; `0` for vertices. Paths between points \f$p\f$ and \f$q\f$ cost at most
+  /// \f$(1 + \varepsilon)\,d(p,q) + (2 + \varepsilon)(c_p + c_q)\f$, where \f$d\f$ is the cost of
+  /// the cheapest path on the surface, \f$\varepsilon\f$ is `epsilon()`, and \f$c\f$ is this cost.
+  /// It is in units of the graph, see `unit()`, and infinity for points that no path leaves or
   /// reaches.
   double cost_to_corner(const Intrinsic_point& point) const
   {

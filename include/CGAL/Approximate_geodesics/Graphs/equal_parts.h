@@ -66,7 +66,7 @@ protected:
 class Fixed_number_of_points : public internal::Equal_parts
 {
 public:
-  /// places so many points on every edge.
+  /// places this number of points on every edge.
   explicit Fixed_number_of_points(const std::size_t number_of_points_per_edge = 3)
     : m_number_of_points(number_of_points_per_edge)
   {
@@ -80,8 +80,8 @@ public:
    *     \cgalParamDescription{the number of points on every edge}
    *     \cgalParamType{an integer type}
    *     \cgalParamDefault{`3`}
-   *     \cgalParamExtra{Names of this package do not follow a chain that begins with it, see
-   *                     \ref AG_chains.}
+   *     \cgalParamExtra{A chain that starts with this parameter cannot be continued with those of
+   *                     this package, see \ref AG_chains.}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
@@ -89,8 +89,20 @@ public:
    */
   template <typename T, typename Tag, typename Base>
   explicit Fixed_number_of_points(const Named_function_parameters<T, Tag, Base>& np)
-    : m_number_of_points(checked_number(np))
   {
+    static_assert(
+        !internal::is_any_given<Named_function_parameters<T, Tag, Base>, internal_np::epsilon_t,
+                                internal_np::nb_points_per_distance_unit_t>,
+        "Fixed_number_of_points reads number_of_points_per_edge, and gives no bound: for "
+        "epsilon, use Geometric_points");
+    reject_limits<Named_function_parameters<T, Tag, Base>>();
+    constexpr double too_many = 4294967296; // nodes, on a single edge
+    const double number = CGAL::to_double(parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::number_of_points_per_edge), 3));
+    if(!(number >= 0) || number != std::floor(number) || number > too_many)
+      internal::reject("the number of points per edge is " + internal::text_of(number) +
+                       "; it must be an integer from 0 to 2^32");
+    m_number_of_points = static_cast<std::size_t>(number);
   }
 
   /// returns the number of points on the edge of a halfedge.
@@ -101,23 +113,6 @@ public:
   }
 
 private:
-  template <typename NamedParameters>
-  static std::size_t checked_number(const NamedParameters& np)
-  {
-    static_assert(!internal::is_any_given<NamedParameters, internal_np::epsilon_t,
-                                          internal_np::nb_points_per_distance_unit_t>,
-                  "Fixed_number_of_points reads number_of_points_per_edge, and gives no bound: for "
-                  "epsilon, use Geometric_points");
-    reject_limits<NamedParameters>();
-    constexpr double too_many = 4294967296; // nodes, on a single edge
-    const double number = CGAL::to_double(parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::number_of_points_per_edge), 3));
-    if(!(number >= 0) || number != std::floor(number) || number > too_many)
-      internal::reject("the number of points per edge is " + internal::text_of(number) +
-                       "; it must be an integer from 0 to 2^32");
-    return static_cast<std::size_t>(number);
-  }
-
   std::size_t m_number_of_points;
 };
 

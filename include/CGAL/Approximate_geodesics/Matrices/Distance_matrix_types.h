@@ -75,7 +75,12 @@ public:
   const std::vector<Column>& reached() const
   {
     if(m_order == Order::UNKNOWN || (m_order == Order::NONE && m_reached.size() > size() / 32))
-      list_reached(); // faster than sorting many columns
+    {
+      m_reached.clear(); // listing all is faster than sorting many columns
+      for(std::size_t i = 0; i < size(); ++i)
+        if(m_distances[i] < internal::infinity)
+          m_reached.push_back(static_cast<Column>(i));
+    }
     else if(m_order == Order::NONE)
       std::sort(m_reached.begin(), m_reached.end());
     m_order = Order::ASCENDING;
@@ -88,14 +93,14 @@ public:
   /// @{
 
   /// constructs a row in which no column is reached.
-  explicit Distance_row(const std::size_t size = 0) : m_distances(size, infinity) {}
+  explicit Distance_row(const std::size_t size = 0) : m_distances(size, internal::infinity) {}
 
   /// sets the distance of a column. \pre `column < size()`, and `distance` is not infinite.
   void set(const Column column, const double distance)
   {
     if(m_order != Order::UNKNOWN)
     {
-      if(m_distances[column] == infinity)
+      if(m_distances[column] == internal::infinity)
         m_reached.push_back(column);
       m_order = Order::NONE;
     }
@@ -116,10 +121,10 @@ public:
   void clear()
   {
     if(m_order == Order::UNKNOWN)
-      std::fill(m_distances.begin(), m_distances.end(), infinity);
+      std::fill(m_distances.begin(), m_distances.end(), internal::infinity);
     else
       for(const Column column : m_reached)
-        m_distances[column] = infinity;
+        m_distances[column] = internal::infinity;
     m_reached.clear();
     m_order = Order::ASCENDING;
   }
@@ -127,8 +132,6 @@ public:
   /// @}
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   // The state of the list of reached columns: not available, unsorted, or sorted.
   enum class Order
   {
@@ -136,14 +139,6 @@ private:
     NONE,
     ASCENDING
   };
-
-  void list_reached() const
-  {
-    m_reached.clear();
-    for(std::size_t i = 0; i < size(); ++i)
-      if(m_distances[i] < infinity)
-        m_reached.push_back(static_cast<Column>(i));
-  }
 
   std::vector<double> m_distances;
   mutable std::vector<Column> m_reached; // listed and sorted on demand

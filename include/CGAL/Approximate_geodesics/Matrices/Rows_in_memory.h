@@ -110,8 +110,14 @@ public:
     m_number_of_columns = plan.number_of_columns();
     m_rows_to_come = plan.number_of_rows();
     m_is_symmetric = plan.is_symmetric();
-    if(m_distances.get_deleter().is_owner)
-      allocate();
+    if(!m_distances.get_deleter().is_owner)
+      return;
+    m_distances.reset(); // frees the old matrix first
+    if(m_number_of_columns > 0 &&
+       m_rows_to_come > (std::numeric_limits<std::size_t>::max)() / sizeof(T) / m_number_of_columns)
+      throw std::bad_array_new_length();
+    // not initialized: each thread touches the pages of its rows first
+    m_distances.reset(new T[m_rows_to_come * m_number_of_columns]);
   }
 
   /// writes a row.
@@ -148,16 +154,6 @@ private:
         delete[] memory;
     }
   };
-
-  void allocate()
-  {
-    m_distances.reset(); // frees the old matrix first
-    if(m_number_of_columns > 0 &&
-       m_rows_to_come > (std::numeric_limits<std::size_t>::max)() / sizeof(T) / m_number_of_columns)
-      throw std::bad_array_new_length();
-    // not initialized: each thread touches the pages of its rows first
-    m_distances.reset(new T[m_rows_to_come * m_number_of_columns]);
-  }
 
   std::unique_ptr<T[], Release> m_distances;
   std::size_t m_number_of_rows = 0;
@@ -224,8 +220,18 @@ struct Compressed_rows
       for(std::size_t i = 0; i < block.rows.size(); ++i)
         starts[block.rows[i] + 1] = block.numbers_of_entries[i];
     allocate();
-    for(Sparse_block<T>& block : blocks)
-      take(std::exchange(block, Sparse_block<T>()));
+    for(Sparse_block<T>& block_of_rows : blocks)
+    {
+      const Sparse_block<T> block = std::exchange(block_of_rows, Sparse_block<T>());
+      std::size_t from = 0;
+      for(std::size_t i = 0; i < block.rows.size(); ++i)
+      {
+        const std::size_t start = starts[block.rows[i]], number = block.numbers_of_entries[i];
+        std::copy_n(block.columns.data() + from, number, columns.get() + start);
+        std::copy_n(block.distances.data() + from, number, distances.get() + start);
+        from += number;
+      }
+    }
   }
 
   // Replaces each distance and its transpose by the smaller of the two. The result has an entry if
@@ -249,18 +255,6 @@ private:
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
     columns.reset(new Column[starts.back()]);
     distances.reset(new T[starts.back()]);
-  }
-
-  void take(const Sparse_block<T>& block)
-  {
-    std::size_t from = 0;
-    for(std::size_t i = 0; i < block.rows.size(); ++i)
-    {
-      const std::size_t start = starts[block.rows[i]], number = block.numbers_of_entries[i];
-      std::copy_n(block.columns.data() + from, number, columns.get() + start);
-      std::copy_n(block.distances.data() + from, number, distances.get() + start);
-      from += number;
-    }
   }
 
   // Returns a matrix with the entries for which `for_each(add)` calls `add(row, column, distance)`.

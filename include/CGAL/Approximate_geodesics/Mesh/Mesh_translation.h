@@ -17,6 +17,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -239,7 +240,7 @@ public:
   /// of its source.
   halfedge_descriptor mesh_halfedge(const Index h) const
   {
-    // halfedges have the same order around vertices
+    // halfedges have the order of the mesh around vertices
     const Index source = m_triangulation->source(h);
     halfedge_descriptor result = internal::first_halfedge_from(vertex(source), *m_mesh);
     for(Index i = m_triangulation->first_halfedge(source); i < h; ++i)
@@ -314,20 +315,14 @@ private:
     const Intrinsic_triangulation& t = *m_triangulation;
     if(is_border(h, *m_mesh))
       return number_around_source(h);
-    std::array<halfedge_descriptor, 3> sides{h, prev(h, *m_mesh), next(h, *m_mesh)};
-    std::size_t best = 0;
-    for(const std::size_t i : {std::size_t(1), std::size_t(2)})
-      if(degree(sides[i]) < degree(sides[best]))
-        best = i;
-    Index result = number_around_source(sides[best]);
-    for(; best > 0; --best)
+    const std::array<halfedge_descriptor, 3> sides{h, prev(h, *m_mesh), next(h, *m_mesh)};
+    const auto degree = [&](const auto g) { return t.degree(node(source(g, *m_mesh))); };
+    auto best = std::min_element(sides.begin(), sides.end(),
+                                 [&](const auto a, const auto b) { return degree(a) < degree(b); });
+    Index result = number_around_source(*best);
+    for(; best != sides.begin(); --best)
       result = t.next(result);
     return result;
-  }
-
-  Index degree(const halfedge_descriptor h) const
-  {
-    return m_triangulation->degree(node(source(h, *m_mesh)));
   }
 
   Index number_around_source(const halfedge_descriptor h) const

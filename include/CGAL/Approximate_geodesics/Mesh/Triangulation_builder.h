@@ -85,16 +85,13 @@ private:
     {
       constexpr std::size_t distance = 16;
       if(v + distance < m_number)
-        prefetch_group(m_index_of_vertex[v + distance]);
+      {
+        const Index h = m_before.first_halfedge(m_index_of_vertex[v + distance]);
+        prefetch(m_before.target_of_halfedge.data(), h);
+        m_before.opposite_rank.prefetch(h);
+      }
       copy_group(m_index_of_vertex[v], end_of_patch);
     }
-  }
-
-  void prefetch_group(const Index i) const
-  {
-    const Index h = m_before.first_halfedge(i);
-    prefetch(m_before.target_of_halfedge.data(), h);
-    m_before.opposite_rank.prefetch(h);
   }
 
   void number(const Index i)
@@ -209,14 +206,16 @@ public:
 
   // Builds what a single search along edges between vertices requires. Such a search is not worth
   // the time to number the vertices and to link opposite halfedges. Vertices keep the order of the
-  // mesh. Returns false if the connectivity is invalid.
+  // mesh. Returns false if the connectivity is invalid, or vertices were removed.
   bool try_to_build_edges()
   {
     static_assert(!is_any_given<NamedParameters, internal_np::face_weight_t,
                                 internal_np::edge_is_constrained_t>);
     Vertex_adjacency adjacency;
-    if(!read_adjacency(adjacency))
+    auto links = mesh_links();
+    if(!links.read() || links.has_removed_vertices() || !links.write_adjacency(adjacency))
       return false;
+    m_vertices = std::move(links.vertex_list());
     if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
       m_halfedges = halfedges_in_groups(m_vertices, adjacency, m_mesh);
     Edge_lengths lengths = read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, adjacency);
@@ -234,16 +233,6 @@ private:
   auto mesh_links() const
   {
     return Mesh_links(m_mesh, vertex_index_map(m_mesh, m_np), halfedge_index_map(m_mesh, m_np));
-  }
-
-  // Returns false if the mesh is invalid or has removed vertices.
-  bool read_adjacency(Vertex_adjacency& result)
-  {
-    auto links = mesh_links();
-    if(!links.read() || links.has_removed_vertices() || !links.write_adjacency(result))
-      return false;
-    m_vertices = std::move(links.vertex_list());
-    return true;
   }
 
   // Reads the connectivity, and numbers the vertices. Returns false if the mesh is invalid.
@@ -284,21 +273,18 @@ private:
   void copy_weights()
   {
     if constexpr(has_directional_cost<NamedParameters>)
-      copy_directional_costs();
+    {
+      static_assert(!is_given<NamedParameters, internal_np::edge_length_t>,
+                    "directional_cost, edge_length_map: directional costs require the lengths of "
+                    "the embedding, which is given by the vertex point map");
+      const auto& cost = parameters::get_parameter_reference(m_np, internal_np::face_weight);
+      m_result.m_gauges = gauges_of_faces(m_mesh, m_halfedges, vertex_point_map(m_mesh, m_np), cost,
+                                          m_result, sampling_tolerance(m_np));
+    }
     else if constexpr(is_given<NamedParameters, internal_np::face_weight_t>)
       m_result.set_weights(
           weights_of_faces(m_mesh, m_halfedges,
                            parameters::get_parameter(m_np, internal_np::face_weight), m_result));
-  }
-
-  void copy_directional_costs()
-  {
-    static_assert(!is_given<NamedParameters, internal_np::edge_length_t>,
-                  "directional_cost, edge_length_map: directional costs require the lengths of the "
-                  "embedding, which is given by the vertex point map");
-    const auto& cost = parameters::get_parameter_reference(m_np, internal_np::face_weight);
-    m_result.m_gauges = gauges_of_faces(m_mesh, m_halfedges, vertex_point_map(m_mesh, m_np), cost,
-                                        m_result, sampling_tolerance(m_np));
   }
 
   void copy_barriers()

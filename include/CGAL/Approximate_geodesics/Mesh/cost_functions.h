@@ -114,20 +114,16 @@ Reversed_cost<CostFunction> reversed_cost(CostFunction f)
 namespace internal {
 
 template <typename T>
-struct Is_directional_cost : std::false_type
-{
-};
+constexpr bool is_directional_cost = false;
 
 template <typename F>
-struct Is_directional_cost<Directional_cost<F>> : std::true_type
-{
-};
+constexpr bool is_directional_cost<Directional_cost<F>> = true;
 
 // Whether named parameters contain costs that depend on the direction.
 template <typename NamedParameters>
 constexpr bool has_directional_cost =
-    Is_directional_cost<std::decay_t<decltype(parameters::get_parameter(
-        std::declval<const NamedParameters&>(), internal_np::face_weight))>>::value;
+    is_directional_cost<std::decay_t<decltype(parameters::get_parameter(
+        std::declval<const NamedParameters&>(), internal_np::face_weight))>>;
 
 // Returns the gain in height per unit of horizontal length; infinity for a vertical direction.
 template <typename Vector_3>

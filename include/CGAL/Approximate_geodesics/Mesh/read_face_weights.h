@@ -50,7 +50,7 @@ inline void check_cost(const double cost,
 {
   if(!std::isfinite(cost * unit))
     reject("the " + kind + " and the lengths of the mesh are too large: the cost of a path would " +
-           "be more than a double can hold. Use infinity for " + what_is_impassable + '.');
+           "exceed the largest double. Use infinity for " + what_is_impassable + '.');
 }
 
 // Reads the weights of the faces of a mesh. `halfedges` has the order of the triangulation.

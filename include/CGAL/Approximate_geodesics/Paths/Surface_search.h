@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/error_bounds.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
@@ -437,9 +436,9 @@ private:
     }
   }
 
-  // Calls `run(seeds, rule, entries)`. Sources and results fit together, even if the run fails:
-  // if the search refuses its input, nothing changes; after other exceptions, it has reached
-  // nothing, and there are no sources.
+  // Calls `run(seeds, rule, entries)`. Sources and results are consistent, even if the run
+  // fails: if the search rejects its input, nothing changes; after other exceptions, nothing is
+  // reached, and there are no sources.
   template <typename F>
   void run_and_adopt(std::vector<Source_point> sources,
                      Points_by_face points,

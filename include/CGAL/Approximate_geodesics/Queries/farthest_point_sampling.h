@@ -30,16 +30,6 @@ namespace internal {
 template <typename TriangleMesh>
 using No_vertices = std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 0>;
 
-template <typename Integer>
-void check_number_of_points(const Integer number)
-{
-  static_assert(std::is_integral_v<Integer>,
-                "farthest_point_sampling() takes the output iterator, then the number of points");
-  if constexpr(std::is_signed_v<Integer>)
-    if(number < 0)
-      reject("the number of points is " + std::to_string(number) + "; it must not be negative");
-}
-
 // Chooses candidates, which have the nodes `node(i)`, and calls `add(i)` for each of them. Returns
 // the covering radius. Keys of the queue are updated lazily when an entry gets to the top:
 // distances decrease over time, so a stored distance is an upper bound.
@@ -147,7 +137,6 @@ double farthest_point_sampling(const TriangleMesh& tmesh,
                                const Sources& sources = Sources(),
                                const NamedParameters& np = parameters::default_values())
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   if constexpr(internal::is_named_parameters<Sources>) // sources are omitted
     return farthest_point_sampling(tmesh, points, number_of_points,
                                    internal::No_vertices<TriangleMesh>(), sources);
@@ -160,13 +149,17 @@ double farthest_point_sampling(const TriangleMesh& tmesh,
     static_assert(internal::are_vertices<TriangleMesh, Sources>,
                   "farthest_point_sampling() takes a vertex or a range of vertices as sources");
 
-    internal::check_number_of_points(number_of_points);
+    static_assert(std::is_integral_v<Integer>,
+                  "farthest_point_sampling() takes the output iterator, then the number of points");
+    if constexpr(std::is_signed_v<Integer>)
+      if(number_of_points < 0)
+        internal::reject("the number of points is " + std::to_string(number_of_points) +
+                         "; it must not be negative");
     // precomputing all arcs pays off for ten or more points
     return internal::with_graph<Discrete_geodesic_graph>(tmesh, np, [&](const auto& graph) {
       const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
                                          graph.triangulation());
-      const std::vector<vertex_descriptor> candidates(vertices(tmesh).begin(),
-                                                      vertices(tmesh).end());
+      const std::vector candidates(vertices(tmesh).begin(), vertices(tmesh).end());
       return internal::sample_farthest(
           graph, internal::intrinsic_points(translation, sources, "source"), candidates.size(),
           static_cast<std::size_t>(number_of_points),

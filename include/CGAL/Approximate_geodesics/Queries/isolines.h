@@ -60,7 +60,12 @@ public:
     std::vector<halfedge_descriptor> entries;
     for(const face_descriptor f : faces(m_mesh))
       if(is_crossed(f))
-        entries.push_back(way_in(f));
+      {
+        halfedge_descriptor h = halfedge(f, m_mesh);
+        while(!goes_up(h))
+          h = next(h, m_mesh);
+        entries.push_back(h);
+      }
     m_not_passed.insert(entries.begin(), entries.end());
 
     for(const bool from_end : {true, false}) // then closed polylines remain
@@ -96,22 +101,6 @@ private:
     return has_above && has_below;
   }
 
-  // Returns the ascending halfedge of a crossed face.
-  halfedge_descriptor way_in(const face_descriptor f) const
-  {
-    halfedge_descriptor h = halfedge(f, m_mesh);
-    while(!goes_up(h))
-      h = next(h, m_mesh);
-    return h;
-  }
-
-  // Returns the opposite of the descending halfedge in the face of the ascending halfedge `h`.
-  halfedge_descriptor way_on(const halfedge_descriptor h) const
-  {
-    const halfedge_descriptor g = next(h, m_mesh);
-    return opposite(is_above(target(g, m_mesh)) ? next(g, m_mesh) : g, m_mesh);
-  }
-
   bool continues_behind(const halfedge_descriptor h) const
   {
     const halfedge_descriptor g = opposite(h, m_mesh);
@@ -124,7 +113,8 @@ private:
     Polyline result(1, point(h));
     while(m_not_passed.erase(h) > 0)
     {
-      h = way_on(h);
+      h = next(h, m_mesh); // to the descending halfedge of the face, and across it
+      h = opposite(is_above(target(h, m_mesh)) ? next(h, m_mesh) : h, m_mesh);
       auto p = point(h);
       if(p != result.back()) // consecutive crossings may coincide at a vertex
         result.push_back(std::move(p));

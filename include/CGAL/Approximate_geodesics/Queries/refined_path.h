@@ -34,13 +34,9 @@ namespace internal {
  * A placement of equally spaced points on the edges near a path: edges of faces that the path
  * touches, and of `number_of_rings` rings of faces around them.
  */
-class Points_near_path
+class Points_near_path : public Equal_parts
 {
 public:
-  using Index = Intrinsic_triangulation::Index;
-
-  static constexpr bool makes_equal_parts = true;
-
   Points_near_path(const Intrinsic_triangulation& triangulation,
                    const Path& path,
                    const std::size_t number_of_rings,
@@ -54,12 +50,13 @@ public:
           m_is_near[triangulation.source(side)] = true;
       });
     for(std::size_t ring = 0; ring < number_of_rings; ++ring)
-      mark_neighbors(triangulation);
-  }
-
-  void prepare(const Intrinsic_triangulation& /* triangulation */,
-               std::size_t /* maximum_number_of_points */)
-  {
+    {
+      const std::vector<bool> was_near = m_is_near;
+      for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+        if(was_near[v])
+          for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+            m_is_near[triangulation.target(h)] = true;
+    }
   }
 
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
@@ -69,20 +66,9 @@ public:
                : 0;
   }
 
-  double epsilon(const Intrinsic_triangulation& /* triangulation */) const { return infinity; }
-
-  std::size_t memory() const { return m_is_near.capacity() / 8; }
+  std::size_t memory() const { return memory_of(m_is_near); }
 
 private:
-  void mark_neighbors(const Intrinsic_triangulation& triangulation)
-  {
-    const std::vector<bool> was_near = m_is_near;
-    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-      if(was_near[v])
-        for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-          m_is_near[triangulation.target(h)] = true;
-  }
-
   std::size_t m_number_of_points;
   std::vector<bool> m_is_near; // per vertex
 };
@@ -139,17 +125,6 @@ std::pair<Path, double> selective_refinement(const Intrinsic_triangulation& tria
   return {std::move(path), lower_bound};
 }
 
-template <typename NamedParameters>
-double relative_tolerance(const NamedParameters& np)
-{
-  const double result = CGAL::to_double(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::relative_tolerance), 1e-5));
-  if(!(result >= 0))
-    reject("the relative tolerance is " + text_of(result) +
-           "; it must be a number that is not negative");
-  return result;
-}
-
 // Returns a lower bound on the distance, and the length of the path.
 template <typename TriangleMesh,
           typename OutputIterator,
@@ -166,7 +141,11 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
   static_assert(!has_directional_cost<NamedParameters>,
                 "directional_cost: selective refinement does not support directional costs; use "
                 "approximate_geodesic_path()");
-  const double tolerance = relative_tolerance(np);
+  const double tolerance = CGAL::to_double(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::relative_tolerance), 1e-5));
+  if(!(tolerance >= 0))
+    reject("the relative tolerance is " + text_of(tolerance) +
+           "; it must be a number that is not negative");
   const Intrinsic_triangulation triangulation(tmesh, np);
   Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), triangulation);
   translation.list_vertices();

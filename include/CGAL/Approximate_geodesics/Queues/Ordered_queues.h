@@ -337,8 +337,16 @@ public:
   {
     CGAL_precondition(!is_empty());
     if(m_buckets[0].empty())
-      distribute(*std::find_if(m_buckets.begin(), m_buckets.end(),
-                               [](const Bucket& b) { return !b.empty(); }));
+    {
+      Bucket& bucket = *std::find_if(m_buckets.begin(), m_buckets.end(),
+                                     [](const Bucket& b) { return !b.empty(); });
+      // its keys agree in its bit, so they differ from their minimum in a lower bit only
+      m_least =
+          bits_of(std::max_element(bucket.begin(), bucket.end(), internal::Has_larger_key())->key);
+      for(const Entry& e : bucket)
+        bucket_of(e.key).push_back(e);
+      bucket.clear();
+    }
     const Entry result = m_buckets[0].back();
     m_buckets[0].pop_back();
     --m_size;
@@ -389,17 +397,6 @@ private:
   Bucket& bucket_of(const Key key)
   {
     return m_buckets[internal::bit_width(bits_of(key) ^ m_least)];
-  }
-
-  // The keys of a bucket agree in its bit, so they differ from their minimum in a lower bit only.
-  void distribute(Bucket& bucket)
-  {
-    const auto smallest =
-        std::max_element(bucket.begin(), bucket.end(), internal::Has_larger_key());
-    m_least = bits_of(smallest->key);
-    for(const Entry& e : bucket)
-      bucket_of(e.key).push_back(e);
-    bucket.clear();
   }
 
   std::array<Bucket, 65> m_buckets;

@@ -223,7 +223,11 @@ public:
     check(seeds, stop);
     forget();
     search(seeds, stop, Geodesic_visitor_base(), heuristic, find_entries);
-    if(internal::reopens_too_often(m_labels) || has_lost_goal(stop))
+    const auto is_lost = [&] { // although the goal has an upper bound
+      return m_limit < internal::infinity &&
+             goal(stop, internal::No_heuristic()).distance() == internal::infinity;
+    };
+    if(internal::reopens_too_often(m_labels) || is_lost())
     {
       forget();
       search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_entries);
@@ -289,8 +293,8 @@ public:
   /*!
    * returns the index of the source nearest to `node`, or `null_source` if `node` was not reached.
    *
-   * The first call after a run makes room for an index per node, and each call keeps what it finds
-   * along its path. So run time is \cgalBigO{1}, amortized over the nodes that were reached.
+   * The first call after a run allocates an index per node, and each call stores its result for
+   * all nodes of the path. So run time is \cgalBigO{1}, amortized over the nodes that were reached.
    *
    * \warning Although this member function is `const`, it writes to the object: two threads must
    * not call it for the same object at the same time.
@@ -304,7 +308,7 @@ public:
   /// returns the figures of the last run, if statistics were enabled.
   const Propagation_statistics& statistics() const { return m_statistics; }
 
-  /// returns the queue, which may have figures of its own.
+  /// returns the queue, which may have statistics, too.
   const Queue& queue() const { return m_queue; }
 
   /// @}
@@ -371,7 +375,18 @@ private:
       constexpr double slack = 1e-6; // much more than rounding, and not much more to search
       Labels& labels = search.m_labels;
       const std::size_t size_of_order = labels.order().size();
-      label_nodes(graph);
+      for(const Seed& seed : seeds)
+        search.enter(seed.node, search.to_graph_unit(seed.distance), stop, to_goal);
+      using Other_relaxation = Relaxation<OtherGraph, Heuristic>;
+      typename Other_relaxation::Run run(graph);
+      typename Other_relaxation::Candidates candidates;
+      Other_relaxation batch(graph, run, search.m_queue, labels, candidates, to_goal, limit(),
+                             nullptr);
+      Geodesic_visitor_base no_visitor;
+      internal::Watch watch(labels, search.goal(stop, to_goal), no_visitor, search.m_graph->unit(),
+                            false);
+      batch.run(watch, false);
+      labels.append_to_order(search.m_queue); // all labeled nodes
       search.m_limit = search.goal(stop, to_goal).distance() * (1 + slack);
       for(std::size_t i = size_of_order; i < labels.order().size(); ++i)
         if(const Node node = labels.order()[i]; labels.is_reached(node)) // first occurrence
@@ -381,24 +396,6 @@ private:
         }
       labels.order().resize(size_of_order);
       search.m_queue.clear();
-    }
-
-    // Appends all labeled nodes to the order.
-    template <typename OtherGraph>
-    void label_nodes(const OtherGraph& graph)
-    {
-      for(const Seed& seed : seeds)
-        search.enter(seed.node, search.to_graph_unit(seed.distance), stop, to_goal);
-      using Other_relaxation = Relaxation<OtherGraph, Heuristic>;
-      typename Other_relaxation::Run run(graph);
-      typename Other_relaxation::Candidates candidates;
-      Other_relaxation batch(graph, run, search.m_queue, search.m_labels, candidates, to_goal,
-                             limit(), nullptr);
-      Geodesic_visitor_base no_visitor;
-      internal::Watch watch(search.m_labels, search.goal(stop, to_goal), no_visitor,
-                            search.m_graph->unit(), false);
-      batch.run(watch, false);
-      search.m_labels.append_to_order(search.m_queue);
     }
 
     Propagation& search;
@@ -462,13 +459,6 @@ private:
   {
     m_labels.discard(node);
     m_run.discard(node);
-  }
-
-  // Whether the goal was not reached although it has an upper bound.
-  bool has_lost_goal(const Stop_rule& stop) const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return m_limit < infinity && goal(stop, internal::No_heuristic()).distance() == infinity;
   }
 
   // In units of the graph.
@@ -548,8 +538,8 @@ private:
     for(std::vector<Last_arc>& arcs : points)
       for(Last_arc& arc : arcs)
         arc.length = to_graph_unit(arc.length);
-    return internal::Goal<Queue, Heuristic>(m_labels, m_queue, heuristic, stop.targets,
-                                            std::move(points));
+    return internal::Goal<Queue, Heuristic>{m_labels, m_queue, heuristic, stop.targets,
+                                            std::move(points)};
   }
 
   void count_all()
@@ -582,7 +572,7 @@ private:
   Labels m_labels;
   Queue m_queue;
   internal::Candidate_list<typename Run::Payload> m_candidates; // of a batch; memory is kept
-  mutable internal::Nearest_sources m_sources;                  // found when first asked for
+  mutable internal::Nearest_sources m_sources;                  // computed on first request
   std::vector<Seed> m_seeds; // of the last run, distances in units of the graph
   Propagation_statistics m_statistics;
   bool m_counts = false;

@@ -76,7 +76,7 @@ struct Propagation_statistics
   std::size_t pops = 0;
   /// the number of stale entries among them, which cost very little.
   std::size_t stale_pops = 0;
-  /// the number of arcs looked at.
+  /// the number of scanned arcs.
   std::size_t relaxations = 0;
   /// the number of arcs that lowered the distance of their target.
   std::size_t improvements = 0;
@@ -87,7 +87,7 @@ struct Propagation_statistics
   /// returns the number of pops that expanded a node for the second time or later.
   std::size_t repeated_pops() const { return pops - stale_pops - settled_nodes; }
 
-  /// returns the number of edges looked at: both arcs of an edge count as one.
+  /// returns the number of scanned edges: both arcs of an edge count as one.
   std::size_t edges() const { return relaxations / 2; }
 
   /// returns the number of comparisons, as Schwartz, de Rezende and Pedrini count them
@@ -116,8 +116,8 @@ inline void check_input(const std::vector<Seed>& seeds,
     if(!(distance >= 0) || std::isinf(distance))
       reject("the distance that source node " + std::to_string(seed.node) + " starts with is " +
              text_of(seed.distance) +
-             "; it must be a finite number that is not negative, nor out of proportion to the "
-             "mesh");
+             "; it must be a finite number that is not negative, and not too large beside the "
+             "lengths of the mesh");
   }
   for(const std::size_t target : stop.targets)
     check_node(target, "target");

@@ -94,7 +94,7 @@ public:
 
   /// @}
 
-  /// the number that no vertex and no halfedge has.
+  /// the null index, of no vertex and no halfedge.
   static constexpr Index null_index = (std::numeric_limits<Index>::max)();
 
   /// \name Creation

@@ -23,25 +23,21 @@ namespace internal {
 /*
  * Costs of straight lines that are lengths times the weights of faces.
  */
-class Line_weights
+struct Line_weights
 {
-public:
-  explicit Line_weights(const Intrinsic_triangulation& triangulation) : m_surface(triangulation) {}
-
   // Returns the cost per unit of length along `h`, or against its direction on its left side.
   double along(const Index h, const bool /* is_forward */) const
   {
-    return m_surface.weight_of_edge(h);
+    return surface.weight_of_edge(h);
   }
 
   // Returns the cost of a line in the face to the left of `h`.
   double between(const Index h, const Face_point& p, const Face_point& q) const
   {
-    return m_surface.weight(h) * distance(m_surface, p, q);
+    return surface.weight(h) * distance(surface, p, q);
   }
 
-private:
-  const Intrinsic_triangulation& m_surface;
+  const Intrinsic_triangulation& surface;
 };
 
 /*
@@ -133,7 +129,7 @@ public:
   /// constructs the lines from `point`.
   /// \warning `triangulation` is referred to, not copied.
   Lines_in_faces(const Intrinsic_triangulation& triangulation, const Intrinsic_point& point)
-    : Lines_of_point(triangulation, internal::Line_weights(triangulation), point)
+    : Lines_of_point(triangulation, internal::Line_weights{triangulation}, point)
   {
   }
 

@@ -97,8 +97,8 @@ public:
     return result;
   }
 
-  // The loop for work on as many vertices: sequential where threads would take longer to start than
-  // they save. So it depends on the work, but not on the number of threads.
+  // The loop for work on `size` vertices: sequential if starting threads would take longer than it
+  // saves. So it depends on the work, but not on the number of threads.
   Loop for_size(const std::size_t size) const { return size > SIZE_OF_BLOCK ? *this : Loop(); }
 
   bool is_parallel() const { return m_run != nullptr; }
@@ -176,8 +176,8 @@ private:
   }
 
   // Distributes iterations dynamically, and rethrows the first exception. Isolation prevents a
-  // waiting thread from stealing a task of an enclosing loop, which could need a resource that is
-  // in use here.
+  // thread that waits for an inner loop from stealing a task of this one or of an enclosing loop,
+  // which could need a resource that is in use.
   static void run_all(const std::size_t size, const Turn& turn)
   {
     std::atomic<std::size_t> next(0);
@@ -188,8 +188,10 @@ private:
       const Cancellation cancellation(is_canceled, caller);
       try
       {
-        for(std::size_t i = next++; i < size; i = next++)
-          turn(i, threads.begin());
+        tbb::this_task_arena::isolate([&] {
+          for(std::size_t i = next++; i < size; i = next++)
+            turn(i, threads.begin());
+        });
       }
       catch(...)
       {

@@ -19,8 +19,6 @@
 #include <mutex>
 #include <numeric>
 #include <optional>
-#include <set>
-#include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -68,7 +66,18 @@ public:
       m_vertices.push_back(p.vertex);
     }
     sort_by_vertex(graph.triangulation().number_of_vertices());
-    attach(graph, points);
+    std::vector<Intrinsic_point> points_of_columns;
+    for(const Column column : m_columns_of_points)
+    {
+      points_of_columns.push_back(points[column]);
+      std::vector<Last_arc>& arcs = m_arcs.emplace_back();
+      if constexpr(!Run_of<Graph>::attaches_by_labels)
+        attach_target(graph, points[column])
+            .for_each_node([&](const auto node, const double length) {
+              arcs.push_back({node, length});
+            });
+    }
+    m_points = Points_by_face(graph.triangulation(), std::move(points_of_columns));
   }
 
   std::size_t size() const { return m_vertices.size(); }
@@ -116,22 +125,6 @@ private:
       row.set(column, distance);
   }
 
-  void attach(const Graph& graph, const std::vector<Intrinsic_point>& points)
-  {
-    std::vector<Intrinsic_point> points_of_columns;
-    for(const Column column : m_columns_of_points)
-    {
-      points_of_columns.push_back(points[column]);
-      std::vector<Last_arc>& arcs = m_arcs.emplace_back();
-      if constexpr(!Run_of<Graph>::attaches_by_labels)
-        attach_target(graph, points[column])
-            .for_each_node([&](const auto node, const double length) {
-              arcs.push_back({node, length});
-            });
-    }
-    m_points = Points_by_face(graph.triangulation(), std::move(points_of_columns));
-  }
-
   template <typename SurfaceSearch>
   void write_points(const SurfaceSearch& search, Distance_row& row) const
   {
@@ -142,39 +135,21 @@ private:
         set(m_columns_of_points[i], search.distance(m_points[i]), row);
     else
     {
-      std::vector<double> distances = distances_by_line(search);
-      for(std::size_t i = 0; i < m_columns_of_points.size(); ++i)
-      {
-        const double distance = (std::min)(distances[i], distance_over_nodes(search, i));
-        set(m_columns_of_points[i], search.is_known(distance) ? distance : infinity, row);
-      }
+      const double unit = search.graph().unit();
+      const Source_point& source = search.sources().front();
+      std::vector<double> distances(m_columns_of_points.size(), infinity);
+      for(std::size_t i = 0; i < distances.size(); ++i)
+        for(const auto& [node, length] : m_arcs[i])
+          distances[i] = (std::min)(distances[i], search.search().distance(node) + length * unit);
+      if(!source.point.is_vertex()) // straight segments to the points
+        search.graph()
+            .attach(source.point)
+            .for_each_point(m_points, [&](const std::size_t i, const double length) {
+              distances[i] = (std::min)(distances[i], source.distance + length * unit);
+            });
+      for(std::size_t i = 0; i < distances.size(); ++i)
+        set(m_columns_of_points[i], search.is_known(distances[i]) ? distances[i] : infinity, row);
     }
-  }
-
-  // Returns the lengths of straight segments from the source to all points; infinity if the source
-  // is a node.
-  template <typename SurfaceSearch>
-  std::vector<double> distances_by_line(const SurfaceSearch& search) const
-  {
-    const Graph& graph = search.graph();
-    const Source_point& source = search.sources().front();
-    std::vector<double> result(m_columns_of_points.size(), infinity);
-    if(source.point.is_vertex())
-      return result;
-    graph.attach(source.point)
-        .for_each_point(m_points, [&](const std::size_t i, const double length) {
-          result[i] = (std::min)(result[i], source.distance + length * graph.unit());
-        });
-    return result;
-  }
-
-  template <typename SurfaceSearch>
-  double distance_over_nodes(const SurfaceSearch& search, const std::size_t i) const
-  {
-    double result = infinity;
-    for(const auto& [node, length] : m_arcs[i])
-      result = (std::min)(result, search.search().distance(node) + length * search.graph().unit());
-    return result;
   }
 
   // Groups columns by vertex: several columns may have the same target.
@@ -257,38 +232,27 @@ public:
   using Input = Matrix_input<Graph>;
 
   explicit Row_search(const Input& input)
-    : m_sources(input.points.sources),
-      m_columns(input.columns),
-      m_limits(input.limits),
-      m_search(input.graph),
-      m_row(input.columns.size())
+    : m_input(input), m_search(input.graph), m_row(input.columns.size())
   {
   }
 
   // Returns the distances from a source. The reference is valid until the next call.
   const Distance_row& find(const std::size_t row)
   {
-    const Intrinsic_point& source = m_sources[row];
+    const auto& [graph, points, columns, limits] = m_input;
     m_row.clear();
-    if(m_limits.number_of_nearest > 0 && m_columns.are_vertices())
-      search_nearest(source);
+    if(limits.number_of_nearest > 0 && columns.are_vertices())
+      search_nearest(points.sources[row]);
     else
-      m_search.run({{source}}, stop_rule(m_limits.maximum_distance));
-    if(m_limits.are_given())
-      m_columns.write_reached(m_search, m_row);
+      m_search.run({{points.sources[row]}}, {limits.maximum_distance, limits.targets});
+    if(limits.are_given())
+      columns.write_reached(m_search, m_row);
     else
-      m_columns.write_all(m_search, m_row);
+      columns.write_all(m_search, m_row);
     return m_row;
   }
 
 private:
-  using Search = Surface_search<Graph>;
-
-  typename Search::Stop_rule stop_rule(const double maximum_distance) const
-  {
-    return {maximum_distance, m_limits.targets};
-  }
-
   // Whether arcs depend on labels, so that the range of a search affects the last bits of
   // distances.
   static constexpr bool depends_on_limit = !std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
@@ -298,24 +262,24 @@ private:
   void search_nearest(const Intrinsic_point& source)
   {
     if(depends_on_limit || !search_nearest(source, m_expected_distance))
-      search_nearest(source, m_limits.maximum_distance);
+      search_nearest(source, m_input.limits.maximum_distance);
   }
 
   // Returns whether there are enough columns within `distance`.
   bool search_nearest(const Intrinsic_point& source, const double distance)
   {
     constexpr double margin = 1.25;
-    Nearest_columns_visitor nearest(m_columns, m_limits.number_of_nearest);
-    m_search.run({{source}}, stop_rule((std::min)(distance, m_limits.maximum_distance)), nearest);
+    const Row_limits& limits = m_input.limits;
+    Nearest_columns_visitor nearest(m_input.columns, limits.number_of_nearest);
+    m_search.run({{source}}, {(std::min)(distance, limits.maximum_distance), limits.targets},
+                 nearest);
     m_expected_distance =
-        nearest.is_enough() ? margin * nearest.farthest() : m_limits.maximum_distance;
-    return nearest.is_enough() || distance >= m_limits.maximum_distance;
+        nearest.is_enough() ? margin * nearest.farthest() : limits.maximum_distance;
+    return nearest.is_enough() || distance >= limits.maximum_distance;
   }
 
-  const std::vector<Intrinsic_point>& m_sources;
-  const Matrix_columns<Graph>& m_columns;
-  const Row_limits& m_limits;
-  Search m_search;
+  const Input m_input;
+  Surface_search<Graph> m_search;
   Distance_row m_row;
   double m_expected_distance = infinity; // of the nearest columns
 };
@@ -325,15 +289,15 @@ private:
 template <typename Rows>
 using Block_of = typename Rows::Block;
 template <typename Rows>
-using Number_of_nearest = decltype(std::declval<const Rows&>().number_of_nearest());
-template <typename Rows>
-using Next_block = decltype(std::declval<Rows&>().next_block()); // and number_of_rows_done()
-template <typename Rows>
 using Can_be_symmetric = std::bool_constant<Rows::can_be_symmetric>;
 
 // Rows are received by a sink, in blocks, or by a function object, one by one.
 template <typename Rows>
 constexpr bool is_row_sink = boost::is_detected_v<Block_of, Rows>;
+
+// Whether a sink chooses blocks, and tells the number of rows done.
+template <typename Rows>
+constexpr bool chooses_blocks = is_valid<Rows&>([](auto& rows) -> decltype(rows.next_block()) {});
 
 template <typename Rows>
 constexpr bool can_be_symmetric =
@@ -357,7 +321,7 @@ constexpr bool check_rows()
 template <typename Rows>
 std::size_t number_of_nearest([[maybe_unused]] const Rows& rows)
 {
-  if constexpr(boost::is_detected_v<Number_of_nearest, Rows>)
+  if constexpr(is_valid<const Rows&>([](auto& r) -> decltype(r.number_of_nearest()) {}))
     return rows.number_of_nearest();
   else
     return 0;
@@ -442,12 +406,10 @@ public:
 
 private:
   // The first iteration of a thread computes rows until none are left; further iterations find
-  // none. If a function object runs its own parallel loop, its thread may enter another iteration
-  // of this loop. That iteration must return at once: waiting for a row that the same thread
-  // computes would be a deadlock.
+  // none.
   void work_or_stop()
   {
-    if(m_is_finished || m_is_stopped || !enter())
+    if(m_is_finished || m_is_stopped)
       return;
     try
     {
@@ -456,22 +418,8 @@ private:
     catch(...)
     {
       stop();
-      leave();
       throw;
     }
-    leave();
-  }
-
-  bool enter()
-  {
-    const std::lock_guard lock(m_mutex);
-    return m_threads.insert(std::this_thread::get_id()).second;
-  }
-
-  void leave()
-  {
-    const std::lock_guard lock(m_mutex);
-    m_threads.erase(std::this_thread::get_id());
   }
 
   void work()
@@ -504,7 +452,7 @@ private:
 
   std::optional<std::size_t> next_block()
   {
-    if constexpr(boost::is_detected_v<Next_block, Rows>)
+    if constexpr(chooses_blocks<Rows>)
       return m_rows.next_block();
     else
     {
@@ -515,7 +463,7 @@ private:
 
   std::size_t number_done() const
   {
-    if constexpr(boost::is_detected_v<Next_block, Rows>)
+    if constexpr(chooses_blocks<Rows>)
       return m_rows.number_of_rows_done();
     else
       return m_done;
@@ -573,7 +521,6 @@ private:
   std::atomic<bool> m_is_finished{false};
   std::atomic<bool> m_is_stopped{false};
   std::mutex m_mutex;
-  std::set<std::thread::id> m_threads; // that are computing rows
   std::condition_variable m_turn;
 };
 

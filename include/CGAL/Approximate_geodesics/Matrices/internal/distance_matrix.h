@@ -82,16 +82,6 @@ Matrix_points matrix_points(const Surface& surface,
     return {std::move(rows), all(), false};
 }
 
-inline bool are_the_same(const std::vector<Intrinsic_point>& a,
-                         const std::vector<Intrinsic_point>& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Intrinsic_point& p, const Intrinsic_point& q) {
-                      return p.vertex == q.vertex && p.halfedge == q.halfedge && p.t == q.t &&
-                             p.s == q.s;
-                    });
-}
-
 // Orders rows by the indices of their sources, so that nearby sources are consecutive.
 inline std::vector<std::size_t> order_of_rows(const Intrinsic_triangulation& triangulation,
                                               const std::vector<Intrinsic_point>& sources)
@@ -116,32 +106,22 @@ double checked_maximum_distance(const NamedParameters& np)
   return result;
 }
 
-template <typename Graph>
-using Is_parallel = decltype(std::declval<const Graph&>().is_parallel());
-
-// Parallelizes over rows, unless the search of a single row is parallel.
-template <typename NamedParameters, typename Graph>
-Loop loop_over_rows(const Graph& graph,
-                    const std::size_t number_of_rows,
-                    const NamedParameters& /* np */)
-{
-  if constexpr(boost::is_detected_v<Is_parallel, Graph>)
-    if(graph.is_parallel())
-      return Loop();
-  return Loop::with_tag<Concurrency_tag<NamedParameters>>().for_size(number_of_rows *
-                                                                     graph.number_of_nodes());
-}
-
-template <typename Rows, typename NamedParameters>
-bool wants_symmetry(const Matrix_points& points, const NamedParameters& np)
+template <typename Rows, typename Graph, typename NamedParameters>
+bool wants_symmetry(const Graph& graph, const Matrix_points& points, const NamedParameters& np)
 {
   static_assert(!is_given<NamedParameters, internal_np::symmetric_t> || can_be_symmetric<Rows>,
                 "symmetric: only supported by sinks that keep all rows and columns: "
                 "Dense_rows, Radius_rows, Npy_file");
+  const auto& [rows, columns, are_columns_given] = points;
   const bool result =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::symmetric), false);
-  if(result && !are_the_same(points.sources, points.targets))
+  const auto is_same = [&](const Intrinsic_point& p, const Intrinsic_point& q) {
+    return p.is_same(q, graph.triangulation());
+  };
+  if(result && !std::equal(rows.begin(), rows.end(), columns.begin(), columns.end(), is_same))
     reject("symmetric: targets are not the same points as sources, in the same order");
+  if(result && is_directed<Graph>)
+    reject("symmetric: costs depend on the direction, so distances cannot be symmetric");
   return result;
 }
 
@@ -156,7 +136,7 @@ std::vector<double> facts_of_graph(const Graph& graph)
                              lengths.mean,
                              lengths.longest,
                              static_cast<double>(leads_to_sources(graph))};
-  if constexpr(boost::is_detected_v<Epsilon_of, Graph>)
+  if constexpr(has_epsilon<Graph>)
     result.push_back(graph.epsilon());
   return result;
 }
@@ -185,8 +165,12 @@ bool compute_rows(const typename Search::Input& input,
                                               Distance_matrix_visitor_base());
   auto& unwrapped = std::ref(visitor).get(); // of a `std::reference_wrapper`
   using Visitor = std::remove_reference_t<decltype(unwrapped)>;
-  return Matrix_computation<Search, Rows, Visitor>(input, plan, rows, unwrapped)
-      .run(loop_over_rows(input.graph, plan.number_of_rows(), np));
+  Loop loop = Loop::with_tag<Concurrency_tag<NamedParameters>>().for_size(
+      plan.number_of_rows() * input.graph.number_of_nodes());
+  if constexpr(is_valid<decltype(input.graph)>([](auto& g) -> decltype(g.is_parallel()) {}))
+    if(input.graph.is_parallel()) // the search of a single row is parallel
+      loop = Loop();
+  return Matrix_computation<Search, Rows, Visitor>(input, plan, rows, unwrapped).run(loop);
 }
 
 // Returns whether the matrix was completed.
@@ -196,9 +180,7 @@ bool compute_distance_matrix(const Graph& graph,
                              const Matrix_points& points,
                              const NamedParameters& np)
 {
-  const bool is_symmetric = wants_symmetry<Rows>(points, np);
-  if(is_symmetric && is_directed<Graph>)
-    reject("symmetric: costs depend on the direction, so distances cannot be symmetric");
+  const bool is_symmetric = wants_symmetry<Rows>(graph, points, np);
   Row_limits limits{checked_maximum_distance(np), number_of_nearest(rows), {}};
   const Matrix_columns<Graph> columns(graph, points.targets);
   if(points.are_targets_given && columns.are_vertices() &&

@@ -228,7 +228,17 @@ public:
     result.number_of_faces = m_number_of_faces;
     if(!write_groups<true>(result))
       return false;
-    write_sides(result);
+    result.opposite_rank.resize(result.number_of_halfedges());
+    if(result.has_border())
+      result.is_border.resize(result.number_of_halfedges());
+    for(const halfedge_descriptor h : halfedges(m_mesh))
+    {
+      const Link link = m_links[index(h)], across = m_links[index(opposite(h, m_mesh))];
+      const Index number = result.first_halfedge(across.target) + link.counterclockwise;
+      result.opposite_rank.set(number, across.counterclockwise);
+      if(is_border(h, m_mesh))
+        result.is_border[number] = true;
+    }
     m_links = std::vector<Link>(); // frees its memory
     return true;
   }
@@ -407,21 +417,6 @@ private:
         return false;
     }
     return true;
-  }
-
-  void write_sides(Connectivity& result) const
-  {
-    result.opposite_rank.resize(result.number_of_halfedges());
-    if(result.has_border())
-      result.is_border.resize(result.number_of_halfedges());
-    for(const halfedge_descriptor h : halfedges(m_mesh))
-    {
-      const Link link = m_links[index(h)], across = m_links[index(opposite(h, m_mesh))];
-      const Index number = result.first_halfedge(across.target) + link.counterclockwise;
-      result.opposite_rank.set(number, across.counterclockwise);
-      if(is_border(h, m_mesh))
-        result.is_border[number] = true;
-    }
   }
 
   // ----- diagnosis

@@ -125,26 +125,6 @@ Space_vector double_point(const Point_3& p, const Traits& traits)
           CGAL::to_double(traits.compute_z_3_object()(p))};
 }
 
-// The points of the vertices of a mesh, in the order of the connectivity.
-template <typename Vertices, typename PointMap, typename Traits, typename Connectivity>
-std::vector<Space_vector> double_points(const Vertices& vertices,
-                                        const PointMap& point_map,
-                                        const Traits& traits,
-                                        const Connectivity& connectivity)
-{
-  std::vector<Space_vector> result;
-  result.reserve(vertices.size());
-  for(Index v = 0; v < vertices.size(); ++v)
-  {
-    result.push_back(double_point(get(point_map, vertices[v]), traits));
-    for(const double coordinate : result.back())
-      if(!std::isfinite(coordinate))
-        reject("vertex " + std::to_string(connectivity.index(v)) +
-               " has a coordinate that is infinite or not a number");
-  }
-  return result;
-}
-
 // Scales points, and returns their new unit.
 template <typename Connectivity>
 double
@@ -217,13 +197,6 @@ inline double accurate_dot(const Accurate_vector& a, const Accurate_vector& b)
   return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).high;
 }
 
-// Returns the area of the parallelogram spanned by `a` and `b`.
-inline double accurate_area(const Accurate_vector& a, const Accurate_vector& b)
-{
-  return accurate_length({(a[1] * b[2] - a[2] * b[1]).high, (a[2] * b[0] - a[0] * b[2]).high,
-                          (a[0] * b[1] - a[1] * b[0]).high});
-}
-
 // Returns the shape of the face with corners `p`, `q` and `r`.
 inline Thin_face thin_face(const Space_vector& p, const Space_vector& q, const Space_vector& r)
 {
@@ -239,7 +212,10 @@ inline Thin_face thin_face(const Space_vector& p, const Space_vector& q, const S
     if(squared_length[i] > squared_length[longest])
       longest = i;
   }
-  result.doubled_area = accurate_area(side[(longest + 1) % 3], side[(longest + 2) % 3]);
+  const Accurate_vector &a = side[(longest + 1) % 3], &b = side[(longest + 2) % 3];
+  result.doubled_area =
+      accurate_length({(a[1] * b[2] - a[2] * b[1]).high, (a[2] * b[0] - a[0] * b[2]).high,
+                       (a[0] * b[1] - a[1] * b[0]).high});
   return result;
 }
 
@@ -374,9 +350,19 @@ Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
     using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
     const Traits traits = parameters::choose_parameter<Traits>(
         parameters::get_parameter(np, internal_np::geom_traits));
-    result =
-        straight_lengths(double_points(vertices, vertex_point_map(tmesh, np), traits, connectivity),
-                         connectivity, Loop::with_tag<Concurrency_tag<NamedParameters>>());
+    const auto point_map = vertex_point_map(tmesh, np);
+    std::vector<Space_vector> points;
+    points.reserve(vertices.size());
+    for(Index v = 0; v < vertices.size(); ++v)
+    {
+      points.push_back(double_point(get(point_map, vertices[v]), traits));
+      for(const double coordinate : points.back())
+        if(!std::isfinite(coordinate))
+          reject("vertex " + std::to_string(connectivity.index(v)) +
+                 " has a coordinate that is infinite or not a number");
+    }
+    result = straight_lengths(std::move(points), connectivity,
+                              Loop::with_tag<Concurrency_tag<NamedParameters>>());
   }
   check_sum(result, connectivity);
   return result;

@@ -53,7 +53,13 @@ public:
       return entry.number;
     entry = {d, number};
     if(++m_size > m_entries.size() / 2)
-      grow();
+    {
+      std::vector<Entry> old(2 * m_entries.size());
+      old.swap(m_entries);
+      for(const Entry& moved : old)
+        if(moved.number != null_index)
+          m_entries[place_of(moved.descriptor)] = moved;
+    }
     return number;
   }
 
@@ -75,15 +81,6 @@ private:
     while(m_entries[i].number != null_index && m_entries[i].descriptor != d)
       i = (i + 1) & mask;
     return i;
-  }
-
-  void grow()
-  {
-    std::vector<Entry> old(2 * m_entries.size());
-    old.swap(m_entries);
-    for(const Entry& entry : old)
-      if(entry.number != null_index)
-        m_entries[place_of(entry.descriptor)] = entry;
   }
 
   std::vector<Entry> m_entries; // the size is a power of two
@@ -140,8 +137,14 @@ public:
     m_faces.push_back(f);
     halfedge_descriptor side = h;
     for(int i = 0; i < 3; ++i, side = next(side, *m_mesh))
-      if(!add_side(side))
+    {
+      const halfedge_descriptor across = opposite(side, *m_mesh);
+      const vertex_descriptor v = target(side, *m_mesh);
+      if(v == Graph_traits::null_vertex() || across == side || opposite(across, *m_mesh) != side ||
+         source(next(side, *m_mesh), *m_mesh) != v || !add_halfedge(side))
         return false;
+      m_halfedge_to[add_vertex(v)] = side;
+    }
     return true;
   }
 
@@ -259,17 +262,6 @@ public:
   }
 
 private:
-  bool add_side(const halfedge_descriptor h)
-  {
-    const halfedge_descriptor across = opposite(h, *m_mesh);
-    const vertex_descriptor v = target(h, *m_mesh);
-    if(v == Graph_traits::null_vertex() || across == h || opposite(across, *m_mesh) != h ||
-       source(next(h, *m_mesh), *m_mesh) != v || !add_halfedge(h))
-      return false;
-    m_halfedge_to[add_vertex(v)] = h;
-    return true;
-  }
-
   // Returns whether `h` is new.
   bool add_halfedge(const halfedge_descriptor h)
   {
@@ -507,7 +499,9 @@ public:
       if(!m_part.contains(h) && !enter(h))
         return false;
     }
-    return measure_new_vertices() && m_part.close() && do_lengths_fit();
+    // an edge is at most as long as the detours of its ends together
+    return measure_new_vertices() && m_part.close() &&
+           std::isfinite(2 * m_largest_detour * static_cast<double>(num_halfedges(m_part)));
   }
 
   Mesh_part<TriangleMesh>& part() { return m_part; }
@@ -536,26 +530,17 @@ private:
       const halfedge_descriptor across = opposite(side, m_mesh);
       if(is_border(across, m_mesh))
       {
-        if(!follow_border(across, from))
+        // the face across the border at the target of `across` may be met
+        const halfedge_descriptor following = next(across, m_mesh);
+        if(following == Graph_traits::null_halfedge() ||
+           is_border(opposite(following, m_mesh), m_mesh)) // an edge without faces
           return false;
+        enter_later(opposite(following, m_mesh), from.detour * (1 - Detour::rounding));
       }
       else
         enter_later(across, m_detour.on_edge(from.detour, to.detour, distance(from, to)));
       from = to;
     }
-    return true;
-  }
-
-  // Enters the face across the border at the target of `h`. Returns false if links are invalid.
-  bool follow_border(const halfedge_descriptor h, const Vertex& end)
-  {
-    const halfedge_descriptor following = next(h, m_mesh);
-    if(following == Graph_traits::null_halfedge())
-      return false;
-    const halfedge_descriptor across = opposite(following, m_mesh);
-    if(is_border(across, m_mesh))
-      return false; // an edge without faces
-    enter_later(across, end.detour * (1 - Detour::rounding));
     return true;
   }
 
@@ -590,12 +575,6 @@ private:
       m_largest_detour = (std::max)(m_largest_detour, detour);
     }
     return true;
-  }
-
-  // An edge is at most as long as the detours of its ends together.
-  bool do_lengths_fit() const
-  {
-    return std::isfinite(2 * m_largest_detour * static_cast<double>(num_halfedges(m_part)));
   }
 
   Mesh_part<TriangleMesh> m_part;

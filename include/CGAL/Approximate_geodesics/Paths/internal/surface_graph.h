@@ -12,10 +12,11 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <boost/type_traits/detected_or.hpp>
-#include <boost/type_traits/is_detected.hpp>
-#include <boost/type_traits/is_detected_convertible.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -26,9 +27,6 @@ namespace CGAL::Approximate_geodesics::internal {
 template <typename Graph>
 using Arcs_are_edges = std::bool_constant<Graph::arcs_are_edges>;
 
-template <typename Graph>
-using Position_of_node = decltype(std::declval<const Graph&>().position(0));
-
 // Whether paths in a graph may have points other than vertices.
 template <typename SurfaceGraph>
 constexpr bool has_crossing_arcs =
@@ -37,20 +35,17 @@ constexpr bool has_crossing_arcs =
 // Whether a graph may have nodes that are not vertices, and gives their positions.
 template <typename SurfaceGraph>
 constexpr bool has_positions =
-    boost::is_detected_convertible_v<Intrinsic_point, Position_of_node, SurfaceGraph>;
+    is_valid<const SurfaceGraph&, Intrinsic_point>([](auto& g) -> decltype(g.position(0)) {});
 
-template <typename Graph>
-using Attachment_of_target =
-    decltype(std::declval<const Graph&>().attach_target(std::declval<Intrinsic_point>()));
-
-template <typename Graph>
-using Leads_to_sources = decltype(std::declval<const Graph&>().leads_to_sources());
+template <typename SurfaceGraph>
+constexpr bool attaches_targets = is_valid<const SurfaceGraph&>(
+    [](auto& g) -> decltype(g.attach_target(std::declval<Intrinsic_point>())) {});
 
 // Attaches a target, which differs from attaching a source if arcs are directed.
 template <typename SurfaceGraph>
 auto attach_target(const SurfaceGraph& graph, const Intrinsic_point& point)
 {
-  if constexpr(boost::is_detected_v<Attachment_of_target, SurfaceGraph>)
+  if constexpr(attaches_targets<SurfaceGraph>)
     return graph.attach_target(point);
   else
     return graph.attach(point);
@@ -58,7 +53,8 @@ auto attach_target(const SurfaceGraph& graph, const Intrinsic_point& point)
 
 // Whether distances are not symmetric.
 template <typename SurfaceGraph>
-constexpr bool is_directed = boost::is_detected_v<Leads_to_sources, SurfaceGraph>;
+constexpr bool
+    is_directed = is_valid<const SurfaceGraph&>([](auto& g) -> decltype(g.leads_to_sources()) {});
 
 // Whether distances are those to the sources of a search.
 template <typename SurfaceGraph>
@@ -70,13 +66,10 @@ bool leads_to_sources([[maybe_unused]] const SurfaceGraph& graph)
     return false;
 }
 
-template <typename T>
-using Triangulation_of = decltype(std::declval<const T&>().triangulation());
-
 // Whether an argument is a graph, and not a mesh.
 template <typename T>
-constexpr bool is_surface_graph =
-    boost::is_detected_convertible_v<const Intrinsic_triangulation&, Triangulation_of, T>;
+constexpr bool is_surface_graph = is_valid<const T&, const Intrinsic_triangulation&>(
+    [](auto& g) -> decltype(g.triangulation()) {});
 
 // The position of a node.
 template <typename SurfaceGraph>
@@ -92,50 +85,109 @@ Intrinsic_point position(const SurfaceGraph& graph, const typename SurfaceGraph:
 template <typename Graph>
 struct Check_surface_graph
 {
-  using F = void (*)(Intrinsic_point::Index, double);
-  using End = Intrinsic_point::Index;
+  static void on_crossing(Intrinsic_point::Index, double);
+  static void on_point(std::size_t, double);
 
-  template <typename G>
-  using Crossing = decltype(std::declval<const G&>().for_each_crossing(
-      std::declval<End>(), std::declval<End>(), 1., std::declval<F>()));
-  template <typename G>
-  using Attachment = decltype(std::declval<const G&>().attach(std::declval<Intrinsic_point>()));
-  template <typename G>
-  using Nodes = decltype(std::declval<Attachment<G>>().for_each_node(std::declval<F>()));
-  template <typename G>
-  using Points = decltype(std::declval<Attachment<G>>().for_each_point(
-      std::declval<Points_by_face>(), std::declval<void (*)(std::size_t, double)>()));
-  template <typename G>
-  using Crossing_to_node = decltype(std::declval<Attachment<G>>().for_each_crossing(
-      std::declval<End>(), 1., std::declval<F>()));
-  template <typename G>
-  using Crossing_to_point = decltype(std::declval<Attachment<G>>().for_each_crossing(
-      std::declval<Intrinsic_point>(), 1., std::declval<F>()));
+  static constexpr bool has_crossings = is_valid<const Graph&, double>(
+      [](auto& g) -> decltype(g.for_each_crossing(0, 0, 1., on_crossing)) {});
+  static constexpr bool can_attach =
+      is_valid<const Graph&>([](auto& g) -> decltype(g.attach(std::declval<Intrinsic_point>())) {});
+  static constexpr bool attaches_nodes = is_valid<const Graph&>(
+      [](auto& g)
+          -> decltype(g.attach(std::declval<Intrinsic_point>()).for_each_node(on_crossing)) {});
+  static constexpr bool attaches_points = is_valid<const Graph&>(
+      [](auto& g) -> decltype(g.attach(std::declval<Intrinsic_point>())
+                                  .for_each_point(std::declval<Points_by_face>(), on_point)) {});
+  static constexpr bool traces_lines =
+      is_valid<const Graph&, double>(
+          [](auto& g) -> decltype(g.attach(std::declval<Intrinsic_point>())
+                                      .for_each_crossing(
+                                          Intrinsic_point::Index(), 1., on_crossing)) {}) &&
+      is_valid<const Graph&, double>(
+          [](auto& g) -> decltype(g.attach(std::declval<Intrinsic_point>())
+                                      .for_each_crossing(
+                                          std::declval<Intrinsic_point>(), 1., on_crossing)) {});
 
   static_assert(is_surface_graph<Graph>,
                 "A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation() "
                 "const`.");
-  static_assert(!has_crossing_arcs<Graph> || Run_of<Graph>::attaches_by_labels ||
-                    boost::is_detected_convertible_v<double, Crossing, Graph>,
+  static_assert(!has_crossing_arcs<Graph> || Run_of<Graph>::attaches_by_labels || has_crossings,
                 "A model of SurfaceGraph must have `double for_each_crossing(Node source, Node "
                 "target, double length, F f) const`, unless `arcs_are_edges` is `true`.");
-  static constexpr bool can_attach = boost::is_detected_v<Attachment, Graph>;
   static_assert(can_attach,
                 "A model of SurfaceGraph must have `attach(const Intrinsic_point& point) const`.");
   static_assert(
-      !can_attach || boost::is_detected_v<Nodes, Graph>,
+      !can_attach || attaches_nodes,
       "What `attach()` of a model of SurfaceGraph returns must have `for_each_node(F f)`.");
   static_assert(
-      !can_attach || boost::is_detected_v<Points, Graph>,
+      !can_attach || attaches_points,
       "What `attach()` of a model of SurfaceGraph returns must have `for_each_point(const "
       "Points_by_face& points, F f)`.");
-  static_assert(!can_attach || (boost::is_detected_convertible_v<double, Crossing_to_node, Graph> &&
-                                boost::is_detected_convertible_v<double, Crossing_to_point, Graph>),
+  static_assert(!can_attach || traces_lines,
                 "What `attach()` of a model of SurfaceGraph returns must have `double "
                 "for_each_crossing(End end, double length, F f)`, for a node and for a point.");
 
   static constexpr bool is_done = true;
 };
+
+// A bound on the relative rounding error of sums of lengths.
+constexpr double rounding_of_distances = 1e-12;
+
+template <typename Graph>
+constexpr bool has_epsilon = is_valid<const Graph&>([](auto& g) -> decltype(g.epsilon()) {});
+
+template <typename Graph>
+constexpr bool has_cost_to_corner = is_valid<const Graph&>(
+    [](auto& g) -> decltype(g.cost_to_corner(std::declval<Intrinsic_point>())) {});
+
+// Returns the error bound of a graph; infinity if it has none.
+template <typename Graph>
+double error_bound([[maybe_unused]] const Graph& graph)
+{
+  if constexpr(has_epsilon<Graph>)
+    return graph.epsilon();
+  else
+    return std::numeric_limits<double>::infinity();
+}
+
+// Returns the finite cost from a point to a corner of its face, which extends the error bound of
+// some graphs; 0 for other graphs.
+template <typename Graph>
+double cost_to_corner([[maybe_unused]] const Graph& graph,
+                      [[maybe_unused]] const Intrinsic_point& point)
+{
+  double result = 0;
+  if constexpr(has_cost_to_corner<Graph>)
+    result = graph.unit() * graph.cost_to_corner(point);
+  return std::isinf(result) ? 0 : result;
+}
+
+// Returns a lower bound on the exact distance if a search with the error bound `epsilon` has found
+// `distance`. `cost_to_corner` is the cost from its ends to the nearest vertices.
+inline double
+smallest_distance(const double distance, const double epsilon, const double cost_to_corner = 0)
+{
+  if(std::isinf(epsilon))
+    return std::isinf(distance) ? distance : 0;
+  const double detour = cost_to_corner > 0 ? (2 + epsilon) * cost_to_corner : 0;
+  return (std::max)(distance - detour, 0.) / (1 + epsilon) * (1 - rounding_of_distances);
+}
+
+// Returns an interval that contains the distance of a point from the source of a search.
+template <typename SurfaceSearch>
+std::pair<double, double> distance_interval(const SurfaceSearch& search,
+                                            const Intrinsic_point& point,
+                                            const double maximum_distance)
+{
+  const auto& graph = search.graph();
+  const double distance = search.distance(point), epsilon = error_bound(graph);
+  const double costs =
+      cost_to_corner(graph, search.sources().front().point) + cost_to_corner(graph, point);
+  const double rounding = epsilon > 0 ? 2.4e-7 : rounding_of_distances; // stored arcs are `float`
+  return {smallest_distance((std::min)(distance, maximum_distance), epsilon, costs) *
+              (1 - rounding),
+          distance * (1 + rounding)};
+}
 
 } // namespace CGAL::Approximate_geodesics::internal
 

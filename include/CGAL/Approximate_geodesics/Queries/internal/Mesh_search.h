@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -237,82 +236,6 @@ private:
   const Translation& m_translation;
   VertexPointMap m_point_map;
   Surface_search m_search;
-};
-
-/*
- * Point-to-point searches with a separate workspace, which is allocated on first use.
- */
-template <typename MeshSearch>
-class Pair_search
-{
-public:
-  // Uses the graph and the mesh of `other`. Returns -1 if there is no path.
-  template <typename Source, typename Target, typename NamedParameters>
-  double distance(const MeshSearch& other,
-                  const Source& source,
-                  const Target& target,
-                  const NamedParameters& np)
-  {
-    if constexpr(is_given<NamedParameters, internal_np::straighten_t>)
-      return for_each_point(other, source, target, np, [](const Intrinsic_point&) {});
-    else
-    {
-      const Intrinsic_point end = run(other, source, target, np);
-      const auto answer = m_parts->search.search().nearest(end);
-      return answer.is_reached() ? answer.distance : -1;
-    }
-  }
-
-  // Calls `f(point)` for the points of the path. Returns its length, or -1 if there is no path.
-  template <typename Source, typename Target, typename NamedParameters, typename F>
-  double for_each_point(const MeshSearch& other,
-                        const Source& source,
-                        const Target& target,
-                        const NamedParameters& np,
-                        F f)
-  {
-    const Intrinsic_point end = run(other, source, target, np);
-    const Path path = m_parts->search.find_path(end, np);
-    if(leads_to_sources(other.search().graph()))
-      std::for_each(path.points.begin(), path.points.end(), f);
-    else
-      std::for_each(path.points.rbegin(), path.points.rend(), f);
-    return path.points.empty() ? -1 : path.length;
-  }
-
-  // Must be called after the weights of the graph have changed.
-  void reset() { m_parts.reset(); }
-
-private:
-  // Returns where the search ends: in a reversed graph, it runs from the target to the source.
-  template <typename Source, typename Target, typename NamedParameters>
-  Intrinsic_point run(const MeshSearch& other,
-                      const Source& source,
-                      const Target& target,
-                      const NamedParameters& np)
-  {
-    static_assert(!ignores_any<NamedParameters, internal_np::straighten_t,
-                               internal_np::maximum_distance_t, internal_np::visitor_t>,
-                  "single pairs read straighten, maximum_distance and visitor");
-    if(!m_parts)
-      m_parts = std::make_unique<Parts>(
-          Parts{MeshSearch(other.search().graph(), other.translation(), other.point_map()),
-                other.positions()});
-    const auto run_between = [&](const auto& from, const auto& to) {
-      m_parts->search.run_to(from, to, m_parts->positions, np);
-      return other.translation().intrinsic_point(to);
-    };
-    return leads_to_sources(other.search().graph()) ? run_between(target, source)
-                                                    : run_between(source, target);
-  }
-
-  struct Parts
-  {
-    MeshSearch search;
-    Vertex_positions positions;
-  };
-
-  std::unique_ptr<Parts> m_parts;
 };
 
 // Returns no positions for the edge graph, where computing them takes as long as a search.

@@ -74,7 +74,7 @@ void set_initial_distances([[maybe_unused]] const NamedParameters& np,
     }
     if(number != sources.size())
       reject("there are " + std::to_string(number) + " initial distances, and " +
-             std::to_string(sources.size()) + " sources");
+             std::to_string(sources.size()) + " sources; there must be one for each of them");
   }
 }
 
@@ -110,8 +110,8 @@ auto directional_graph(Intrinsic_triangulation triangulation, const NamedParamet
             parameters::get_parameter(np, internal_np::direction_to_source), false));
 }
 
-// Calls `f` with a graph for the named parameter `epsilon`. One that is not needed is not compiled
-// if `epsilon` is known by its type.
+// Calls `f` with a graph for the named parameter `epsilon`. If its value is known at compile time,
+// only one graph is instantiated.
 template <typename GraphWithBound, typename ExactTag, typename NamedParameters, typename F>
 auto with_epsilon(Intrinsic_triangulation triangulation, const NamedParameters& np, const F& f)
 {

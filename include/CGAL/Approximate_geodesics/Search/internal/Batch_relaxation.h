@@ -29,52 +29,43 @@ namespace CGAL::Approximate_geodesics::internal {
  * the arcs that lead to them.
  */
 template <typename Queue, typename Heuristic>
-class Goal
+struct Goal
 {
   using Node = Labels::Node;
-  using Arcs = std::vector<Last_arc>; // their lengths in units of the graph
+  using Arcs = std::vector<Last_arc>;
 
-public:
-  Goal(const Labels& labels,
-       const Queue& queue,
-       const Heuristic& heuristic,
-       std::vector<Node> targets,
-       std::vector<Arcs> points)
-    : m_labels(labels),
-      m_queue(queue),
-      m_heuristic(heuristic),
-      m_targets(std::move(targets)),
-      m_points(std::move(points)),
-      m_is_given(!m_targets.empty() || !m_points.empty())
-  {
-  }
+  const Labels& labels;
+  const Queue& queue;
+  const Heuristic& heuristic;
+  std::vector<Node> targets; // those that are not final
+  std::vector<Arcs> points;  // those that are not final; lengths are in units of the graph
 
-  // Whether there are any targets.
-  bool is_given() const { return m_is_given; }
+  // Whether no targets are left.
+  bool is_empty() const { return targets.empty() && points.empty(); }
 
   bool is_final(const Node node) const
   {
-    return is_final_key(m_labels.distance(node) + m_heuristic(node));
+    return is_final_key(labels.distance(node) + heuristic(node));
   }
 
   // Whether all distances are final. Checks one target at a time, so that the cost does not depend
   // on the number of targets.
   bool is_met()
   {
-    while(!m_targets.empty() && is_final(m_targets.back()))
-      m_targets.pop_back();
-    while(m_targets.empty() && !m_points.empty() && is_final(m_points.back()))
-      m_points.pop_back();
-    return m_is_given && m_targets.empty() && m_points.empty();
+    while(!targets.empty() && is_final(targets.back()))
+      targets.pop_back();
+    while(targets.empty() && !points.empty() && is_final(points.back()))
+      points.pop_back();
+    return is_empty();
   }
 
   // The largest distance of the targets that are not known to be final; infinity if there are none.
   double distance() const
   {
-    double result = m_targets.empty() && m_points.empty() ? infinity : 0;
-    for(const Node target : m_targets)
-      result = (std::max)(result, m_labels.distance(target));
-    for(const Arcs& arcs : m_points)
+    double result = is_empty() ? infinity : 0;
+    for(const Node target : targets)
+      result = (std::max)(result, labels.distance(target));
+    for(const Arcs& arcs : points)
       result = (std::max)(result, shortest(arcs));
     return result;
   }
@@ -84,7 +75,7 @@ private:
   {
     double result = infinity;
     for(const Last_arc& arc : arcs)
-      result = (std::min)(result, m_labels.distance(arc.node) + arc.length);
+      result = (std::min)(result, labels.distance(arc.node) + arc.length);
     return result;
   }
 
@@ -96,15 +87,8 @@ private:
   bool is_final_key(const double key) const
   {
     constexpr double rounding = is_heuristic<Heuristic> ? 1e-12 : 0;
-    return m_queue.is_final(key * (1 + rounding));
+    return queue.is_final(key * (1 + rounding));
   }
-
-  const Labels& m_labels;
-  const Queue& m_queue;
-  const Heuristic& m_heuristic;
-  std::vector<Node> m_targets; // those that are not final
-  std::vector<Arcs> m_points;  // those that are not final
-  bool m_is_given;
 };
 
 // Sorts a part of the order by distance, and removes repeated nodes. Returns its new end.
@@ -154,7 +138,8 @@ public:
       m_visitor(visitor),
       m_unit(unit),
       m_sorts(counts || is_told_of_nodes<Visitor>),
-      m_is_needed(m_goal.is_given() || m_sorts || !is_idle_visitor<Visitor>)
+      m_has_goal(!m_goal.is_empty()),
+      m_is_needed(m_has_goal || m_sorts || !is_idle_visitor<Visitor>)
   {
   }
 
@@ -168,7 +153,7 @@ public:
     if(m_number_final == number_of_earlier || !m_goal.is_final(m_labels.order()[m_number_final]))
       return true;
     settle(number_of_earlier);
-    return !m_goal.is_met() && m_visitor.go_further();
+    return !(m_has_goal && m_goal.is_met()) && m_visitor.go_further();
   }
 
   // Must be called when the queue is empty.
@@ -193,8 +178,7 @@ private:
   Goal m_goal;
   Visitor& m_visitor;
   double m_unit;
-  bool m_sorts;
-  bool m_is_needed;
+  bool m_sorts, m_has_goal, m_is_needed;
   std::size_t m_number_final = 0;
 };
 
@@ -298,8 +282,12 @@ public:
       m_turns[i] = {thread, first, list.size()};
       m_lists[thread] = std::move(list);
     });
-    for(const Turn& turn : m_turns)
-      append_part(m_lists[turn.thread], turn.first, turn.beyond);
+    for(const auto& [thread, first, beyond] : m_turns)
+    {
+      const Candidate* const part = m_lists[thread].m_memory.data();
+      std::copy(part + first, part + beyond, reserve(beyond - first));
+      m_size += beyond - first;
+    }
     for(const Candidate_list& list : m_lists)
       m_number_of_arcs += list.m_number_of_arcs;
   }
@@ -326,7 +314,10 @@ private:
     void operator()(const Node target, const double length) const
     {
       if constexpr(!has_maximum_degree<Graph>)
-        end = list.with_room_at(end);
+      {
+        list.m_size = static_cast<std::size_t>(end - list.m_memory.data());
+        end = list.reserve(1); // which may move the others
+      }
       end = append(end, target, length);
     }
 
@@ -368,24 +359,17 @@ private:
                                           const Labels& labels)
   {
     const double* const distances = m_distances; // kept in a register
+    std::size_t largest_degree = 1;
+    if constexpr(has_maximum_degree<Graph>)
+      largest_degree = graph.maximum_degree();
     for(std::size_t i = 0; i < number; ++i)
     {
-      Candidate* end = reserve(largest_degree(graph));
+      Candidate* end = reserve(largest_degree);
       graph.for_each_arc(
           nodes[i], labels,
           Arc_visitor<COUNT, Graph>{*this, distances, distances[nodes[i]], nodes[i], end});
       m_size = static_cast<std::size_t>(end - m_memory.data());
     }
-  }
-
-  // The maximum degree if the graph has one, else 1.
-  template <typename Graph>
-  static std::size_t largest_degree([[maybe_unused]] const Graph& graph)
-  {
-    if constexpr(has_maximum_degree<Graph>)
-      return graph.maximum_degree();
-    else
-      return 1;
   }
 
   static void
@@ -402,20 +386,6 @@ private:
     if(m_memory.size() < m_size + room)
       m_memory.resize(2 * (m_size + room));
     return m_memory.data() + m_size;
-  }
-
-  // Reserves memory for one more candidate, which may move the others.
-  Candidate* with_room_at(const Candidate* const end)
-  {
-    m_size = static_cast<std::size_t>(end - m_memory.data());
-    return reserve(1);
-  }
-
-  void append_part(const Candidate_list& list, const std::size_t first, const std::size_t beyond)
-  {
-    Candidate* const end = reserve(beyond - first);
-    std::copy(list.m_memory.data() + first, list.m_memory.data() + beyond, end);
-    m_size += beyond - first;
   }
 
   std::vector<Candidate> m_memory;
@@ -497,7 +467,11 @@ public:
         return false;
       if(m_size == 0 && !is_requested(batch)) // all entries are stale
         continue;
-      find_candidates();
+      // The second loop: scans the arcs of these nodes, and lists those that lower a label.
+      m_candidates.start(m_labels.distances(), m_statistics != nullptr);
+      const auto& order = m_labels.order();
+      m_run.expand(order.data() + (order.size() - m_size), m_size,
+                   static_cast<const Labels&>(m_labels), m_candidates);
       const std::size_t number_lowered = lower_labels();
       if(m_statistics != nullptr)
         count(number_lowered);
@@ -563,15 +537,6 @@ private:
       const auto& [key, node] = entry;
       return m_request && m_request->key == key && m_request->node == node;
     });
-  }
-
-  // The second loop: scans the arcs of these nodes, and lists those that lower a label.
-  void find_candidates()
-  {
-    m_candidates.start(m_labels.distances(), m_statistics != nullptr);
-    const auto& order = m_labels.order();
-    m_run.expand(order.data() + (order.size() - m_size), m_size,
-                 static_cast<const Labels&>(m_labels), m_candidates);
   }
 
   // The third loop: lowers the labels of the candidates' nodes, and pushes these. Returns their

@@ -102,7 +102,15 @@ public:
     if(!labels.is_reached(node))
       return null_source;
     if(!m_has_roots)
-      set_roots(labels, seeds);
+    {
+      m_seed.resize(labels.number_of_nodes(), UNKNOWN);
+      for(std::size_t i = seeds.size(); i-- > 0;) // of equal seeds, the first wins
+        if(const Node n = seeds[i].node; labels.is_reached(n) &&
+                                         labels.predecessor(n) == Labels::null_node &&
+                                         labels.distance(n) == seeds[i].distance)
+          m_seed[n] = static_cast<Seed_index>(i);
+      m_has_roots = true;
+    }
 
     Node root = node;
     while(m_seed[root] == UNKNOWN)
@@ -134,19 +142,6 @@ public:
 private:
   using Seed_index = std::uint32_t;
   static constexpr Seed_index UNKNOWN = (std::numeric_limits<Seed_index>::max)();
-
-  void set_roots(const Labels& labels, const std::vector<Seed>& seeds)
-  {
-    m_seed.resize(labels.number_of_nodes(), UNKNOWN);
-    for(std::size_t i = seeds.size(); i-- > 0;) // of equal seeds, the first wins
-    {
-      const Node node = seeds[i].node;
-      if(labels.is_reached(node) && labels.predecessor(node) == Labels::null_node &&
-         labels.distance(node) == seeds[i].distance)
-        m_seed[node] = static_cast<Seed_index>(i);
-    }
-    m_has_roots = true;
-  }
 
   std::vector<Seed_index> m_seed; // per node
   bool m_has_roots = false;

@@ -13,8 +13,6 @@
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
 #include <boost/type_traits/is_detected.hpp>
-#include <boost/type_traits/is_detected_convertible.hpp>
-#include <boost/type_traits/is_detected_exact.hpp>
 
 #include <cstddef>
 #include <type_traits>
@@ -47,31 +45,29 @@ struct Some_function
 template <typename Graph>
 struct Check_graph
 {
-  template <typename G>
-  using Node = typename G::Node;
-  template <typename G>
-  using Number_of_nodes = decltype(std::declval<const G&>().number_of_nodes());
-  template <typename G>
-  using Unit = decltype(std::declval<const G&>().unit());
-  template <typename G>
-  using Lengths = decltype(std::declval<const G&>().arc_lengths());
-  template <typename G>
-  using For_each_arc = decltype(std::declval<const G&>().for_each_arc(
-      std::declval<Labels::Node>(), std::declval<const Labels&>(), std::declval<Some_function>()));
+  static constexpr bool has_node = is_valid<const Graph&, Labels::Node*>(
+      [](auto& g) -> typename std::decay_t<decltype(g)>::Node* {});
+  static constexpr bool has_size =
+      is_valid<const Graph&, std::size_t>([](auto& g) -> decltype(g.number_of_nodes()) {});
+  static constexpr bool has_unit =
+      is_valid<const Graph&, double>([](auto& g) -> decltype(g.unit()) {});
+  static constexpr bool has_lengths =
+      is_valid<const Graph&, Arc_lengths>([](auto& g) -> decltype(g.arc_lengths()) {});
+  static constexpr bool has_arcs = is_valid<const Graph&>(
+      [](auto& g) -> decltype(g.for_each_arc(
+                      Labels::Node(), std::declval<const Labels&>(), Some_function())) {});
 
-  static_assert(boost::is_detected_exact_v<Labels::Node, Node, Graph>,
+  static_assert(has_node,
                 "A model of GeodesicGraph must have a type `Node`, which is `std::uint32_t`.");
-  static_assert(boost::is_detected_convertible_v<std::size_t, Number_of_nodes, Graph>,
+  static_assert(has_size,
                 "A model of GeodesicGraph must have `std::size_t number_of_nodes() const`.");
-  static_assert(boost::is_detected_convertible_v<double, Unit, Graph>,
-                "A model of GeodesicGraph must have `double unit() const`.");
-  static_assert(boost::is_detected_convertible_v<Arc_lengths, Lengths, Graph>,
+  static_assert(has_unit, "A model of GeodesicGraph must have `double unit() const`.");
+  static_assert(has_lengths,
                 "A model of GeodesicGraph must have `Arc_lengths arc_lengths() const`.");
   static_assert(
-      boost::is_detected_v<Own_run, Graph> || boost::is_detected_v<For_each_arc, Graph>,
+      has_arcs || boost::is_detected_v<Own_run, Graph>,
       "A model of GeodesicGraph must have `for_each_arc(Node node, const Labels& labels, F f) "
       "const`, for all types `Labels` and `F`.");
-
   static constexpr bool is_done = true;
 };
 
@@ -86,97 +82,78 @@ auto parts_of(const Entry& entry)
 template <typename Queue>
 struct Check_queue
 {
-  template <typename Q>
-  using Push = decltype(std::declval<Q&>().push(Some_node(), Some_key()));
-  template <typename Q>
-  using Batch = decltype(std::declval<Q&>().extract_min());
-  template <typename Q>
-  using Size_of_batch = decltype(std::declval<const Batch<Q>&>().size());
-  template <typename Q>
-  using Begin_of_batch = decltype(*std::declval<const Batch<Q>&>().begin());
-  template <typename Q>
-  using End_of_batch = decltype(*std::declval<const Batch<Q>&>().end());
-  template <typename Q>
-  using Parts_of_entry = decltype(parts_of(std::declval<Begin_of_batch<Q>>()));
-  template <typename Q>
-  using Is_empty = decltype(std::declval<const Q&>().is_empty());
-  template <typename Q>
-  using Is_final = decltype(std::declval<const Q&>().is_final(Some_key()));
-  template <typename Q>
-  using For_each_node = decltype(std::declval<const Q&>().for_each_node(Some_function()));
-  template <typename Q>
-  using Clear = decltype(std::declval<Q&>().clear());
-  template <typename Q>
-  using Memory = decltype(std::declval<const Q&>().memory());
+  using Part = std::pair<double, Labels::Node>;
+  static constexpr bool can_push =
+      is_valid<Queue&>([](auto& q) -> decltype(q.push(Some_node(), Some_key())) {});
+  static constexpr bool can_extract = is_valid<Queue&>([](auto& q) -> decltype(q.extract_min()) {});
+  static constexpr bool extracts_range =
+      is_valid<Queue&, std::size_t>([](auto& q) -> decltype(q.extract_min().size()) {}) &&
+      is_valid<Queue&>([](auto& q) -> decltype(*q.extract_min().begin()) {}) &&
+      is_valid<Queue&>([](auto& q) -> decltype(*q.extract_min().end()) {});
+  static constexpr bool extracts_entries =
+      is_valid<Queue&, Part*>([](auto& q) -> decltype(parts_of(*q.extract_min().begin()))* {});
+  static constexpr bool has_emptiness =
+      is_valid<const Queue&, bool>([](auto& q) -> decltype(q.is_empty()) {});
+  static constexpr bool has_finality =
+      is_valid<const Queue&, bool>([](auto& q) -> decltype(q.is_final(Some_key())) {});
+  static constexpr bool lists_nodes =
+      is_valid<const Queue&>([](auto& q) -> decltype(q.for_each_node(Some_function())) {});
+  static constexpr bool can_clear = is_valid<Queue&>([](auto& q) -> decltype(q.clear()) {});
+  static constexpr bool has_memory =
+      is_valid<const Queue&, std::size_t>([](auto& q) -> decltype(q.memory()) {});
 
   static_assert(
       std::is_constructible_v<Queue, std::size_t, const Arc_lengths&>,
       "A model of GeodesicPriorityQueue must have a constructor for arguments of the types "
       "`std::size_t` and `const Arc_lengths&`.");
-  static_assert(boost::is_detected_v<Push, Queue>,
+  static_assert(can_push,
                 "A model of GeodesicPriorityQueue must have `void push(Node node, Key key)`, where "
                 "`Node` is `std::uint32_t`, and `Key` is `double`.");
-  static_assert(boost::is_detected_v<Batch, Queue>,
-                "A model of GeodesicPriorityQueue must have `Batch extract_min()`.");
-  static_assert(boost::is_detected_convertible_v<std::size_t, Size_of_batch, Queue> &&
-                    boost::is_detected_v<Begin_of_batch, Queue> &&
-                    boost::is_detected_v<End_of_batch, Queue>,
+  static_assert(can_extract, "A model of GeodesicPriorityQueue must have `Batch extract_min()`.");
+  static_assert(extracts_range,
                 "The `Batch` of a model of GeodesicPriorityQueue must have `begin()`, `end()` and "
                 "`size()`.");
   static_assert(
-      boost::is_detected_exact_v<std::pair<double, Labels::Node>, Parts_of_entry, Queue>,
+      extracts_entries,
       "An `Entry` of a model of GeodesicPriorityQueue must have two parts: first the key, a "
       "`double`, then the node, a `std::uint32_t`.");
-  static_assert(boost::is_detected_convertible_v<bool, Is_empty, Queue>,
+  static_assert(has_emptiness,
                 "A model of GeodesicPriorityQueue must have `bool is_empty() const`.");
   static_assert(
-      boost::is_detected_convertible_v<bool, Is_final, Queue>,
+      has_finality,
       "A model of GeodesicPriorityQueue must have `bool is_final(Key key) const`, where `Key` "
       "is `double`.");
   static_assert(
-      boost::is_detected_v<For_each_node, Queue>,
+      lists_nodes,
       "A model of GeodesicPriorityQueue must have `for_each_node(F f) const`, for all types "
       "`F`.");
-  static_assert(boost::is_detected_v<Clear, Queue>,
-                "A model of GeodesicPriorityQueue must have `void clear()`.");
-  static_assert(boost::is_detected_convertible_v<std::size_t, Memory, Queue>,
+  static_assert(can_clear, "A model of GeodesicPriorityQueue must have `void clear()`.");
+  static_assert(has_memory,
                 "A model of GeodesicPriorityQueue must have `std::size_t memory() const`.");
-
   static constexpr bool is_done = true;
 };
 
 // Optional members of models of GeodesicGraph and GeodesicPriorityQueue.
 
-template <typename Graph>
-using Maximum_degree = decltype(std::declval<const Graph&>().maximum_degree());
-
-template <typename Graph>
-using Prefetch =
-    decltype(std::declval<const Graph&>().prefetch(std::declval<typename Graph::Node>()));
-
-template <typename Queue>
-using Statistics = decltype(std::declval<const Queue&>().statistics());
-
-template <typename Queue>
-using Extract_round = decltype(std::declval<Queue&>().extract_round(std::size_t(1)));
-
 // Whether a graph has an upper bound of the number of arcs of a node.
 template <typename Graph>
 constexpr bool has_maximum_degree =
-    boost::is_detected_convertible_v<std::size_t, Maximum_degree, Graph>;
+    is_valid<const Graph&, std::size_t>([](auto& g) -> decltype(g.maximum_degree()) {});
 
 // Whether a graph prefetches the data of nodes that will be expanded soon.
 template <typename Graph>
-constexpr bool has_prefetch = boost::is_detected_v<Prefetch, Graph>;
+constexpr bool
+    has_prefetch = is_valid<const Graph&>([](auto& g) -> decltype(g.prefetch(Labels::Node())) {});
 
 // Whether a queue can hand out batches that are larger than usual.
 template <typename Queue>
-constexpr bool has_rounds = boost::is_detected_v<Extract_round, Queue>;
+constexpr bool
+    has_rounds = is_valid<Queue&>([](auto& q) -> decltype(q.extract_round(std::size_t(1))) {});
 
 // Whether a queue counts comparisons.
 template <typename Queue>
 constexpr bool counts_comparisons =
-    boost::is_detected_convertible_v<Bucket_statistics, Statistics, Queue>;
+    is_valid<const Queue&, Bucket_statistics>([](auto& q) -> decltype(q.statistics()) {});
 
 // The heuristic of Dijkstra's algorithm: the lower bound of the remaining distance is zero.
 struct No_heuristic

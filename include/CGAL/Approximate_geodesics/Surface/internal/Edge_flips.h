@@ -150,7 +150,12 @@ public:
     const double area = m_halfedges[h].doubled_area + m_halfedges[g].doubled_area;
     const bool is_straight = beyond <= ROUNDING * area; // and may be bent by rounding only
     const Index ends[2] = {m_halfedges[quad.right_side].target, m_halfedges[quad.left_rim].target};
-    const double new_length = fitting_length(quad, internal::length(diagonal), is_straight);
+    // both new faces satisfy the triangle inequality
+    const double longest = length(quad.left_rim) + length(quad.right_rim);
+    const double shortest = std::abs(length(quad.left_side) - length(quad.right_side));
+    const double new_length =
+        is_straight ? longest
+                    : (std::max)(shortest, (std::min)(internal::length(diagonal), longest));
 
     remove(h);
     remove(g);
@@ -225,8 +230,16 @@ public:
                                      {m_halfedges[h].length, 0},
                                      position_of_apex(h, {0, 0}, {m_halfedges[h].length, 0})};
     const Index v = m_number_of_vertices++, first = number_of_halfedges();
-    for(Index i = 0; i < 3; ++i)
-      add_spoke(v, first + 2 * i, sides[i], internal::length(p - corners[i]));
+    for(Index i = 0; i < 3; ++i) // `out` leads to the source of the side, `out` + 1 back
+    {
+      const Index side = sides[i], out = first + 2 * i, corner = source(side);
+      const Index beyond = m_halfedges[side].counterclockwise;
+      const double length = internal::length(p - corners[i]);
+      m_halfedges.push_back({corner, out + 1, out, out, length, true});
+      m_halfedges.push_back({v, out, beyond, side, length, true});
+      m_halfedges[side].counterclockwise = out + 1;
+      m_halfedges[beyond].clockwise = out + 1;
+    }
     for(Index i = 0; i < 3; ++i)
     {
       const Index out = first + 2 * i, next_out = first + 2 * ((i + 1) % 3);
@@ -317,26 +330,6 @@ private:
     return is_sound(cross(left, right), diagonal, length(q.left_rim), length(q.right_rim)) &&
            is_sound(cross(far_right, far_left), diagonal, length(q.left_side),
                     length(q.right_side));
-  }
-
-  // Returns a length of the new edge for which both new faces satisfy the triangle inequality.
-  double fitting_length(const Quad& q, const double diagonal, const bool is_straight) const
-  {
-    const double longest = length(q.left_rim) + length(q.right_rim);
-    const double shortest = std::abs(length(q.left_side) - length(q.right_side));
-    return is_straight ? longest : (std::max)(shortest, (std::min)(diagonal, longest));
-  }
-
-  // Connects a new vertex to the source of `side`, in the face to its left: by `out`, and `out` + 1
-  // in the opposite direction.
-  void add_spoke(const Index v, const Index out, const Index side, const double length)
-  {
-    const Index corner = m_halfedges[m_halfedges[side].opposite].target;
-    const Index beyond = m_halfedges[side].counterclockwise;
-    m_halfedges.push_back({corner, out + 1, out, out, length, true});
-    m_halfedges.push_back({v, out, beyond, side, length, true});
-    m_halfedges[side].counterclockwise = out + 1;
-    m_halfedges[beyond].clockwise = out + 1;
   }
 
   void remove(const Index h)

@@ -95,7 +95,15 @@ public:
   {
     for(Direction& d : m_directions)
       if(d.has_changed && d.is_corner)
-        compute_sector(d);
+      {
+        const Direction& end = m_directions[d.next_corner];
+        const double sine = cross(d.vector, end.vector);
+        d.is_finite = sine > SMALLEST_SINE;
+        d.is_bridge = d.next != d.next_corner;
+        if(d.is_finite)
+          d.functional = {(d.cost * end.vector.y - end.cost * d.vector.y) / sine,
+                          (end.cost * d.vector.x - d.cost * end.vector.x) / sine};
+      }
     for(Id c = 0; c < m_directions.size(); ++c)
       if(Direction& d = m_directions[c];
          d.is_corner && (d.has_changed || m_directions[d.previous_corner].has_changed ||
@@ -166,17 +174,6 @@ private:
   }
 
   // ----- sectors
-
-  void compute_sector(Direction& s) const
-  {
-    const Direction& end = m_directions[s.next_corner];
-    const double sine = cross(s.vector, end.vector);
-    s.is_finite = sine > SMALLEST_SINE;
-    s.is_bridge = s.next != s.next_corner;
-    if(s.is_finite)
-      s.functional = {(s.cost * end.vector.y - end.cost * s.vector.y) / sine,
-                      (end.cost * s.vector.x - s.cost * end.vector.x) / sine};
-  }
 
   // Costs of a convex gauge are not below the linear continuations of the neighboring sectors, and
   // on a bridge they are linear. For other costs, bridges imply nothing: costs beside and below

@@ -84,22 +84,18 @@ private:
       for(const Index h : edges)
         if(!m_has_changed[h] && try_flip(hub, h))
           for(const Index side : {m_flips.next(m_flips.next(h)), m_flips.next(h)})
-            note_change(hub, side, changed);
+          {
+            const Index edge = m_flips[side].target == hub ? m_flips[side].opposite : side;
+            if(m_flips.is_taken(edge) || m_has_changed[edge])
+              continue;
+            m_has_changed[edge] = true;
+            changed.push_back(edge);
+          }
       for(const Index h : changed)
         m_has_changed[h] = false;
       edges.swap(changed);
       changed.clear();
     }
-  }
-
-  // Marks the edge of the hub at a side of a new face.
-  void note_change(const Index hub, const Index side, std::vector<Index>& changed)
-  {
-    const Index h = m_flips[side].target == hub ? m_flips[side].opposite : side;
-    if(m_flips.is_taken(h) || m_has_changed[h])
-      return;
-    m_has_changed[h] = true;
-    changed.push_back(h);
   }
 
   bool try_flip(const Index hub, const Index h)
@@ -177,8 +173,8 @@ private:
   // ... unless another vertex is closer than this part of that height, or the apex is too close.
   static constexpr double SMALLEST_GAP = 0.65, WIDTH_OF_COVER = 1.25, LARGEST_PART = 0.6;
 
-  // Edges no farther from a new vertex than this, in its heights, are flipped at once. The others
-  // are flipped after the vertices beside it are added, as most of these flips would be undone.
+  // Edges no farther from a new vertex than this, in its heights, are flipped immediately. The
+  // others are flipped after its neighbors are added, which would undo most of these flips.
   static constexpr double WIDTH_OF_FLIPS = 1.05, LARGEST_GAIN = 0.9;
 
   // A needle of the mesh, laid out: its short side starts from the origin and lies along x.
@@ -225,7 +221,12 @@ private:
     double start = 0.5;
     for(double height = FIRST_HEIGHT; !needles.empty(); height *= GROWTH)
     {
-      add_vertices(needles, height, start);
+      // on the line to the apex from the part `start` of the short side, if no vertex is close by
+      const auto has_none = [&](const Needle& n) {
+        return !add_vertex(n, height * n.length, start);
+      };
+      needles.erase(std::remove_if(needles.begin(), needles.end(), has_none), needles.end());
+      flip_far_edges();
       start = start < 0.5 ? 0.875 : 0.125;
     }
   }
@@ -244,7 +245,7 @@ private:
     return result;
   }
 
-  // Flips edges until these are locally Delaunay, and those that change on the way. Edges along
+  // Flips edges until these, and all edges of changed faces, are locally Delaunay. Edges along
   // strips stay where the other diagonal is about as long.
   void flip_far_edges()
   {
@@ -286,15 +287,6 @@ private:
     }
   }
 
-  // Adds vertices in those needles that have none close by, on the line to the apex from the part
-  // `start` of the short side. Removes other needles.
-  void add_vertices(std::vector<Needle>& needles, const double height, const double start)
-  {
-    const auto has_none = [&](const Needle& n) { return !add_vertex(n, height * n.length, start); };
-    needles.erase(std::remove_if(needles.begin(), needles.end(), has_none), needles.end());
-    flip_far_edges();
-  }
-
   // Adds a vertex at this distance from a short side, if there is room for it.
   bool add_vertex(const Needle& needle, const double distance, const double start)
   {
@@ -308,10 +300,17 @@ private:
     if(!place || !is_free(*place, p, SMALLEST_GAP * distance))
       return false;
     const auto sides = m_flips.halfedges_of_face(place->halfedge);
-    const Index first = insert(*place, p);
+    const Plane_vector edge = place->target - place->source, x = 1 / length(edge) * edge;
+    const Plane_vector way = p - place->source;
+    const Index first = m_flips.insert(place->halfedge, {dot(x, way), cross(x, way)}, x);
     m_positions.push_back(Intrinsic_point::in_face(h, start * (1 - part), part));
     flip_edges_around(sides, WIDTH_OF_FLIPS * distance);
-    cover(first, distance);
+    // there is no room for another vertex in needles whose short side ends at a neighbor this close
+    m_flips.for_each_around(first, [&](const Index g) {
+      const Index v = m_flips[g].target;
+      if(v < m_number_of_vertices && m_flips[g].length < WIDTH_OF_COVER * distance)
+        m_covered[v] = distance;
+    });
     return true;
   }
 
@@ -353,25 +352,6 @@ private:
     return true;
   }
 
-  // Marks the neighbors of a new vertex, the source of `h`, that are closer than this: there is no
-  // room for another vertex in needles whose short side is there.
-  void cover(const Index h, const double distance)
-  {
-    m_flips.for_each_around(h, [&](const Index g) {
-      const Index v = m_flips[g].target;
-      if(v < m_number_of_vertices && m_flips[g].length < WIDTH_OF_COVER * distance)
-        m_covered[v] = distance;
-    });
-  }
-
-  Index insert(const Place& place, const Plane_vector p)
-  {
-    const Plane_vector edge = place.target - place.source;
-    const Plane_vector x = 1 / length(edge) * edge;
-    return m_flips.insert(place.halfedge, {dot(x, p - place.source), cross(x, p - place.source)},
-                          x);
-  }
-
   Edge_flips& m_flips;
   std::size_t m_flips_left;
   Index m_number_of_vertices; // of the mesh
@@ -404,7 +384,7 @@ public:
     return std::nullopt;
   }
 
-  // Refines needles if asked for. Throws if a face of `mesh` breaks the triangle inequality.
+  // Refines needles on request. Throws if a face of `mesh` breaks the triangle inequality.
   Retriangulation(const Intrinsic_triangulation& mesh,
                   const bool refines_needles,
                   const std::size_t most_flips)

@@ -23,8 +23,8 @@ namespace CGAL::Approximate_geodesics::internal {
 // The data for laying out the face to the left of a halfedge that is laid out.
 struct Unfolded_face
 {
-  // That of `h`, which starts from `source`. Also writes the position of the apex, if asked for and
-  // if there is a face.
+  // The data for `h`, which starts from `source`. Also writes the position of the apex if
+  // `position` is not null and there is a face.
   static Unfolded_face of(const Intrinsic_triangulation& triangulation,
                           const Index source,
                           const Index h,
@@ -127,22 +127,15 @@ private:
 
 using Unfolding = Unfolded_faces<Unfolded_face>;
 
-// The same interface, if few faces are needed: each is computed when it is asked for.
-class Unfolding_on_demand
+// The same interface for few faces: each is computed on request.
+struct Unfolding_on_demand
 {
-public:
-  explicit Unfolding_on_demand(const Intrinsic_triangulation& triangulation)
-    : m_triangulation(triangulation)
-  {
-  }
-
   Unfolded_face operator[](const Index h) const
   {
-    return Unfolded_face::of(m_triangulation, m_triangulation.source(h), h);
+    return Unfolded_face::of(triangulation, triangulation.source(h), h);
   }
 
-private:
-  const Intrinsic_triangulation& m_triangulation;
+  const Intrinsic_triangulation& triangulation;
 };
 
 // The same interface, if faces are needed several times in a row: those that were computed last are

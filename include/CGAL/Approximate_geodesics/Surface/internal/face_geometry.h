@@ -134,15 +134,10 @@ public:
     m_opening = cosine > 0 ? 2 * sine * sine / (1 + cosine) : (std::min)(2 - 2 * cosine, largest);
   }
 
-  // The squared distance of points at the distances `x` and `y` from the corner.
-  double squared_distance(const double x, const double y) const
-  {
-    return (x - y) * (x - y) + (x * m_opening) * y;
-  }
-
+  // The distance of points at the distances `x` and `y` from the corner.
   double distance(const double x, const double y) const
   {
-    return std::sqrt(squared_distance(x, y));
+    return std::sqrt((x - y) * (x - y) + (x * m_opening) * y);
   }
 
   // the squared length of the base of a triangle with two sides of length 1 at this corner

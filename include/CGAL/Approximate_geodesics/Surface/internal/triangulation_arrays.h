@@ -24,7 +24,7 @@ namespace CGAL::Approximate_geodesics::internal {
 // The number of a vertex, a halfedge or a face.
 using Index = std::uint32_t;
 
-// The number that none of them has.
+// The null index.
 constexpr Index null_index = (std::numeric_limits<Index>::max)();
 
 /*
@@ -209,7 +209,7 @@ public:
   std::size_t memory() const { return memory_of(m_first_of_block, m_halfedge, m_face); }
 
 private:
-  static constexpr Index SIZE_OF_BLOCK = 128; // so many halfedges
+  static constexpr Index SIZE_OF_BLOCK = 128; // in halfedges
 
   static bool is_extreme_needle(const Thin_face& face)
   {

@@ -77,9 +77,18 @@ public:
     const std::uint32_t mark = fingerprint(triangulation);
     check_header(reader, triangulation, mark);
     epsilon = reader.read<double>();
-    check_shares(reader);
-    check_nodes(reader, nodes, &nodes == &triangulation ? mark : fingerprint(nodes));
+    for(const double share : SHARES) // paths are found by computing arcs again, by the same rules
+      if(reader.read<double>() != share)
+        reject("the graph of the file was built by other rules than those of this version");
     const Index number_of_nodes = nodes.number_of_vertices();
+    // nodes inside long thin faces have to be where they were when the graph was built
+    if(const auto number = reader.read<std::uint32_t>(); number != number_of_nodes)
+      reject("the graph of the file has " + std::to_string(number) +
+             " nodes, vertices and points in long thin faces; this version makes " +
+             std::to_string(number_of_nodes) + " for the mesh");
+    if(reader.read<std::uint32_t>() != (&nodes == &triangulation ? mark : fingerprint(nodes)))
+      reject("the graph of the file has nodes at other points of long thin faces than this version "
+             "makes for the mesh");
     rows = Compressed_arcs(unit_of_arcs(triangulation));
     std::vector<Stored_arc> arcs;
     for(Index v = 0; v < number_of_nodes; ++v)
@@ -123,28 +132,6 @@ private:
     if(reader.read<std::uint32_t>() != mark)
       reject("the file of the graph belongs to another mesh of the same size, or to the same one "
              "with other lengths or indices, or with lengths in place of coordinates");
-  }
-
-  // Paths are found by computing arcs again, by the same rules.
-  static void check_shares(Binary_reader& reader)
-  {
-    for(const double share : SHARES)
-      if(reader.read<double>() != share)
-        reject("the graph of the file was built by other rules than those of this version");
-  }
-
-  // Nodes inside long thin faces have to be where they were when the graph was built.
-  static void
-  check_nodes(Binary_reader& reader, const Intrinsic_triangulation& nodes, const std::uint32_t mark)
-  {
-    const auto number = reader.read<std::uint32_t>();
-    if(number != nodes.number_of_vertices())
-      reject("the graph of the file has " + std::to_string(number) +
-             " nodes, vertices and points in long thin faces; this version makes " +
-             std::to_string(nodes.number_of_vertices()) + " for the mesh");
-    if(reader.read<std::uint32_t>() != mark)
-      reject("the graph of the file has nodes at other points of long thin faces than this version "
-             "makes for the mesh");
   }
 
   static void check_size(Binary_reader& reader, const Index expected, const char* kind)

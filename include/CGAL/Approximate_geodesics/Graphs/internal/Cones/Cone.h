@@ -75,9 +75,9 @@ struct Straight_arc
 
 /*
  * One boundary ray of a cone, which goes through a vertex that can be reached from the tip. A point
- * x that is seen from the tip is *served* by a vertex, the server, if the way over it is good
- * enough, which is the case if it saves enough of the rest of the way: |tip x| - |server x| >=
- * saving. Such points are the inside of a branch of a hyperbola, which is convex, and with x it
+ * x that is seen from the tip is *served* by a vertex, the server, if the path over it is
+ * short enough, which is the case if it saves enough of the remaining length: |tip x| - |server x|
+ * >= saving. Such points are the inside of a branch of a hyperbola, which is convex, and with x it
  * contains all that lies behind it, seen from the tip. At first, the server is the vertex on the
  * ray. When the ray moves on to a vertex that has no arc, the server may stay behind: see
  * `move_to()`.

@@ -73,7 +73,7 @@ template <typename Cone>
 class Cone_memory
 {
 public:
-  // makes room for so many cones; present ones may be lost
+  // Reserves memory for `size` cones. Cones in it may be lost.
   Cone* reserve(const std::size_t size)
   {
     if(size > m_size)

@@ -41,7 +41,7 @@ public:
     const double label = labels.distance(target), length = label - labels.distance(source);
     const double rounding = std::numeric_limits<double>::epsilon() * label;
     // lines more than twice as long are not searched for: this could take very long
-    return graph().trace(source, target, length, (std::min)(rounding, length), f);
+    return graph().for_each_crossing(source, target, length, f, (std::min)(rounding, length));
   }
 
 protected:
@@ -64,6 +64,12 @@ public:
 
   explicit Cone_run(const Graph& searched) : Base(searched) {}
 
+  template <typename Search>
+  void start(Search& /* search */)
+  {
+    m_is_expanded.resize(graph().number_of_nodes());
+  }
+
   // Several threads take part if there is enough to do for them.
   template <typename Labels, typename Candidates>
   void expand(const Node* const nodes,
@@ -74,9 +80,18 @@ public:
     constexpr std::size_t fewest_nodes = 64;
     const std::size_t number_of_turns = (number + NODES_AT_A_TIME - 1) / NODES_AT_A_TIME;
     const auto expand_some = [&](const std::size_t i, Candidates& part) {
-      const Node* const first = nodes + i * NODES_AT_A_TIME;
+      boost::container::small_vector<Node, NODES_AT_A_TIME> together;
       const Node* const beyond = nodes + (std::min)((i + 1) * NODES_AT_A_TIME, number);
-      expand_together(first, beyond, labels, part);
+      for(const Node* n = nodes + i * NODES_AT_A_TIME; n != beyond; ++n)
+        if(const Node node = *n; graph().advances_together() && !m_is_expanded[node])
+          together.push_back(node);
+        else
+          graph().find_arcs_in_turn(
+              node, m_is_expanded[node], labels, [&](const Node target, const double length) {
+                part.make_room(1);
+                part.append(true, node, labels.distance(node), target, length);
+              });
+      graph().expand(together.data(), together.size(), labels, part);
     };
     if(graph().is_parallel() && number >= fewest_nodes)
       candidates.append_in_parallel(graph().m_loop, number_of_turns, expand_some);
@@ -84,21 +99,11 @@ public:
       for(std::size_t i = 0; i < number_of_turns; ++i)
         expand_some(i, candidates);
     for(std::size_t i = 0; i < number; ++i)
-      set_expanded(nodes[i]);
+      m_is_expanded[nodes[i]] = true;
   }
 
-  void discard(const Node node)
-  {
-    if(!m_is_expanded.empty())
-      m_is_expanded[node] = false;
-  }
-
-  void forget(const std::vector<Node>& nodes)
-  {
-    if(!m_is_expanded.empty())
-      reset(m_is_expanded, nodes, false);
-  }
-
+  void discard(const Node node) { m_is_expanded[node] = false; }
+  void forget(const std::vector<Node>& nodes) { reset(m_is_expanded, nodes, false); }
   void forget_all() { m_is_expanded.clear(); }
 
   // In a larger batch, more nodes get shorter paths from other nodes of the batch, and have to be
@@ -110,35 +115,7 @@ public:
 private:
   static constexpr std::size_t NODES_AT_A_TIME = 32;
 
-  template <typename Labels, typename Candidates>
-  void expand_together(const Node* const first,
-                       const Node* const beyond,
-                       const Labels& labels,
-                       Candidates& candidates) const
-  {
-    boost::container::small_vector<Node, NODES_AT_A_TIME> together;
-    for(const Node* n = first; n != beyond; ++n)
-      if(const Node node = *n; graph().advances_together() && !was_expanded(node))
-        together.push_back(node);
-      else
-        graph().find_arcs_in_turn(
-            node, was_expanded(node), labels, [&](const Node target, const double length) {
-              candidates.make_room(1);
-              candidates.append(true, node, labels.distance(node), target, length);
-            });
-    graph().expand(together.data(), together.size(), labels, candidates);
-  }
-
-  bool was_expanded(const Node node) const { return !m_is_expanded.empty() && m_is_expanded[node]; }
-
-  void set_expanded(const Node node)
-  {
-    if(m_is_expanded.empty())
-      m_is_expanded.resize(graph().number_of_nodes());
-    m_is_expanded[node] = true;
-  }
-
-  std::vector<bool> m_is_expanded; // empty before the first expansion
+  std::vector<bool> m_is_expanded; // empty before the first run
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

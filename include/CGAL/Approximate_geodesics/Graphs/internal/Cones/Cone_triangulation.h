@@ -19,66 +19,6 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * Looks in the mesh for an arc of a graph that was built on another triangulation: by the direction
- * of the arc there, or, if that fails, among all lines within reach.
- */
-class Line_in_mesh
-{
-public:
-  // The line from `source` to `target` of the given length, up to `rounding`. Those that cross no
-  // edge are considered at once.
-  Line_in_mesh(const Intrinsic_triangulation& mesh,
-               const Intrinsic_point& source,
-               const Intrinsic_point& target,
-               const double length,
-               const double rounding)
-    : m_mesh(mesh),
-      m_target(target),
-      m_lines(mesh, Cone_rules(1e-300), source), // cones end as late as possible
-      m_search(length, rounding)
-  {
-    m_lines.consider_lines_in_faces(target, m_search);
-  }
-
-  bool is_found() const { return m_search.is_found(); }
-
-  // Looks for an arc that was found in the other triangulation.
-  void find(const Retriangulation& other, const Index source, const Straight_arc& arc)
-  {
-    std::optional<Direction_in_mesh> direction = other.direction(source, arc.start);
-    if(!direction)
-      return;
-    direction->angle += angle_of(arc.position);
-    for(double tolerance = 1e-11; tolerance < 1e-3 && !is_found(); tolerance *= 100)
-      m_lines.find_line(m_target, *direction, tolerance, arc.length, m_search);
-  }
-
-  // Looks for any line.
-  void find()
-  {
-    m_lines.find_line(m_target, Within_reach<Leave_out_nothing_in_doubt>{{}, m_search.reach()},
-                      m_search);
-  }
-
-  // Calls `f(h, t)` for the edges of the mesh that the line crosses. Returns its length; throws if
-  // it was not found.
-  template <typename F>
-  double for_each_crossing(F f) const
-  {
-    if(!is_found())
-      reject("the graph has an arc of length " + text_of(m_search.length * m_mesh.unit()) +
-             " that is not in the mesh; was it read from a file that was changed?");
-    return m_lines.trace(m_search, f);
-  }
-
-private:
-  const Intrinsic_triangulation& m_mesh;
-  Intrinsic_point m_target;
-  Cones_of_point m_lines;
-  Line_search m_search;
-};
-
-/*
  * The triangulation of a mesh, and the one whose faces cones cross, and whose vertices are the
  * nodes of a graph: the same, or a retriangulation of its surface.
  */
@@ -140,7 +80,9 @@ public:
 
   // Calls `f(h, t)` for every edge of the mesh that an arc of the graph crosses, in this order, and
   // returns its length, which differs from the given one by at most `rounding`. With `Visitor` and
-  // `rules`, cones must find all arcs of the graph, as in `for_each_arc()`.
+  // `rules`, cones must find all arcs of the graph, as in `for_each_arc()`. If the graph was built
+  // on another triangulation, looks for the arc in the mesh: by its direction there, or, if that
+  // fails, among all lines within reach.
   template <typename Visitor, typename F>
   double trace(const Cone_rules& rules,
                const Index source,
@@ -155,16 +97,23 @@ public:
       arc.find<Visitor>();
       return arc.for_each_crossing(f);
     }
-    Line_in_mesh line(m_mesh, position(source), position(target), length, rounding);
+    const Intrinsic_point end = position(target);
+    const Cone_rules latest(1e-300); // cones end as late as possible
+    const Cones_of_point lines(m_mesh, latest, position(source));
+    Line_search line(length, rounding);
+    lines.consider_lines_in_faces(end, line);
     if(!line.is_found())
     {
       arc.find<Visitor>();
       if(arc.has_arc())
-        line.find(*m_other, source, arc.found);
+        lines.find_arc(*m_other, source, arc.found, end, line);
     }
     if(!line.is_found())
-      line.find();
-    return line.for_each_crossing(f);
+      lines.find_line(end, Within_reach<Leave_out_nothing_in_doubt>{{}, line.reach()}, line);
+    if(!line.is_found())
+      reject("the graph has an arc of length " + text_of(length * m_mesh.unit()) +
+             " that is not in the mesh; was it read from a file that was changed?");
+    return lines.trace(line, f);
   }
 
   std::size_t memory() const { return m_mesh.memory() + (m_other ? m_other->memory() : 0); }

@@ -30,7 +30,7 @@ public:
                  const Cone_rules& rules,
                  const Intrinsic_point& point)
     : m_triangulation(triangulation),
-      m_unfolding(triangulation),
+      m_unfolding{triangulation},
       m_expansion(triangulation, m_unfolding, rules),
       m_rules(rules),
       m_point(point),
@@ -132,6 +132,21 @@ public:
       angle -= corner;
       h = t.counterclockwise(m_point.vertex, h);
     }
+  }
+
+  // Considers the line of an arc from `source`, the point, that was found in another triangulation.
+  void find_arc(const Retriangulation& other,
+                const Index source,
+                const Straight_arc& arc,
+                const Intrinsic_point& end,
+                Line_search& search) const
+  {
+    std::optional<Direction_in_mesh> direction = other.direction(source, arc.start);
+    if(!direction)
+      return;
+    direction->angle += angle_of(arc.position);
+    for(double tolerance = 1e-11; tolerance < 1e-3 && !search.is_found(); tolerance *= 100)
+      find_line(end, *direction, tolerance, arc.length, search);
   }
 
   // Calls `f(h, t)` for the edges that the line found crosses. Returns its length.
@@ -264,7 +279,10 @@ private:
     });
     if(!(cross(right, left) > 0)) // the face has no area, and the point may be between its corners
     {
-      const double sign = is_between(right, left) ? -1 : 1;
+      constexpr double rounding = 1e-9; // closer to a corner, it would decide this
+      const bool is_between = dot(right, left) < 0 && (std::min)(length(right), length(left)) >
+                                                          rounding * length(left - right);
+      const double sign = is_between ? -1 : 1;
       left = {sign * length(left), 0};
       right = {length(right), 0};
       edge = right - left;
@@ -272,14 +290,6 @@ private:
     return {{m_triangulation.opposite(side), layout.vertex(1), layout.vertex(0), left, right,
              length(left), length(right), edge, 0},
             side};
-  }
-
-  // Whether two points that are in one line with the origin are on either side of it, and far
-  // enough from it that rounding does not decide this.
-  static bool is_between(const Plane_vector a, const Plane_vector b)
-  {
-    constexpr double rounding = 1e-9;
-    return dot(a, b) < 0 && (std::min)(length(a), length(b)) > rounding * length(b - a);
   }
 
   const Intrinsic_triangulation& m_triangulation;

@@ -120,8 +120,8 @@ void find_stored_arcs(const Index node,
  *
  * A search reads most of them from main memory, so their size determines its time. A row is made up
  * of words of 32 bits: the smallest target, the lengths, and the differences of the targets from
- * the smallest one, 16 bits each. In the few rows where these do not fit, there are whole targets
- * instead, after the mark WIDE. Before all rows, a word each tells where they begin.
+ * the smallest one, 16 bits each. In the few rows where these do not fit, targets are stored as
+ * they are, after the marker WIDE. Before all rows, a word each tells where they begin.
  */
 class Compressed_rows
 {
@@ -150,7 +150,23 @@ public:
     if(m_size == 0)
       m_words.assign(MAXIMUM_SIZE + 1, static_cast<Word>(MAXIMUM_SIZE + 1));
     if(!arcs.empty())
-      append_words(arcs);
+    {
+      constexpr Index largest_difference = (std::numeric_limits<std::uint16_t>::max)();
+      const Index base = arcs.front().target;
+      const bool is_wide = arcs.back().target - base > largest_difference;
+      const std::size_t words_of_targets = is_wide ? arcs.size() : (arcs.size() + 1) / 2;
+      const std::size_t first = m_words.size();
+      m_words.resize(first + 1 + arcs.size() + words_of_targets);
+      char* end = reinterpret_cast<char*>(m_words.data() + first);
+      write(end, is_wide ? WIDE : base);
+      for(const Stored_arc& arc : arcs)
+        write(end, arc.length);
+      for(const Stored_arc& arc : arcs)
+        if(is_wide)
+          write(end, arc.target);
+        else
+          write(end, static_cast<std::uint16_t>(arc.target - base));
+    }
     if(m_words.size() > (std::numeric_limits<Word>::max)())
       throw std::length_error("Approximate_geodesics: consecutive nodes of a discrete geodesic "
                               "graph have more than 2^31 arcs");
@@ -231,25 +247,6 @@ private:
   {
     std::memcpy(end, &value, sizeof(T));
     end += sizeof(T);
-  }
-
-  void append_words(const std::vector<Stored_arc>& arcs)
-  {
-    constexpr Index largest_difference = (std::numeric_limits<std::uint16_t>::max)();
-    const Index base = arcs.front().target;
-    const bool is_wide = arcs.back().target - base > largest_difference;
-    const std::size_t words_of_targets = is_wide ? arcs.size() : (arcs.size() + 1) / 2;
-    const std::size_t first = m_words.size();
-    m_words.resize(first + 1 + arcs.size() + words_of_targets);
-    char* end = reinterpret_cast<char*>(m_words.data() + first);
-    write(end, is_wide ? WIDE : base);
-    for(const Stored_arc& arc : arcs)
-      write(end, arc.length);
-    for(const Stored_arc& arc : arcs)
-      if(is_wide)
-        write(end, arc.target);
-      else
-        write(end, static_cast<std::uint16_t>(arc.target - base));
   }
 
   std::vector<Word> m_words; // where rows begin, where the last one ends, and the rows
@@ -384,7 +381,7 @@ public:
   // Whether arcs are kept.
   bool is_enabled() const { return !m_arcs.empty(); }
 
-  // The arcs of `node`, found by `find(arcs)` when first asked for.
+  // The arcs of `node`, computed by `find(arcs)` on first request.
   template <typename F>
   const Arcs& arcs(const std::size_t node, F find)
   {

@@ -32,7 +32,7 @@ public:
     return static_cast<std::uint32_t>(m_windows.size() - 1);
   }
 
-  // the halfedges on the way to and through a window
+  // the halfedges on the lines to a window, and its own
   std::vector<Index> halfedges(std::uint32_t trail) const
   {
     std::vector<Index> result;
@@ -79,60 +79,38 @@ struct Within_reach : Visitor
   double reach;
 };
 
-// Follows a line from the origin across edges that are laid out in the plane.
-class Line_walk
-{
-public:
-  // The end may be the origin, where vertices are at the same place.
-  explicit Line_walk(const Plane_vector end)
-    : m_direction(dot(end, end) > 0 ? 1 / length(end) * end : Plane_vector{1, 0}),
-      m_length(length(end))
-  {
-  }
-
-  // At which part of the way from `left` to `right` the line crosses this edge. If both are
-  // collinear, as where faces have no area, it is the present position of the walk, or the next
-  // point after it.
-  double cross_edge(const Plane_vector left, const Plane_vector right)
-  {
-    constexpr double smallest_angle = 1e-9;
-    const double to_left = std::abs(cross(m_direction, left));
-    const double to_right = std::abs(cross(m_direction, right));
-    const double start = dot(m_direction, left), end = dot(m_direction, right);
-    double t = 0;
-    if(to_left + to_right > smallest_angle * length(right - left))
-      t = to_left / (to_left + to_right);
-    else if(start != end)
-      t = (std::clamp)((m_position - start) / (end - start), 0., 1.);
-    const double position = start + t * (end - start);
-    const bool is_beside_line = std::abs(end - start) > to_left + to_right; // badly conditioned
-    if(is_beside_line && (position < m_position || position > m_length))
-      t = (std::clamp)(((position < m_position ? m_position : m_length) - start) / (end - start),
-                       0., 1.);
-    m_position = (std::max)(m_position, start + t * (end - start));
-    return t;
-  }
-
-private:
-  Plane_vector m_direction;
-  double m_length;
-  double m_position = 0; // the position of the walk on the line
-};
-
 // Calls `f(h, t)` for the halfedges that the line from the origin to `end` crosses, at the part `t`
 // of the way from their source to their target. `edge(i)` returns the positions of the source and
-// the target of the `i`th one; it is called for one after the other.
+// the target of the `i`th one; it is called for one after the other. If an edge and the line are
+// collinear, as where faces have no area, the line crosses it at its present position, or at
+// the next point. The end may be the origin, where vertices are at the same place.
 template <typename Edge, typename F>
 void for_each_crossed_edge(const std::vector<Index>& halfedges,
                            const Plane_vector end,
                            Edge edge,
                            F f)
 {
-  Line_walk walk(end);
+  constexpr double smallest_angle = 1e-9;
+  const double line = length(end);
+  const Plane_vector direction = dot(end, end) > 0 ? 1 / line * end : Plane_vector{1, 0};
+  double here = 0; // on the line
   for(std::size_t i = 0; i < halfedges.size(); ++i)
   {
     const auto [left, right] = edge(i);
-    f(halfedges[i], walk.cross_edge(left, right));
+    const double to_left = std::abs(cross(direction, left));
+    const double to_right = std::abs(cross(direction, right));
+    const double start = dot(direction, left), step = dot(direction, right) - start;
+    double t = 0;
+    if(to_left + to_right > smallest_angle * length(right - left))
+      t = to_left / (to_left + to_right);
+    else if(step != 0)
+      t = (std::clamp)((here - start) / step, 0., 1.);
+    const double position = start + t * step;
+    const bool is_beside_line = std::abs(step) > to_left + to_right; // badly conditioned
+    if(is_beside_line && (position < here || position > line))
+      t = (std::clamp)(((position < here ? here : line) - start) / step, 0., 1.);
+    here = (std::max)(here, start + t * step);
+    f(halfedges[i], t);
   }
 }
 
@@ -186,7 +164,7 @@ struct Line_search : Sought_line<Straight_arc>
   template <typename F>
   void for_each_crossing(const Intrinsic_triangulation& triangulation, Window window, F f) const
   {
-    const Unfolding_on_demand unfolding(triangulation);
+    const Unfolding_on_demand unfolding{triangulation};
     const bool carries_edges = triangulation.thin_faces().has_extreme_needles();
     const std::vector<Index> halfedges = tree.halfedges(found.trail);
     const auto edge = [&](const std::size_t i) {
@@ -254,7 +232,7 @@ public:
     if(!has_arc())
       reject("the graph has an arc that is not in the mesh; was it read from a file that was "
              "changed?");
-    const Unfolded_face face = Unfolding_on_demand(m_triangulation)[found.start];
+    const Unfolded_face face = Unfolding_on_demand{m_triangulation}[found.start];
     Window window = window_across(m_triangulation, m_source, found.start, face);
     window.edge = right_side(m_triangulation, found.start, face, window.right_position);
     Line_search::for_each_crossing(m_triangulation, window, f);
@@ -265,7 +243,7 @@ private:
   template <typename Visitor>
   void find(const Visitor& visitor, const Cone_rules& rules)
   {
-    const Unfolding_on_demand unfolding(m_triangulation);
+    const Unfolding_on_demand unfolding{m_triangulation};
     const Cone_expansion<Unfolding_on_demand> expansion(m_triangulation, unfolding, rules);
     const auto consider = [&](const Straight_arc& arc) {
       if(arc.target == m_target)

@@ -88,7 +88,7 @@ public:
     if(!(label >= m_horizon))
       return;
     m_horizon = label + m_distance > label ? label + m_distance : infinity;
-    // those that wait further are not copied: they may be many, and wait for long
+    // sights beyond the horizon are not copied: there may be many, for many calls
     const auto resumed =
         std::partition(m_waiting.begin(), m_waiting.end(),
                        [&](const Deferred_sight& s) { return s.smallest_label > m_horizon; });

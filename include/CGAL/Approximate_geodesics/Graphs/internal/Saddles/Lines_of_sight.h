@@ -232,7 +232,7 @@ public:
   }
 
 private:
-  // Considers the lines to `end` through sights that `for_each_sight` calls its argument with.
+  // Considers the lines to `end` through the sights that `for_each_sight` reports.
   template <typename Bound, typename ForEachSight>
   void look_for(const Intrinsic_point& end,
                 const double label,

@@ -282,7 +282,7 @@ struct Sight
   }
 
   /*
-   * Whether all that is seen can be reached on a shorter way, over an end of the edge. With s the
+   * Whether all that is seen can be reached on a shorter path over an end of the edge. With s the
    * label of the tip, and y a point of the edge between its ends a and b, the way through y is
    * longer than that over a, by
    *   s + |y| - (bound(a) + |ay|)  >=  s + |b| - (bound(a) + |ab|),

@@ -83,7 +83,7 @@ private:
   // Whether any face is so thin that positions across it lose a third of their digits.
   static bool has_needles(const Intrinsic_triangulation& triangulation, const Face_steps& steps)
   {
-    constexpr double smallest_height = 1e-6; // over a side, as a part of it
+    constexpr double smallest_height = 1e-6; // over a side, relative to its length
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(steps[h].has_face() && !(steps[h].across > smallest_height))
         return true;

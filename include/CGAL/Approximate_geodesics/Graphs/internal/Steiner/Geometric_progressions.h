@@ -319,7 +319,8 @@ public:
           0.5 * double(limit.number) - 1, 1., (std::max)(LARGEST_NUMBER_IF_GIVEN_UP / m_root, 1.)))
   {
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-      if(std::isinf(triangulation.weight(h)) && is_thin(triangulation, h))
+      if(std::isinf(triangulation.weight(h)) && !triangulation.is_border(h) &&
+         Face_shape(triangulation, h).sine_of_corner() < SMALLEST_SINE)
         give_up(triangulation, h);
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(h < triangulation.opposite(h) && triangulation.is_crossable(h))
@@ -381,12 +382,6 @@ private:
     m_is_given_up.resize(triangulation.number_of_halfedges(), false);
     for(const Index side : triangulation.halfedges_of_face(h))
       m_is_given_up[side] = true;
-  }
-
-  static bool is_thin(const Intrinsic_triangulation& triangulation, const Index h)
-  {
-    return !triangulation.is_border(h) &&
-           Face_shape(triangulation, h).sine_of_corner() < SMALLEST_SINE;
   }
 
   void keep_limit(const Intrinsic_triangulation& triangulation,
@@ -496,7 +491,7 @@ private:
 
   std::vector<double> m_start;     // per vertex: the distance from it
   std::vector<bool> m_is_given_up; // per halfedge, whether the face to its left is; or empty
-  double m_root = 0;               // of epsilon
+  double m_root = 0;               // the square root of epsilon
   double m_number_if_given_up = 0;
 };
 

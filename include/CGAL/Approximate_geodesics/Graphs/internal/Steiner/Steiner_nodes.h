@@ -24,7 +24,7 @@ namespace CGAL::Approximate_geodesics::internal {
 
 // Returns the maximum number of points on all edges together: `given`, or the default if that is 0.
 // The default is enough for small bounds on large meshes, and on small meshes it limits a search to
-// some seconds. A point takes about 50 bytes of a graph and a search.
+// some seconds. A point takes about 50 bytes in a graph and a search together.
 inline std::size_t maximum_number_of_points(const Intrinsic_triangulation& triangulation,
                                             const std::size_t given)
 {

@@ -26,44 +26,22 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * The points of an edge, ranked by their distance from the end that is at a corner of a face, which
- * has this weight.
+ * The points of an edge, which are nodes from `first_node` on, ranked by their distance from the
+ * end that is at a corner of a face, which has this weight.
  */
-class Point_row
+struct Point_row
 {
-public:
-  // Points are nodes from `first_node` on. Their positions are as in `Points_on_edges`, or a null
-  // pointer if they divide the edge into equal parts. The corner is at the first end of the edge or
-  // at the second one.
-  Point_row(const Index first_node,
-            const Index size,
-            const float* const positions,
-            const double length,
-            const bool starts_at_first_end,
-            const Corner& corner,
-            const double weight)
-    : m_first_node(first_node),
-      m_size(size),
-      m_positions(positions),
-      m_length(length),
-      m_is_reversed(starts_at_first_end ? 0 : 1),
-      m_corner(corner),
-      m_weight(weight)
-  {
-  }
-
-  Index size() const { return m_size; }
-
-  // Returns the length of the edge.
-  double length() const { return m_length; }
-
-  const Corner& corner() const { return m_corner; }
-  double weight() const { return m_weight; }
+  Index first_node, size;
+  const float* positions; // as in `Points_on_edges`, or null if points divide the edge equally
+  double length;          // of the edge
+  Index is_reversed;      // 0 if the corner is at the first end of the edge, and else 1
+  Corner corner;
+  double weight;
 
   double distance_from_corner(const Index rank) const
   {
-    const Index i = m_is_reversed == 0 ? rank : m_size - 1 - rank;
-    return m_positions == nullptr ? equal_parts()(i) : stored_positions()(i);
+    const Index i = is_reversed == 0 ? rank : size - 1 - rank;
+    return positions == nullptr ? equal_parts()(i) : stored_positions()(i);
   }
 
   // Calls `f(node, costs, number)` for blocks of consecutive points, which have the ranks from
@@ -72,9 +50,9 @@ public:
   template <typename F>
   void for_each_block(const Index first, const Index beyond, const double x, F f) const
   {
-    const Index begin = first + m_is_reversed * (m_size - beyond - first);
+    const Index begin = first + is_reversed * (size - beyond - first);
     const Index end = begin + (beyond - first);
-    if(m_positions == nullptr)
+    if(positions == nullptr)
       measure(begin, end, x, equal_parts(), f);
     else
       measure(begin, end, x, stored_positions(), f);
@@ -106,17 +84,17 @@ private:
   // Without branches, since the direction of an edge is unpredictable.
   Equal_parts equal_parts() const
   {
-    const double part = m_length / number(m_size + 1);
-    return {part * number(1 + m_is_reversed * (m_size - 1)), direction() * part};
+    const double part = length / number(size + 1);
+    return {part * number(1 + is_reversed * (size - 1)), direction() * part};
   }
 
   Stored_positions stored_positions() const
   {
-    return {m_positions, number(m_is_reversed) * m_length, number(1 - m_is_reversed) * m_length,
-            direction() * m_length};
+    return {positions, number(is_reversed) * length, number(1 - is_reversed) * length,
+            direction() * length};
   }
 
-  double direction() const { return number(1) - 2 * number(m_is_reversed); }
+  double direction() const { return number(1) - 2 * number(is_reversed); }
 
   // faster for signed integers
   static double number(const Index i) { return static_cast<double>(std::int32_t(i)); }
@@ -128,30 +106,20 @@ private:
                const Distance_from_corner& distance_from_corner,
                F& f) const
   {
-    const Corner corner = m_corner; // `f` cannot change these two
-    const double weight = m_weight;
-    const auto cost = [&](const Index i) {
-      return weight * corner.distance(x, distance_from_corner(i));
-    };
+    const Corner c = corner; // `f` cannot change these two
+    const double w = weight;
+    const auto cost = [&](const Index i) { return w * c.distance(x, distance_from_corner(i)); };
     std::array<double, SIZE_OF_BLOCK> costs;
     for(; end - begin >= SIZE_OF_BLOCK; begin += SIZE_OF_BLOCK)
     {
       for(Index i = 0; i < SIZE_OF_BLOCK; ++i) // in vector instructions
         costs[i] = cost(begin + i);
-      f(m_first_node + begin, costs.data(), SIZE_OF_BLOCK);
+      f(first_node + begin, costs.data(), SIZE_OF_BLOCK);
     }
     for(Index i = 0; begin + i < end; ++i)
       costs[i] = cost(begin + i);
-    f(m_first_node + begin, costs.data(), end - begin);
+    f(first_node + begin, costs.data(), end - begin);
   }
-
-  Index m_first_node;
-  Index m_size;
-  const float* m_positions;
-  double m_length;
-  Index m_is_reversed; // 0 or 1
-  Corner m_corner;
-  double m_weight;
 };
 
 // The label of a point, and its distance from a corner.
@@ -181,12 +149,12 @@ public:
   {
     const double gap = m_farther - m_nearer;
     if(nearer.label != farther.label)
-      m_head_start = divided(farther.label - nearer.label, row.weight());
+      m_head_start = divided(farther.label - nearer.label, row.weight);
     else if(gap == 0)
       m_head_start = (std::numeric_limits<double>::min)(); // ties go to the nearer one
     constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    const double label = divided((std::min)(nearer.label, farther.label), row.weight());
-    m_doubt = (std::min)(SMALLEST_DIFFERENCE * gap, rounding * (label + m_farther + row.length()));
+    const double label = divided((std::min)(nearer.label, farther.label), row.weight);
+    m_doubt = (std::min)(SMALLEST_DIFFERENCE * gap, rounding * (label + m_farther + row.length));
   }
 
   // Returns the number of points that the nearer one certainly reaches at a lower cost.
@@ -216,7 +184,7 @@ private:
   // times a positive number.
   double lead_of_nearer(const double y, const double allowance) const
   {
-    const Corner& corner = m_row.corner();
+    const Corner& corner = m_row.corner;
     const double sum = corner.distance(m_nearer, y) + corner.distance(m_farther, y);
     return (m_head_start + allowance) * sum +
            (m_farther - m_nearer) * (m_farther + m_nearer - (2 - corner.opening()) * y);
@@ -227,7 +195,7 @@ private:
   Index search(const F& f) const
   {
     using Rank = boost::counting_iterator<Index>;
-    return *std::partition_point(Rank(0), Rank(m_row.size()), [&](const Index rank) {
+    return *std::partition_point(Rank(0), Rank(m_row.size), [&](const Index rank) {
       return f(m_row.distance_from_corner(rank));
     });
   }
@@ -276,7 +244,7 @@ public:
                  const Steiner_nodes& nodes,
                  const Edges& /* edges */,
                  const bool /* is_backward */)
-    : Steiner_view(triangulation, nodes), Line_weights(triangulation)
+    : Steiner_view(triangulation, nodes), Line_weights{triangulation}
   {
   }
 
@@ -313,7 +281,7 @@ public:
     const Corner at_target =
         corner_of_face(m_triangulation, next, x, m_triangulation.length(next), third);
     const Row opposite = row(next, true, at_target, m_triangulation.weight(h));
-    visit(opposite, {0, opposite.size()}, x, f);
+    visit(opposite, {0, opposite.size}, x, f);
   }
 
   // Enumerates the arcs from a viewpoint across a face, whose first halfedge is that of the
@@ -347,9 +315,13 @@ private:
   Row row(const Index h, const bool is_from_source, const Corner& corner, const double weight) const
   {
     const Index e = m_points.edge(h), first = m_points.first_point(e);
-    return Row(m_nodes.node_of_point(first), m_points.number_of_points(e),
-               m_points.positions(first), m_triangulation.length(h),
-               m_points.is_first(h) == is_from_source, corner, weight);
+    return {m_nodes.node_of_point(first),
+            m_points.number_of_points(e),
+            m_points.positions(first),
+            m_triangulation.length(h),
+            m_points.is_first(h) == is_from_source ? Index(0) : Index(1),
+            corner,
+            weight};
   }
 
   // Enumerates the arcs to points of a row, from the point at the distance `x` from its corner.
@@ -368,14 +340,15 @@ private:
 
   // Returns the range of ranks of the points of a row that a viewpoint may reach at a lower cost
   // than its neighbors. The row starts from the corner at the source or target of its halfedge.
+  // `Gauge_costs::worthwhile()` does the same for gauges.
   template <typename Labels>
   std::pair<Index, Index> worthwhile(const Row& row,
                                      const Viewpoint& view,
                                      const bool is_at_source,
                                      const Labels& labels) const
   {
-    if(row.size() < LONG_ROW)
-      return {0, row.size()};
+    if(row.size < LONG_ROW)
+      return {0, row.size};
     const double label = labels.distance(view.node);
     // a neighbor, whose label the arc from here may lower
     const auto rival = [&](const Node node, const double cost, const double distance_if_end) {

@@ -62,7 +62,9 @@ private:
       if(p.is_vertex() && p.vertex == points.back().vertex)
         return;
       const Step next = step(points.back(), p);
-      if(steps.empty() || !is_along_same_edge(steps.back(), next) || turns_at_barrier(next))
+      // a path that turns back at a barrier may do so to get to its other side
+      if(steps.empty() || !is_along_same_edge(steps.back(), next) ||
+         (points.back().is_vertex() && m_triangulation.is_barrier(next.edge)))
       {
         steps.push_back(next);
         break;
@@ -77,12 +79,6 @@ private:
   {
     return a.is_along_edge() && b.is_along_edge() &&
            (a.edge == b.edge || a.edge == m_triangulation.opposite(b.edge));
-  }
-
-  // Whether a path that turns back here may do so to get to the other side of the barrier.
-  bool turns_at_barrier(const Step& next) const
-  {
-    return points.back().is_vertex() && m_triangulation.is_barrier(next.edge);
   }
 
   Step step(const Intrinsic_point& p, const Intrinsic_point& q) const
@@ -191,7 +187,7 @@ private:
     const Step &before = m_path.steps[i - 1], &after = m_path.steps[i];
     if(m_path.points[i].is_vertex())
     {
-      const Direction back = direction_back(i), ahead = direction_ahead(i);
+      const Direction back = direction(i, true), ahead = direction(i, false);
       stop.angle = {angle(ahead, back), angle(back, ahead)};
       stop.is_end = stop.is_closed();
     }
@@ -203,7 +199,7 @@ private:
 
   static void close(Stop& stop, const Side side) { stop.angle[side] = infinity; }
 
-  // whether the path may change to the other side of the edge on the way
+  // whether the path may change to the other side of the edge during the step
   bool is_crossable(const std::size_t step) const
   {
     return !m_path.steps[step].is_along_edge() ||
@@ -271,7 +267,7 @@ private:
     return result;
   }
 
-  // ----- going past a point
+  // ----- passing a point
 
   void pass(const std::size_t i, Sleeve& sleeve) const
   {
@@ -281,7 +277,7 @@ private:
         sleeve.cross(first_face(i));
       return;
     }
-    const Direction back = direction_back(i), ahead = direction_ahead(i);
+    const Direction back = direction(i, true), ahead = direction(i, false);
     const bool is_right = m_stops[i].side == RIGHT;
     if(is_right ? is_in_corner(back, ahead) : is_in_corner(ahead, back))
       return;
@@ -309,27 +305,17 @@ private:
 
   // ----- directions
 
-  Direction direction_back(const std::size_t i) const
+  // The direction of the path at its point `i`, back or ahead.
+  Direction direction(const std::size_t i, const bool is_back) const
   {
-    const Step& step = m_path.steps[i - 1];
+    const Step& step = m_path.steps[is_back ? i - 1 : i];
     if(step.is_along_edge())
-      return {m_triangulation.opposite(step.edge), 0, false};
-    return direction(step.to.halfedge, step.from);
-  }
-
-  Direction direction_ahead(const std::size_t i) const
-  {
-    const Step& step = m_path.steps[i];
-    if(step.is_along_edge())
-      return {step.edge, 0, false};
-    return direction(step.from.halfedge, step.to);
-  }
-
-  Direction direction(const Index h, const Face_point& p) const
-  {
-    const Plane_vector d =
-        p.seen_from(m_triangulation, h).position(m_triangulation, {0, 0}, {1, 0});
-    return {h, std::atan2(d.y, d.x), true};
+      return {is_back ? m_triangulation.opposite(step.edge) : step.edge, 0, false};
+    const Index h = is_back ? step.to.halfedge : step.from.halfedge;
+    const Plane_vector way = (is_back ? step.from : step.to)
+                                 .seen_from(m_triangulation, h)
+                                 .position(m_triangulation, {0, 0}, {1, 0});
+    return {h, angle_of(way), true};
   }
 
   // counterclockwise

@@ -63,7 +63,16 @@ public:
     else if(h == m_triangulation->opposite(m_gates.back().halfedge))
       m_gates.pop_back();
     else
-      m_gates.push_back(gate_after(m_gates.back(), h));
+    {
+      const Gate& gate = m_gates.back();
+      const Index right = m_triangulation->next(gate.halfedge), left = m_triangulation->next(right);
+      const bool keeps_left = h != m_triangulation->opposite(right);
+      const double length = m_triangulation->length(h);
+      const double rest = m_triangulation->length(keeps_left ? right : left);
+      const Index corner = keeps_left ? gate.halfedge : right;
+      m_gates.push_back({h, keeps_left, length,
+                         corner_angle(*m_triangulation, corner, gate.length, length, rest)});
+    }
   }
 
   // Crosses the same edges as another sleeve. \pre They are consecutive gates there.
@@ -153,17 +162,6 @@ private:
     return true;
   }
 
-  Gate gate_after(const Gate& gate, const Index h) const
-  {
-    const Index right = m_triangulation->next(gate.halfedge), left = m_triangulation->next(right);
-    const bool keeps_left = h != m_triangulation->opposite(right);
-    const double length = m_triangulation->length(h);
-    const double rest = m_triangulation->length(keeps_left ? right : left);
-    const Index corner = keeps_left ? gate.halfedge : right;
-    return {h, keeps_left, length,
-            corner_angle(*m_triangulation, corner, gate.length, length, rest)};
-  }
-
   const Intrinsic_triangulation* m_triangulation;
   Face_point m_start{}, m_end{};
   std::vector<Gate> m_gates;
@@ -186,12 +184,17 @@ public:
   void find(const Sleeve& sleeve)
   {
     lay_out(sleeve);
-    start_funnel();
+    m_bends.clear();
+    m_funnel.resize(2 * m_gates.size() + 4);
+    m_tip = m_left = m_right = static_cast<std::ptrdiff_t>(m_gates.size() + 2);
+    at(m_tip).position = m_start;
     for(std::size_t i = 0; i < m_gates.size(); ++i)
       for(const bool is_left : {true, false})
         if(!sleeve.is_kept(i, is_left))
           add(i, position(i, is_left), is_left);
-    finish_funnel();
+    add(m_gates.size(), m_end, true);
+    for(std::ptrdiff_t i = m_tip - 1; i > m_left; --i)
+      m_bends.push_back(at(i));
     for(Bend& bend : m_bends)
       bend.beyond = sleeve.range(bend.first, bend.is_left).beyond;
   }
@@ -296,16 +299,6 @@ private:
 
   // ----- funnel
 
-  // The two paths begin at the tip, to which the shortest path is known. They are stored from
-  // `m_tip` down to `m_left` and up to `m_right`.
-  void start_funnel()
-  {
-    m_bends.clear();
-    m_funnel.resize(2 * m_gates.size() + 4);
-    m_tip = m_left = m_right = static_cast<std::ptrdiff_t>(m_gates.size() + 2);
-    at(m_tip).position = m_start;
-  }
-
   // Appends an end of a gate to one side. `step` leads there from the tip. If the path goes
   // straight through such an end, that is a bend too: the path past its other side may be shorter.
   void add(const std::size_t gate, const Plane_vector position, const bool is_left)
@@ -330,13 +323,6 @@ private:
   static double turn(const Bend& a, const Bend& b, const Bend& c)
   {
     return cross(b.position - a.position, c.position - b.position);
-  }
-
-  void finish_funnel()
-  {
-    add(m_gates.size(), m_end, true);
-    for(std::ptrdiff_t i = m_tip - 1; i > m_left; --i)
-      m_bends.push_back(at(i));
   }
 
   Bend& at(const std::ptrdiff_t i) { return m_funnel[static_cast<std::size_t>(i)]; }
@@ -366,6 +352,8 @@ private:
 
   std::vector<Laid_gate> m_gates;
   std::vector<Bend> m_funnel, m_bends;
+  // The two paths of the funnel begin at the tip, to which the shortest path is known. They are
+  // stored from `m_tip` down to `m_left` and up to `m_right`.
   std::ptrdiff_t m_left = 0, m_tip = 0, m_right = 0;
   Plane_vector m_start{}, m_end{};
 };

@@ -22,7 +22,6 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/error_bounds.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
