@@ -162,6 +162,15 @@ public:
     summarize();
   }
 
+  /// returns the graph whose costs are those of the opposite direction: where distances are from
+  /// the sources, they are to the sources there, and vice versa. Both graphs have the same nodes.
+  Grid_graph reversed() const
+  {
+    Grid_graph result = *this;
+    result.m_costs = m_costs.reversed();
+    return result;
+  }
+
   /// \name Graph
   /// @{
 
@@ -263,6 +272,10 @@ public:
   /// returns the largest relative error of costs by slope, due to interpolation between slopes, as
   /// far as four slopes in each interval show; `0` if there is no such function.
   double error_of_slopes() const { return m_costs.error_of_slopes(); }
+
+  /// returns whether costs may depend on the direction: whether there are heights or a cost
+  /// function.
+  bool has_directions() const { return !m_costs.are_flat(); }
 
   /// returns the number of bytes that the graph takes.
   std::size_t memory() const

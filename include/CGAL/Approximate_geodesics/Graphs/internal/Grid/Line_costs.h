@@ -48,6 +48,18 @@ public:
   {
   }
 
+  // Returns the costs of the opposite direction.
+  Line_costs reversed() const
+  {
+    Line_costs result = *this;
+    result.m_slopes = m_slopes.reversed();
+    if(depend_on_cells())
+      result.m_function = [function = m_function](const Grid_cell& cell, const Grid_vector& d) {
+        return function(cell, -d);
+      };
+    return result;
+  }
+
   bool has_heights() const { return !m_heights.empty(); }
   const std::vector<double>& heights() const { return m_heights; }
   bool depend_on_cells() const { return static_cast<bool>(m_function); }

@@ -53,6 +53,14 @@ public:
     m_smallest = *std::min_element(m_costs.begin(), m_costs.end());
   }
 
+  // Returns the costs of the opposite direction.
+  Slope_costs reversed() const
+  {
+    Slope_costs result = *this;
+    std::reverse(result.m_costs.begin(), result.m_costs.end());
+    return result;
+  }
+
   double operator()(const double slope) const
   {
     if(m_costs.empty())

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -73,8 +73,7 @@ inline void extend_height(const Grid_shape& shape,
   for(std::size_t row = cell.row - 1; row != cell.row + 2; ++row) // numbers below 0 wrap around
     for(std::size_t column = cell.column - 1; column != cell.column + 2; ++column)
       if(const Grid_cell neighbor{column, row};
-         column < shape.columns && row < shape.rows &&
-         friction[shape.index(neighbor)] < std::numeric_limits<double>::infinity())
+         column < shape.columns && row < shape.rows && friction[shape.index(neighbor)] < infinity)
       {
         sum += heights[shape.index(neighbor)];
         ++number;
@@ -87,7 +86,7 @@ template <typename HeightRange>
 std::vector<double>
 read_heights(const Grid_shape& shape, const HeightRange& range, std::vector<double>& friction)
 {
-  constexpr double too_large = 1e100, infinity = std::numeric_limits<double>::infinity();
+  constexpr double too_large = 1e100;
   std::vector<std::size_t> without;
   std::vector<double> result =
       read_cells(shape, range, "height", [&](const double height, const Grid_cell& cell) {
