@@ -87,7 +87,7 @@ public:
    * \param shape the numbers of columns and rows, and the size of a cell
    * \param friction the costs per unit of length, row by row, not negative: `0` for cells that are
    *        free, infinity or `no_data` for cells that cannot be entered; or one number for all
-   * cells \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{epsilon}
@@ -106,11 +106,13 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{face_weight_map}
    *     \cgalParamDescription{`directional_cost(f)`: the cost of a unit of length on the surface,
-   * which is multiplied by friction. `f(slope)` is a function of the slope, in units of height per
-   * horizontal unit, and needs `heights`. `f(cell, direction)` is a model of
-   * `DirectionalCostFunction` for faces that are of type `Grid_cell`, and directions of type
-   * `Grid_vector`. It is called during searches, from several threads if there are several, and
-   * without heights also when the graph is built.} \cgalParamType{`Directional_cost<F>`}
+   *                           which friction multiplies. `f(slope)` is a function of the slope, in
+   *                           units of height per horizontal unit, and needs `heights`.
+   *                           `f(cell, direction)` is a model of `DirectionalCostFunction` whose
+   *                           faces are of type `Grid_cell`, and directions of type `Grid_vector`.
+   *                           It is called during searches, from several threads if there are
+   *                           several, and without heights also when the graph is built.}
+   *     \cgalParamType{`Directional_cost<F>`}
    *     \cgalParamDefault{lengths}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{direction_to_source}
@@ -122,11 +124,11 @@ public:
    *
    * \throws std::invalid_argument if there are no cells, the size of a cell is not a finite number
    *         above `0`, there are not as many values as cells, a friction or a cost is negative or
-   * not a number, a height is not finite, costs of arcs are too large for a `double`, `epsilon` is
-   * not a finite number above `0`, or latitudes are not from 90 to -90 degrees. With heights,
-   * searches throw it if a function of cell and direction returns such a cost. \throws
-   * std::length_error if there are more than \f$2^{32} - 1\f$ nodes, or more than 1000 points on a
-   * side.
+   *         not a number, a height is not finite, costs of arcs are too large for a `double`,
+   *         `epsilon` is not a finite number above `0`, or latitudes are not from 90 to -90
+   * degrees. Searches throw it if a function of cell and direction returns such a cost then.
+   * \throws std::length_error if there are more than \f$2^{32} - 1\f$ nodes, or more than 1000
+   *         points on a side.
    *
    * Run time and memory are \cgalBigO{n} for `n` cells, plus the square of the number of points on
    * the border of a cell.
@@ -204,8 +206,8 @@ public:
       for_each_arc_from_border(place(node), labels.predecessor(node), f);
     else if(const Grid_cell cell = m_shape.cell(node); is_open(cell))
     {
-      if(m_costs
-             .are_flat()) // all of them, as a path straight through a center is rounded otherwise
+      // on planes all of them, as a path straight through a center is rounded in another way
+      if(m_costs.are_flat())
         for_each_line(cell, f);
       else
         for_each_worthwhile_line(cell, labels, f);
@@ -245,7 +247,7 @@ public:
 
   /// returns a lower bound of the cost of all paths between two nodes, for A* searches: that of a
   /// straight line where all costs are smallest. It is `0` for a function of cells and directions
-  /// on heights, as its costs are not known.
+  /// on heights or in degrees, as its costs are not known.
   double lower_bound(const Node from, const Node to) const
   {
     const Grid_point p = position(from), q = position(to);
@@ -350,20 +352,13 @@ private:
   {
     constexpr std::size_t sample_size = 1000;
     internal::Arc_length_summary costs;
-    const bool is_complete = m_costs.depend_on_cells() && !m_costs.has_heights();
-    const std::size_t step = is_complete ? 1 : 1 + m_friction.size() / sample_size;
-    double smallest = internal::infinity;
-    for(std::size_t i = 0; i < m_friction.size(); i += step)
+    for(std::size_t i = 0; i < m_friction.size(); i += 1 + m_friction.size() / sample_size)
       if(m_friction[i] < internal::infinity)
-      {
-        if(is_complete)
-          smallest = (std::min)(smallest, smallest_cost_of_cell(m_shape.cell(i)));
-        if(i % (1 + m_friction.size() / sample_size) == 0)
-          add_costs(m_shape.cell(i), costs);
-      }
-    if(is_complete && smallest < internal::infinity)
-      m_costs.set_smallest_of_cells(smallest);
+        add_costs(m_shape.cell(i), costs);
     m_arc_lengths = costs.result();
+    // on heights, and where the metric varies, there are other directions than those of lines
+    if(m_costs.depend_on_cells() && !m_costs.has_heights() && !m_metric.is_geographic())
+      m_costs.set_smallest_of_cells(smallest_cost_of_cells());
   }
 
   // The blocks of all cells, and of those beyond the last ones of rows and columns.
@@ -518,16 +513,17 @@ private:
     });
   }
 
-  // Returns the smallest cost of all directions of lines, for a function on a plane.
-  double smallest_cost_of_cell(const Grid_cell& cell) const
+  // Returns the smallest cost of a unit of length in all directions of lines, by the function of
+  // cells; 0 if no cell can be entered in any.
+  double smallest_cost_of_cells() const
   {
     double result = internal::infinity;
-    for(const internal::Grid_lines::Line& line : m_lines.lines())
-    {
-      const internal::Grid_metric::Sides& sides = m_metric.between(cell.row, cell.row);
-      result = (std::min)(result, m_costs.cost_in_cell(cell, line, sides));
-    }
-    return result;
+    for(std::size_t i = 0; i < m_friction.size(); ++i)
+      if(m_friction[i] < internal::infinity)
+        for(const internal::Grid_lines::Line& line : m_lines.lines())
+          result = (std::min)(result,
+                              m_costs.cost_in_cell(m_shape.cell(i), line, m_metric.between(0, 0)));
+    return result < internal::infinity ? result : 0;
   }
 
   // Calls `f` for the arcs from a slot of a cell, or its center, to all slots, and the center.

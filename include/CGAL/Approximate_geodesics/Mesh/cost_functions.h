@@ -124,8 +124,8 @@ private:
  * `Directional_points` includes it. Each direction takes 32 bytes, unless zigzags make it
  * redundant.
  *
- * \param f a model of `DirectionalCostFunction`, or a function of the slope, `f(s)`: a cost per
- * unit of surface length for `s` units of height per horizontal unit
+ * \param f a model of `DirectionalCostFunction`, or a function of the slope, `f(s)`: a cost per unit
+ *        of surface length for `s` units of height per horizontal unit
  */
 template <typename CostFunction>
 Directional_cost<CostFunction> directional_cost(CostFunction f)
@@ -233,9 +233,8 @@ public:
   }
 
   /// returns the energy per unit of length on a slope, in joules per kilogram and meter.
-  double operator()(const double slope) const
+  double operator()(const double s) const
   {
-    const double s = slope;
     if(!(std::abs(s) <= STEEPEST_SLOPE))
       return internal::infinity;
     return ((((280.5 * s - 58.7) * s - 76.8) * s + 51.9) * s + 19.6) * s + 2.5;

@@ -160,8 +160,8 @@ private:
  * \tparam ValueRange a model of `ConstRange` whose value type converts to `double`
  * \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Grid_point>`
  *
- * \param shape the numbers of columns and rows, and the size of a cell; `no_data` is a value as NaN
- * is \param values one value per cell, row by row, for example from
+ * \param shape the numbers of columns and rows, the size of a cell, and a value that counts as NaN
+ * \param values one value per cell, row by row, for example from
  *        `approximate_geodesic_distances_on_grid()`; squares with a corner that is infinite, NaN or
  *        `no_data` have no isolines
  * \param isovalue the isovalue; an infinite one has no isolines
