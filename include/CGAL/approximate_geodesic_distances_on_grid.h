@@ -102,8 +102,9 @@ std::vector<Seed> seeds_of_cells(const Grid_graph& graph, const Sources& sources
  * Each cell has a friction, a cost per unit of length. Costs may also depend on the slope of a
  * surface, and on the direction. Without a bound `epsilon`, paths consist of straight lines between
  * centers of cells. Where cells have the same friction, they are at most 0.3 % too long, in all
- * directions, if the width of cells is half to twice their height. With a bound, paths cost at most \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane.
- * A cost is never smaller than that of the cheapest path. See `Approximate_geodesics::Grid_graph`.
+ * directions, if the width of cells is half to twice their height. With a bound, paths cost at most
+ * \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane. A cost is never smaller
+ * than that of the cheapest path. See `Approximate_geodesics::Grid_graph`.
  *
  * \tparam FrictionRange a model of `ConstRange` whose value type is a number type, or such a type
  * \tparam OutputIterator a model of `OutputIterator` that takes `double`
