@@ -124,8 +124,8 @@ private:
  * `Directional_points` includes it. Each direction takes 32 bytes, unless zigzags make it
  * redundant.
  *
- * \param f a model of `DirectionalCostFunction`, or a function of the slope, `f(s)`: a cost per
- * unit of surface length for `s` units of height per horizontal unit
+ * \param f a model of `DirectionalCostFunction`, or a function `f(s)` of the slope: of `s` units of
+ *        height per horizontal unit
  */
 template <typename CostFunction>
 Directional_cost<CostFunction> directional_cost(CostFunction f)
