@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Literal, Optional, Union, overload
+from typing import Any, Callable, Literal, Optional, Sequence, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -227,10 +227,10 @@ class Grid:
 
     @overload
     def isolines(
-        self, values: npt.ArrayLike, levels: npt.ArrayLike
+        self, values: npt.ArrayLike, levels: Union[Sequence[float], npt.NDArray[Any]]
     ) -> list[list[_arrays.Floats]]: ...
 
-    def isolines(self, values: npt.ArrayLike, levels: Any) -> Any:
+    def isolines(self, values: npt.ArrayLike, levels: npt.ArrayLike) -> Any:
         """Lines where values of cells, such as costs, reach a level; or for each of several levels.
 
         Parameters
