@@ -31,6 +31,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/Grid_vector.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
@@ -53,6 +54,7 @@
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/isolines_on_grid.h>
 #include <CGAL/Approximate_geodesics/Queries/karcher_mean.h>
 #include <CGAL/Approximate_geodesics/Queries/logarithmic_map.h>
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>

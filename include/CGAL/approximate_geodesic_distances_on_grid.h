@@ -13,7 +13,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <type_traits>
@@ -47,16 +46,31 @@ private:
   const Grid_shape& m_shape;
 };
 
+// Appends a named parameter to a chain, if it is given.
+template <typename Tag, typename NamedParameters, typename Chain>
+auto with_parameter([[maybe_unused]] const Tag tag,
+                    [[maybe_unused]] const NamedParameters& np,
+                    const Chain& chain)
+{
+  if constexpr(is_given<NamedParameters, Tag>)
+  {
+    const auto value = parameters::get_parameter(np, tag);
+    return Named_function_parameters<std::decay_t<decltype(value)>, Tag, Chain>(value, chain);
+  }
+  else
+    return chain;
+}
+
 // The graph of a grid that named parameters of a search ask for.
 template <typename FrictionRange, typename NamedParameters>
 Grid_graph
 grid_graph(const Grid_shape& shape, const FrictionRange& friction, const NamedParameters& np)
 {
-  if constexpr(is_given<NamedParameters, internal_np::epsilon_t>)
-    return Grid_graph(shape, friction,
-                      parameters::epsilon(parameters::get_parameter(np, internal_np::epsilon)));
-  else
-    return Grid_graph(shape, friction);
+  const auto none = parameters::default_values();
+  const auto e = with_parameter(internal_np::epsilon, np, none);
+  const auto h = with_parameter(internal_np::heights, np, e);
+  const auto w = with_parameter(internal_np::face_weight, np, h);
+  return Grid_graph(shape, friction, with_parameter(internal_np::direction_to_source, np, w));
 }
 
 // The seeds of a source, or a range of sources.
@@ -85,28 +99,30 @@ std::vector<Seed> seeds_of_cells(const Grid_graph& graph, const Sources& sources
  * computes, for each cell of a grid, the approximately smallest cost of a path from the center of
  * the nearest source to its own.
  *
- * Each cell has a friction, a cost per unit of length. Without a bound `epsilon`, paths consist of
- * straight lines between centers of cells. Where cells have the same friction, they are at most
- * 0.3 % too long, in all directions, if the width of cells is half to twice their height. With a
- * bound, paths cost at most \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane.
- * A cost is never smaller than that of the cheapest path. See `Approximate_geodesics::Grid_graph`.
+ * Each cell has a friction, a cost per unit of length. Costs may also depend on the slope of a
+ * surface, and on the direction. Without a bound `epsilon`, paths consist of straight lines between
+ * centers of cells. Where cells have the same friction, they are at most 0.3 % too long, in all
+ * directions, if the width of cells is half to twice their height. With a bound, paths cost at most
+ * \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane. A cost is never smaller
+ * than that of the cheapest path. See `Approximate_geodesics::Grid_graph`.
  *
- * \tparam FrictionRange a model of `ConstRange` whose value type is a number type
+ * \tparam FrictionRange a model of `ConstRange` whose value type is a number type, or such a type
  * \tparam OutputIterator a model of `OutputIterator` that takes `double`
  * \tparam Sources `Approximate_geodesics::Grid_cell`, or a model of `ConstRange` with this value
  *         type
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param shape the numbers of columns and rows, the size of a cell, and the value for no data
- * \param friction the friction of the cells, row by row, not negative; cells of infinite friction
- *        and those without data cannot be entered, and no path leads between two that touch at a
- *        corner
+ * \param friction the friction of the cells, row by row, not negative, or one number for all; cells
+ *        of infinite friction and those without data cannot be entered, and no path leads between
+ *        two that touch at a corner
  * \param distances receives a cost for each cell, row by row: infinity for cells that cannot be
  *        entered, are not reachable, or not within `maximum_distance`, or if there is no source
  * \param sources a cell, or a range of cells; there is no path from a cell that cannot be entered
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `epsilon`,
- *        `maximum_distance` and `visitor`, as for `approximate_geodesic_distances()`; the visitor
- *        is told of cells
+ *        `heights`, `face_weight_map` and `direction_to_source`, as for the constructor of
+ *        `Approximate_geodesics::Grid_graph`, and `maximum_distance` and `visitor`, as for
+ *        `approximate_geodesic_distances()`; the visitor is told of cells
  *
  * \throws std::invalid_argument as the constructor of `Approximate_geodesics::Grid_graph` does, and
  *         if a source is not in the grid, or the maximum distance is negative or not a number.
@@ -129,10 +145,12 @@ void approximate_geodesic_distances_on_grid(
     const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
-  static_assert(!AG::internal::ignores_any<NamedParameters, internal_np::epsilon_t,
-                                           internal_np::maximum_distance_t, internal_np::visitor_t>,
-                "approximate_geodesic_distances_on_grid() reads the named parameters epsilon, "
-                "maximum_distance and visitor only");
+  static_assert(
+      !AG::internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::heights_t,
+                                 internal_np::face_weight_t, internal_np::direction_to_source_t,
+                                 internal_np::maximum_distance_t, internal_np::visitor_t>,
+      "approximate_geodesic_distances_on_grid() reads the named parameters of Grid_graph, "
+      "maximum_distance and visitor only");
   const AG::Grid_graph graph = AG::internal::grid_graph(shape, friction, np);
   const std::vector<AG::Seed> seeds = AG::internal::seeds_of_cells(graph, sources);
   const AG::Stop_rule stop{AG::internal::maximum_distance(np)};
@@ -155,22 +173,22 @@ void approximate_geodesic_distances_on_grid(
  * its cost.
  *
  * The cost is that of `approximate_geodesic_distances_on_grid()`, up to rounding. The search is an
- * A* search with straight lines through cells of the smallest friction.
+ * A* search with `Approximate_geodesics::Grid_graph::lower_bound()`.
  *
- * \tparam FrictionRange a model of `ConstRange` whose value type is a number type
+ * \tparam FrictionRange a model of `ConstRange` whose value type is a number type, or such a type
  * \tparam OutputIterator a model of `OutputIterator` that takes `Approximate_geodesics::Grid_point`
  * \tparam Sources `Approximate_geodesics::Grid_cell`, or a model of `ConstRange` with this value
  *         type
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param shape the numbers of columns and rows, the size of a cell, and the value for no data
- * \param friction the friction of the cells, row by row
+ * \param friction the friction of the cells, row by row, or one number for all
  * \param points receives the points of the path, from the source to the target; none if there is no
  *        path
  * \param source a cell, or a range of cells, of which the nearest is taken
  * \param target a cell
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `epsilon` and
- *        `maximum_distance`
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `epsilon`,
+ *        `heights`, `face_weight_map` and `maximum_distance`
  *
  * \return the cost of the path, or infinity if there is none, or not within `maximum_distance`.
  *
@@ -192,20 +210,17 @@ double approximate_geodesic_path_on_grid(const Approximate_geodesics::Grid_shape
 {
   namespace AG = Approximate_geodesics;
   using Node = AG::Grid_graph::Node;
-  static_assert(!AG::internal::ignores_any<NamedParameters, internal_np::epsilon_t,
-                                           internal_np::maximum_distance_t>,
-                "approximate_geodesic_path_on_grid() reads the named parameters epsilon and "
-                "maximum_distance only");
+  static_assert(
+      !AG::internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::heights_t,
+                                 internal_np::face_weight_t, internal_np::maximum_distance_t>,
+      "approximate_geodesic_path_on_grid() reads the named parameters epsilon, heights, "
+      "face_weight_map and maximum_distance only");
   const AG::Grid_graph graph = AG::internal::grid_graph(shape, friction, np);
   const Node end = graph.node(target);
   const std::vector<AG::Seed> seeds = AG::internal::seeds_of_cells(graph, source);
-  const AG::Grid_point goal = graph.position(end);
   AG::Propagation search(graph);
   search.run_toward(seeds, AG::Stop_rule{AG::internal::maximum_distance(np), {end}},
-                    [&graph, goal](const Node node) {
-                      const AG::Grid_point p = graph.position(node);
-                      return graph.smallest_friction() * std::hypot(p.x - goal.x, p.y - goal.y);
-                    });
+                    [&graph, end](const Node node) { return graph.lower_bound(node, end); });
   std::vector<Node> path; // from the target
   if(search.is_reached(end))
     for(Node node = end; node != search.null_node; node = search.predecessor(node))

@@ -6,6 +6,8 @@ A `Solver` reads a mesh once, and answers any number of questions:
 >>> solver = ag.Solver(vertices, faces, epsilon=0.1)
 >>> distances = solver.distances(0)
 
+A `Grid` does the same for rasters, which need no mesh.
+
 Lengths are in the unit of the vertices. Input that cannot be right raises `ValueError`, with a
 message that names the vertex or the face.
 """
@@ -15,12 +17,14 @@ from ._costs import (
     DirectionalCost,
     DriftTime,
     HikingTime,
+    NaismithTime,
     OneWay,
     TensorCost,
     WalkingEnergy,
 )
 from ._drop_ins import compute_gdist, local_gdist_matrix
 from ._files import read_mesh
+from ._grid import Grid
 from ._native import version as __version__
 from ._solver import Solver
 
@@ -28,7 +32,9 @@ __all__ = [
     "CostFunction",
     "DirectionalCost",
     "DriftTime",
+    "Grid",
     "HikingTime",
+    "NaismithTime",
     "OneWay",
     "Solver",
     "TensorCost",

@@ -29,13 +29,17 @@ class DirectionalCost:
     def _native(
         self, vertices: _arrays.Floats, faces: npt.NDArray[Any]
     ) -> tuple[int, list[float], _arrays.Floats]:
-        number_of_faces = len(faces)
+        return self._of_elements(len(faces), "faces", "the mesh")
+
+    def _of_elements(
+        self, number: int, elements: str, whole: str
+    ) -> tuple[int, list[float], _arrays.Floats]:
         if type(self) is DirectionalCost:
             raise TypeError("a DirectionalCost is none itself; take one of the classes derived")
-        if self._of_faces.ndim == 2 and len(self._of_faces) != number_of_faces:
+        if self._of_faces.ndim == 2 and len(self._of_faces) != number:
             raise ValueError(
-                f"{self._name} are those of {len(self._of_faces)} faces, "
-                f"and the mesh has {number_of_faces}"
+                f"{self._name} are those of {len(self._of_faces)} {elements}, "
+                f"and {whole} has {number}"
             )
         return self._model, self._parameters, self._of_faces
 
@@ -70,6 +74,25 @@ class WalkingEnergy(DirectionalCost):
 
     def __init__(self) -> None:
         self._model, self._parameters, self._of_faces = 1, [], np.empty(0)
+
+
+class NaismithTime(DirectionalCost):
+    """Seconds per meter of walking on slopes, by Naismith's rule with Langmuir's corrections.
+
+    A descent of up to 12 degrees saves 2 seconds per meter of height, a steeper one costs as much, as in
+    the module `r.walk` of GRASS. The mesh is in meters, with the z axis upward.
+
+    Parameters
+    ----------
+    pace : float
+        Seconds per horizontal meter, at least 0.425.
+    ascent : float
+        Seconds per meter of ascent.
+    """
+
+    def __init__(self, pace: float = 0.72, ascent: float = 6.0) -> None:
+        self._model, self._parameters = 6, [float(pace), float(ascent)]
+        self._of_faces = np.empty(0)
 
 
 class DriftTime(DirectionalCost):
@@ -175,6 +198,11 @@ class CostFunction(DirectionalCost):
         if not 4 <= self._number <= 10000:
             raise ValueError(f"number_of_directions is {self._number}; it must be from 4 to 10000")
 
+    def _of_elements(
+        self, number: int, elements: str, whole: str
+    ) -> tuple[int, list[float], _arrays.Floats]:
+        raise TypeError(f"a CostFunction is of faces, and {whole} has none; give a function of slopes")
+
     def _native(
         self, vertices: _arrays.Floats, faces: npt.NDArray[Any]
     ) -> tuple[int, list[float], _arrays.Floats]:
@@ -244,5 +272,6 @@ def _angles(
 
 #: By the number of their models.
 NAMES = (
-    "hiking time", "walking energy", "drift time", "one-way faces", "tensors", "a cost function"
+    "hiking time", "walking energy", "drift time", "one-way faces", "tensors", "a cost function",
+    "Naismith's time",
 )

@@ -15,6 +15,38 @@ class Locator:
     def __init__(self, solver: Solver) -> None: ...
     def locate(self, points: _Floats) -> Tuple[_Integers, _Floats, _Floats]: ...
 
+class Grid:
+    def __init__(
+        self,
+        rows_columns: Tuple[int, int],
+        cell_size: Tuple[float, float],
+        no_data: Optional[float],
+        first_latitude: Optional[float],
+        friction: Optional[_Floats],
+        heights: Optional[_Floats],
+        epsilon: Optional[float],
+        cost: Optional[Tuple[int, List[float], _Floats]],
+        slope_costs: Optional[_Floats],
+        progress: _Progress,
+    ) -> None: ...
+    def distances(
+        self,
+        sources: _Integers,
+        maximum_distance: float,
+        direction_to_source: bool,
+        wants_nearest: bool,
+        wants_predecessors: bool,
+        progress: _Progress,
+    ) -> Tuple[_Floats, _Integers, _Integers]: ...
+    def path(self, ends: _Integers) -> Tuple[_Floats, float]: ...
+    def isolines(self, values: _Floats, level: float) -> list[_Floats]: ...
+    @property
+    def error_on_equal_cells(self) -> float: ...
+    @property
+    def error_of_slopes(self) -> float: ...
+    @property
+    def memory(self) -> int: ...
+
 class Solver:
     def __init__(
         self,

@@ -8,6 +8,7 @@
 
 #include "arrays.h"
 #include "files.h"
+#include "grids.h"
 #include "locations.h"
 #include "matrices.h"
 #include "running.h"
@@ -322,6 +323,8 @@ PYBIND11_MODULE(_native, module)
   py::class_<python::Locator>(module, "Locator")
       .def(py::init<const Solver&>(), py::keep_alive<1, 2>())
       .def("locate", &python::Locator::locate);
+
+  python::add_grid(module);
 
   py::class_<Solver> solver(module, "Solver");
   python::add_constructor<std::int32_t>(solver);

@@ -35,3 +35,17 @@ def check(solver: ag.Solver, values: Floats) -> None:
     assert_type(Named.load("file"), Named)
     assert_type(Named.from_file("file"), Named)
     assert_type(Named.from_trimesh(values, 0.1), Named)
+
+
+def check_grid(grid: ag.Grid, values: Floats) -> None:
+    assert_type(grid.distances((0, 1)), Floats)
+    assert_type(grid.distances([(0, 1)], return_nearest=True), tuple[Floats, Integers])
+    assert_type(grid.distances((0, 1), return_predecessors=True), tuple[Floats, Integers])
+    assert_type(
+        grid.distances((0, 1), return_nearest=True, return_predecessors=True),
+        tuple[Floats, Integers, Integers],
+    )
+    assert_type(grid.path((0, 1), (2, 3)), Floats)
+    assert_type(grid.path((0, 1), (2, 3), return_length=True), tuple[Floats, float])
+    assert_type(grid.isolines(values, 0.5), list[Floats])
+    assert_type(grid.isolines(values, [0.5, 1]), list[list[Floats]])

@@ -5,15 +5,18 @@
 
 // Grids of cells: errors by direction where all have the same friction, beside steps in 8 and 16
 // directions as other programs for rasters have them; time and memory of a search where friction
-// varies, and errors against a graph with many more points. See --help.
+// varies, and errors against a graph with many more points; on heights, times of hikers against a
+// grid that is four times finer. See --help.
 
 #include "measuring/Errors.h"
 #include "measuring/measure.h"
+#include "meshes/Rough_terrain.h"
 #include "output/Options.h"
 #include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <boost/program_options.hpp>
@@ -22,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -55,7 +59,17 @@ public:
   std::size_t memory() const { return m_friction.size() * sizeof(double); }
 
   template <typename Labels, typename F>
-  void for_each_arc(const Node node, const Labels&, F f) const
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    for_each_step(node, labels, [&](const Node target, const double length) {
+      f(target, length * (m_friction[node] + m_friction[target]) / 2);
+    });
+  }
+
+protected:
+  // Calls `f(target, length)`.
+  template <typename Labels, typename F>
+  void for_each_step(const Node node, const Labels&, F f) const
   {
     const AG::Grid_cell cell = m_shape.cell(node);
     for(const Step& step : m_steps)
@@ -65,7 +79,7 @@ public:
       if(next.column >= m_shape.columns || next.row >= m_shape.rows)
         continue;
       const std::size_t target = m_shape.index(next);
-      f(Node(target), step.length * (m_friction[node] + m_friction[target]) / 2);
+      f(Node(target), step.length);
     }
   }
 
@@ -215,6 +229,116 @@ static Table compare_errors(const std::size_t side)
   return table;
 }
 
+// ----- heights
+
+// Steps to 8 or 16 neighbors, which take the time of a hiker on the slope between both ends.
+class Hiking_steps : public Step_graph
+{
+public:
+  Hiking_steps(const Grid_shape& shape, const std::vector<double>& heights, const int directions)
+    : Step_graph(shape, heights, directions), m_heights(heights), m_size(shape.cell_width)
+  {
+  }
+
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    for_each_step(node, labels, [&](const Node target, const double length) {
+      const double run = length * m_size;
+      const double slope = (m_heights[target] - m_heights[node]) / run;
+      f(target, run * std::sqrt(1 + slope * slope) * AG::Hiking_time()(slope));
+    });
+  }
+
+  AG::Arc_lengths arc_lengths() const { return {0.5 * m_size, 2 * m_size, 50 * m_size}; }
+
+private:
+  const std::vector<double>& m_heights;
+  double m_size;
+};
+
+static Grid_graph hiking_graph(const Grid_shape& shape, const std::vector<double>& heights)
+{
+  return Grid_graph(shape, 1,
+                    CGAL::parameters::heights(std::cref(heights))
+                        .face_weight_map(AG::directional_cost(AG::Hiking_time())));
+}
+
+template <typename Graph>
+std::vector<double> times_of_hikers(const Graph& graph, const Grid_shape& shape, double& seconds)
+{
+  AG::Propagation<Graph> search(graph);
+  const auto source = static_cast<std::uint32_t>(shape.index(middle_of(shape)));
+  seconds = seconds_of([&] { search.run_from(source); });
+  std::vector<double> result;
+  for(std::uint32_t i = 0; i < shape.number_of_cells(); ++i)
+    result.push_back(search.distance(i));
+  result.push_back(double(graph.memory() + search.memory())); // the last number
+  return result;
+}
+
+// Times on a grid that is four times finer, whose heights are interpolated.
+static std::vector<double> finer_times(const Grid_shape& shape, const std::vector<double>& heights)
+{
+  constexpr std::size_t factor = 4;
+  const Grid_shape finer{factor * (shape.columns - 1) + 1,
+                         factor * (shape.rows - 1) + 1,
+                         shape.cell_width / factor,
+                         shape.cell_height / factor,
+                         {}};
+  const Grid_graph graph = hiking_graph(finer, Rough_terrain::interpolated(shape, heights, factor));
+  AG::Propagation search(graph);
+  const AG::Grid_cell source = middle_of(shape);
+  search.run_from(graph.node({factor * source.column, factor * source.row}));
+  std::vector<double> result;
+  for(std::size_t i = 0; i < shape.number_of_cells(); ++i)
+    result.push_back(
+        search.distance(graph.node({factor * shape.cell(i).column, factor * shape.cell(i).row})));
+  return result;
+}
+
+static double mean_slope(const Grid_shape& shape, const std::vector<double>& heights)
+{
+  double sum = 0;
+  for(std::size_t i = 0; i + shape.columns + 1 < heights.size(); ++i)
+    if(shape.cell(i).column + 1 < shape.columns)
+      sum += std::hypot(heights[i + 1] - heights[i], heights[i + shape.columns] - heights[i]);
+  return sum / shape.cell_width / double(heights.size());
+}
+
+static Table measure_hikers(const std::size_t side)
+{
+  const Grid_shape shape{side, side, 30, 30, {}};
+  Table table({"terrain", "mean slope %", "graph", "us/cell", "bytes/cell", "mean %", "largest %"});
+  const auto add_terrain = [&](const std::string& name, const Rough_terrain& terrain) {
+    const std::vector<double> heights = terrain.heights(shape);
+    const std::vector<double> reference = finer_times(shape, heights);
+    const auto add = [&](const std::string& graph_name, const auto& graph) {
+      double seconds = 0;
+      const std::vector<double> found = times_of_hikers(graph, shape, seconds);
+      Errors errors;
+      for(std::size_t i = 0; i < reference.size(); ++i)
+        errors.add(found[i], reference[i]);
+      const double n = double(shape.number_of_cells());
+      table.add_row()
+          .add(name)
+          .add(100 * mean_slope(shape, heights), 0)
+          .add(graph_name)
+          .add(seconds / n * 1e6, 2)
+          .add(found.back() / n, 0)
+          .add(100 * errors.mean(), 2)
+          .add(100 * errors.largest(), 1);
+    };
+    add("8 directions", Hiking_steps(shape, heights, 8));
+    add("16 directions", Hiking_steps(shape, heights, 16));
+    add("lines", hiking_graph(shape, heights));
+  };
+  add_terrain("hills", Rough_terrain(0.05, 8));
+  add_terrain("smooth hills", Rough_terrain(0.05, 16));
+  add_terrain("rough mountains", Rough_terrain(0.12, 8));
+  return table;
+}
+
 int main(int argc, char* argv[])
 {
   std::size_t side = 1000;
@@ -228,6 +352,10 @@ int main(int argc, char* argv[])
                  compare_directions(400 / part));
     report.print("grid_errors", "Friction that varies, errors against epsilon = 0.01",
                  compare_errors(150 / part));
+    report.print("grid_heights",
+                 "Heights, times of hikers, errors against a grid that is four times finer, " +
+                     std::to_string(side / part) + " x " + std::to_string(side / part) + " cells",
+                 measure_hikers(side / part));
     report.print("grid_searches",
                  "Friction that varies, " + std::to_string(side / part) + " x " +
                      std::to_string(side / part) + " cells (times as medians of " +

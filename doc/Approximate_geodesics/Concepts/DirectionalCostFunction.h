@@ -12,6 +12,7 @@ called when the mesh is read, and not stored.
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Hiking_time}
 \cgalHasModels{CGAL::Approximate_geodesics::Walking_energy}
+\cgalHasModels{CGAL::Approximate_geodesics::Naismith_time}
 \cgalHasModels{CGAL::Approximate_geodesics::Drift_time<FaceVectorMap>}
 \cgalHasModels{CGAL::Approximate_geodesics::One_way<FaceVectorMap>}
 \cgalHasModels{CGAL::Approximate_geodesics::Tensor_cost<FaceTensorMap>}

@@ -11,8 +11,13 @@
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/Grid_vector.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_border.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_lines.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_metric.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Line_costs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Slope_costs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/read_cells.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/number_utils.h>
 
@@ -24,6 +29,8 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
@@ -31,8 +38,8 @@ namespace CGAL::Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsGraphs
  *
- * The graph of a regular grid of cells, each of which has a friction: a cost per unit of length. It
- * is a graph for rasters: no mesh is built, and no arcs are stored.
+ * The graph of a regular grid of cells, each of which has a friction, a cost per unit of length; or
+ * a height; or both. It is a graph for rasters: no mesh is built, and no arcs are stored.
  *
  * The first nodes are the centers of the cells, in the order of values. Straight lines join them to
  * the centers of other cells, up to 15 columns and rows away; they cost their lengths within the
@@ -40,6 +47,15 @@ namespace CGAL::Approximate_geodesics {
  * are at most 0.3 % too large in all directions, if the width of a cell is half to twice its
  * height; `error_on_equal_cells()` returns this bound for any shape. Between cells of different
  * friction, where cheapest paths bend at sides, there is no bound.
+ *
+ * With `heights`, lines are on the surface. Heights are those of the centers, and are interpolated
+ * where a line crosses a row or a column of centers; slopes between these points are constant.
+ * Lengths are those in space. A cost function of the slope, as `Hiking_time`, replaces the cost of
+ * a unit of length; slopes that are so steep that zigzags cost less are climbed in zigzags, whose
+ * costs count. A cost function of cell and direction, as `Drift_time`, does not need heights; lines
+ * cost what it returns in each cell for their own direction. Costs of a function are interpolated
+ * between slopes that are 1/2000 apart. This makes them at most `error_of_slopes()` too large.
+ * There is no bound otherwise, as cheapest paths on a surface bend between centers, too.
  *
  * With the named parameter `epsilon`, there are also nodes at the corners of cells, and on their
  * sides, in the geometric progressions of `Geometric_points`, and straight arcs between all nodes
@@ -50,8 +66,9 @@ namespace CGAL::Approximate_geodesics {
  * run along their sides. No path leads between two of them that touch at a corner, so that a
  * diagonal row of cells is a barrier.
  *
- * The graph takes 8 bytes per cell, and a table of arcs that all cells share. With
- * \f$\varepsilon = 0.1\f$, square cells have 15 points on a side, so there are 32 nodes per cell.
+ * The graph takes 8 bytes per cell, 8 more for a height, and a table of arcs that all cells share.
+ * With \f$\varepsilon = 0.1\f$, square cells have 15 points on a side, so there are 32 nodes per
+ * cell.
  *
  * \cgalModels{GeodesicGraph}
  */
@@ -64,27 +81,52 @@ public:
   /*!
    * builds the graph of a grid.
    *
-   * \tparam FrictionRange a model of `ConstRange` whose value type is a number type
+   * \tparam FrictionRange a model of `ConstRange` whose value type is a number type, or such a type
    * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
    *
    * \param shape the numbers of columns and rows, and the size of a cell
    * \param friction the costs per unit of length, row by row, not negative: `0` for cells that are
-   *        free, infinity or `no_data` for cells that cannot be entered
+   *        free, infinity or `no_data` for cells that cannot be entered; or one number for all
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{epsilon}
    *     \cgalParamDescription{paths in the graph cost at most \f$1 + \varepsilon\f$ times as much
-   *                           as the cheapest ones in the plane}
+   *                           as the cheapest ones in the plane; not with any of the other
+   *                           parameters, nor on a geographic grid, for which there is no bound}
    *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
    *     \cgalParamDefault{no bound: there are only lines between centers}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{heights}
+   *     \cgalParamDescription{the heights of the centers, row by row, in the unit of lengths; cells
+   *                           whose height is `no_data` cannot be entered}
+   *     \cgalParamType{a model of `ConstRange` whose value type is a number type, or a
+   *                    `std::reference_wrapper` of one, which is not copied}
+   *     \cgalParamDefault{the plane}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{face_weight_map}
+   *     \cgalParamDescription{`directional_cost(f)`: the cost of a unit of length on the surface,
+   *                           which friction multiplies. `f(slope)` is a function of the slope, in
+   *                           units of height per horizontal unit, and needs `heights`.
+   *                           `f(cell, direction)` is a model of `DirectionalCostFunction` whose
+   *                           faces are of type `Grid_cell`, and directions of type `Grid_vector`.
+   *                           It is called during searches, from several threads if there are
+   *                           several, and without heights also when the graph is built.}
+   *     \cgalParamType{`Directional_cost<F>`}
+   *     \cgalParamDefault{lengths}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{direction_to_source}
+   *     \cgalParamDescription{whether costs are those of paths to the sources}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`false`}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * \throws std::invalid_argument if there are no cells, the size of a cell is not a finite number
-   *         above `0`, there are not as many values as cells, a value is negative or not a number,
-   *         costs of arcs are too large for a `double`, or `epsilon` is not a finite number above
-   *         `0`.
+   *         above `0`, there are not as many values as cells, a friction or a cost is negative or
+   *         not a number, a height is not finite, costs of arcs are too large for a `double`,
+   *         `epsilon` is not a finite number above `0`, or latitudes are not from 90 to -90
+   * degrees. Searches throw it if a function of cell and direction returns such a cost then.
    * \throws std::length_error if there are more than \f$2^{32} - 1\f$ nodes, or more than 1000
    *         points on a side.
    *
@@ -95,15 +137,40 @@ public:
   Grid_graph(const Grid_shape& shape,
              const FrictionRange& friction,
              [[maybe_unused]] const NamedParameters& np = parameters::default_values())
-    : m_shape(checked(shape)), m_lines(m_shape)
+    : m_shape(checked(shape)), m_metric(m_shape)
   {
-    static_assert(!internal::ignores_any<NamedParameters, internal_np::epsilon_t>,
-                  "Grid_graph reads the named parameter epsilon only");
+    static_assert(
+        !internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::heights_t,
+                               internal_np::face_weight_t, internal_np::direction_to_source_t>,
+        "Grid_graph reads the named parameters epsilon, heights, face_weight_map and "
+        "direction_to_source only");
+    constexpr bool has_costs =
+        internal::is_any_given<NamedParameters, internal_np::heights_t, internal_np::face_weight_t>;
+    m_lines = internal::Grid_lines(m_shape, m_metric, has_costs);
     if constexpr(internal::is_given<NamedParameters, internal_np::epsilon_t>)
+    {
+      static_assert(!has_costs,
+                    "epsilon: there is no bound on heights, or with costs that depend on "
+                    "the direction; use Directional_graph on a mesh");
+      if(m_metric.is_geographic())
+        internal::reject(
+            "there is an epsilon, and cells are in degrees; there is no bound for them");
       m_border = internal::Grid_border(m_shape, internal::checked_epsilon(np));
+    }
     check_number_of_nodes();
-    read(friction);
+    m_friction = internal::read_friction(m_shape, friction);
+    if constexpr(has_costs)
+      m_costs = internal::read_line_costs(m_shape, m_friction, np);
     summarize();
+  }
+
+  /// returns the graph whose costs are those of the opposite direction: where distances are from
+  /// the sources, they are to the sources there, and vice versa. Both graphs have the same nodes.
+  Grid_graph reversed() const
+  {
+    Grid_graph result = *this;
+    result.m_costs = m_costs.reversed();
+    return result;
   }
 
   /// \name Graph
@@ -130,7 +197,8 @@ public:
 
   /// calls `f(target, cost)` for arcs from `node`, or `f(first, costs, number)` for arcs to
   /// consecutive nodes. Arcs from a border back into the cell that the path arrives through are
-  /// left out, as the node before is joined to their targets itself.
+  /// left out, as the node before is joined to their targets itself; so are lines on heights that
+  /// cannot be part of a cheapest path, as far as labels tell.
   template <typename Labels, typename F>
   void for_each_arc(const Node node, const Labels& labels, F f) const
   {
@@ -138,8 +206,11 @@ public:
       for_each_arc_from_border(place(node), labels.predecessor(node), f);
     else if(const Grid_cell cell = m_shape.cell(node); is_open(cell))
     {
-      // all of them, as a path straight through a center is rounded in another way
-      for_each_line(cell, f);
+      // on planes all of them, as a path straight through a center is rounded in another way
+      if(m_costs.are_flat())
+        for_each_line(cell, f);
+      else
+        for_each_worthwhile_line(cell, labels, f);
       if(m_border.size_of_block() > 0)
         for_each_arc_across(cell, m_border.number_of_slots(), f);
     }
@@ -164,11 +235,28 @@ public:
   /// \pre The cell exists.
   double friction(const Grid_cell& cell) const { return m_friction[m_shape.index(cell)]; }
 
-  /// returns the smallest friction of all cells that can be entered, or `0` if there are none. A
-  /// straight line of this friction is a lower bound of all costs, for A* searches.
+  /// returns the height of a cell, `0` if there are no heights.
+  /// \pre The cell exists, and can be entered.
+  double height(const Grid_cell& cell) const
+  {
+    return m_costs.has_heights() ? m_costs.heights()[m_shape.index(cell)] : 0;
+  }
+
+  /// returns the smallest friction of all cells that can be entered, or `0` if there are none.
   double smallest_friction() const { return m_smallest_friction; }
 
-  /// returns where a node is.
+  /// returns a lower bound of the cost of all paths between two nodes, for A* searches: that of a
+  /// straight line where all costs are smallest. It is `0` for a function of cells and directions
+  /// on heights or in degrees, as its costs are not known.
+  double lower_bound(const Node from, const Node to) const
+  {
+    const Grid_point p = position(from), q = position(to);
+    return m_smallest_cost *
+           std::hypot((p.x - q.x) * m_metric.smallest().width / m_shape.cell_width,
+                      (p.y - q.y) * m_metric.smallest().height / m_shape.cell_height);
+  }
+
+  /// returns where a node is, in the unit of the sizes of cells.
   Grid_point position(const Node node) const
   {
     if(node < m_shape.number_of_cells())
@@ -179,11 +267,23 @@ public:
             static_cast<double>(place.cell.row) * m_shape.cell_height + p.y};
   }
 
-  /// returns the largest relative error of distances where all cells have the same friction.
+  /// returns the largest relative error of distances where all cells have the same friction, and no
+  /// heights. On a geographic grid, it is that in the metric of the latitude.
   double error_on_equal_cells() const { return m_lines.error_on_equal_cells(); }
 
+  /// returns the largest relative error of costs by slope, due to interpolation between slopes, as
+  /// far as four slopes in each interval show; `0` if there is no such function.
+  double error_of_slopes() const { return m_costs.error_of_slopes(); }
+
+  /// returns whether costs may depend on the direction: whether there are heights or a cost
+  /// function.
+  bool has_directions() const { return !m_costs.are_flat(); }
+
   /// returns the number of bytes that the graph takes.
-  std::size_t memory() const { return internal::memory_of(m_friction, m_lines, m_border); }
+  std::size_t memory() const
+  {
+    return internal::memory_of(m_friction, m_metric, m_lines, m_border, m_costs);
+  }
 
   /// @}
 
@@ -223,24 +323,8 @@ private:
       refuse_size();
   }
 
-  template <typename FrictionRange>
-  void read(const FrictionRange& friction)
-  {
-    m_friction.reserve(m_shape.number_of_cells());
-    std::size_t number = 0;
-    for(const auto& value : friction)
-    {
-      if(number < m_shape.number_of_cells())
-        m_friction.push_back(
-            internal::checked_friction(m_shape, CGAL::to_double(value), m_shape.cell(number)));
-      ++number;
-    }
-    if(number != m_shape.number_of_cells())
-      internal::reject("there are " + std::to_string(number) + " values of friction, and " +
-                       std::to_string(m_shape.number_of_cells()) + " cells");
-  }
-
-  // Estimates costs of arcs from the lengths of all, and the friction of all cells.
+  // Estimates costs of arcs from the lengths of all, and the friction of all cells; or from a
+  // sample.
   void summarize()
   {
     internal::Arc_length_summary friction, lengths;
@@ -254,10 +338,27 @@ private:
         lengths.add(length);
     const Arc_lengths a = friction.result(), b = lengths.result();
     m_smallest_friction = a.shortest;
+    m_is_uniform = a.shortest == a.longest && friction.number_of_arcs() == m_friction.size();
     m_arc_lengths = {a.shortest * b.shortest, a.mean * b.mean, a.longest * b.longest};
     constexpr double too_large = 1e150;
     if(!(b.longest < too_large && a.longest < too_large))
       internal::reject("the sizes of cells, or their friction, are too large");
+    if(!m_costs.are_flat())
+      summarize_costs();
+    m_smallest_cost = m_smallest_friction * m_costs.smallest();
+  }
+
+  void summarize_costs()
+  {
+    constexpr std::size_t sample_size = 1000;
+    internal::Arc_length_summary costs;
+    for(std::size_t i = 0; i < m_friction.size(); i += 1 + m_friction.size() / sample_size)
+      if(m_friction[i] < internal::infinity)
+        add_costs(m_shape.cell(i), costs);
+    m_arc_lengths = costs.result();
+    // on heights, and where the metric varies, there are other directions than those of lines
+    if(m_costs.depend_on_cells() && !m_costs.has_heights() && !m_metric.is_geographic())
+      m_costs.set_smallest_of_cells(smallest_cost_of_cells());
   }
 
   // The blocks of all cells, and of those beyond the last ones of rows and columns.
@@ -333,21 +434,96 @@ private:
         });
   }
 
+  // Calls `f(line, target)` for the lines from a cell that end in the grid.
+  template <typename F>
+  void for_each_line_in_grid(const Grid_cell& cell, const F& f) const
+  {
+    const auto node = static_cast<std::ptrdiff_t>(m_shape.index(cell));
+    const auto stride = static_cast<std::ptrdiff_t>(m_shape.columns);
+    for(const internal::Grid_lines::Line& line : m_lines.lines())
+      // numbers below 0 wrap around
+      if(cell.column + static_cast<std::size_t>(line.columns) < m_shape.columns &&
+         cell.row + static_cast<std::size_t>(line.rows) < m_shape.rows)
+        f(line, static_cast<Node>(node + line.rows * stride + line.columns));
+  }
+
   template <typename F>
   void for_each_line(const Grid_cell& cell, F& f) const
   {
     const double* const friction = m_friction.data() + m_shape.index(cell);
-    const auto node = static_cast<std::ptrdiff_t>(m_shape.index(cell));
-    const auto stride = static_cast<std::ptrdiff_t>(m_shape.columns);
-    for(const internal::Grid_lines::Line& line : m_lines.lines())
-    {
-      // numbers below 0 wrap around
-      if(cell.column + static_cast<std::size_t>(line.columns) >= m_shape.columns ||
-         cell.row + static_cast<std::size_t>(line.rows) >= m_shape.rows)
-        continue;
-      if(const double cost = m_lines.cost(line, friction); cost < internal::infinity)
-        f(static_cast<Node>(node + line.rows * stride + line.columns), cost);
-    }
+    for_each_line_in_grid(cell, [&](const internal::Grid_lines::Line& line, const Node target) {
+      if(const double cost = scale(cell, line) * m_lines.cost(line, friction);
+         cost < internal::infinity)
+        f(target, cost);
+    });
+  }
+
+  // Leaves out lines whose costs are so large, by the slope between their ends, that they cannot
+  // lower the label of their target.
+  template <typename Labels, typename F>
+  void for_each_worthwhile_line(const Grid_cell& cell, const Labels& labels, F& f) const
+  {
+    constexpr double rounding = 1e-12; // of sums
+    const std::size_t node = m_shape.index(cell);
+    const double distance = labels.distance(static_cast<Node>(node));
+    for_each_line_in_grid(cell, [&](const internal::Grid_lines::Line& line, const Node target) {
+      if(!(m_friction[target] < internal::infinity))
+        return;
+      const double scale = this->scale(cell, line);
+      const double least = m_costs.lower_bound(node, target, scale * line.length);
+      if(distance + (1 - rounding) * m_smallest_friction * least >= labels.distance(target))
+        return;
+      if(const double cost = this->cost(cell, line, scale); cost < internal::infinity)
+        f(target, cost);
+    });
+  }
+
+  // Returns the length of a line from a cell, relative to that of the table.
+  double scale(const Grid_cell& cell, const internal::Grid_lines::Line& line) const
+  {
+    return m_metric.is_geographic() ? internal::Grid_lines::scale(line, sides(cell, line)) : 1;
+  }
+
+  // Returns the sides of cells for a line from a cell.
+  const internal::Grid_metric::Sides& sides(const Grid_cell& cell,
+                                            const internal::Grid_lines::Line& line) const
+  {
+    return m_metric.between(cell.row, cell.row + static_cast<std::size_t>(line.rows));
+  }
+
+  // Returns the cost of a line from a cell on heights, or by a function.
+  double
+  cost(const Grid_cell& cell, const internal::Grid_lines::Line& line, const double scale) const
+  {
+    const std::size_t node = m_shape.index(cell);
+    if(m_costs.depend_on_cells())
+      return m_costs.cost_by_cells(m_lines, line, m_shape, node, sides(cell, line),
+                                   m_friction.data());
+    if(m_is_uniform)
+      return m_smallest_friction * m_costs.cost(m_lines, line, node, scale);
+    return m_costs.cost(m_lines, line, node, scale, m_friction.data());
+  }
+
+  // Adds the costs of the lines from a cell that are finite.
+  void add_costs(const Grid_cell& cell, internal::Arc_length_summary& costs) const
+  {
+    for_each_line_in_grid(cell, [&](const internal::Grid_lines::Line& line, Node /* target */) {
+      if(const double cost = this->cost(cell, line, scale(cell, line)); cost < internal::infinity)
+        costs.add(cost);
+    });
+  }
+
+  // Returns the smallest cost of a unit of length in all directions of lines, by the function of
+  // cells; 0 if no cell can be entered in any.
+  double smallest_cost_of_cells() const
+  {
+    double result = internal::infinity;
+    for(std::size_t i = 0; i < m_friction.size(); ++i)
+      if(m_friction[i] < internal::infinity)
+        for(const internal::Grid_lines::Line& line : m_lines.lines())
+          result = (std::min)(result,
+                              m_costs.cost_in_cell(m_shape.cell(i), line, m_metric.between(0, 0)));
+    return result < internal::infinity ? result : 0;
   }
 
   // Calls `f` for the arcs from a slot of a cell, or its center, to all slots, and the center.
@@ -386,11 +562,15 @@ private:
   }
 
   Grid_shape m_shape;
+  internal::Grid_metric m_metric;
   internal::Grid_lines m_lines;
   internal::Grid_border m_border;
+  internal::Line_costs m_costs;
   std::vector<double> m_friction; // infinity for cells that cannot be entered
   Arc_lengths m_arc_lengths;
   double m_smallest_friction = 0;
+  double m_smallest_cost = 0; // per unit of length
+  bool m_is_uniform = false;  // whether all cells have the same friction
 };
 
 } // namespace CGAL::Approximate_geodesics

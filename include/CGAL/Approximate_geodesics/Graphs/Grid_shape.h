@@ -67,8 +67,13 @@ struct Grid_shape
   double cell_width = 1;
   /// the height of a cell: its extent along a column.
   double cell_height = 1;
-  /// the friction of cells that cannot be entered, besides infinity; it can be NaN.
+  /// the friction or height of cells that cannot be entered, besides an infinite friction; it can
+  /// be NaN.
   std::optional<double> no_data = {};
+  /// the latitude, in degrees, of the side where the first row begins. If it is given, sizes of
+  /// cells are in degrees of longitude and latitude, rows follow each other southward, and lengths
+  /// are in meters on the ellipsoid WGS 84.
+  std::optional<double> first_latitude = {};
 
   /// returns the number of cells.
   std::size_t number_of_cells() const { return columns * rows; }
@@ -99,17 +104,29 @@ inline std::size_t checked_index(const Grid_shape& shape, const Grid_cell& cell,
   return shape.index(cell);
 }
 
+inline bool is_no_data(const Grid_shape& shape, const double value)
+{
+  return shape.no_data &&
+         (value == *shape.no_data || (std::isnan(value) && std::isnan(*shape.no_data)));
+}
+
+// The value of a cell, in messages.
+inline std::string
+value_in_message(const char* const role, const double value, const Grid_cell cell)
+{
+  return std::string("the ") + role + " of cell (" + std::to_string(cell.column) + ", " +
+         std::to_string(cell.row) + ") is " + text_of(value);
+}
+
 // Returns the friction of a cell, infinity if it cannot be entered. Throws an error if it is
 // negative or not a number.
 inline double checked_friction(const Grid_shape& shape, const double friction, const Grid_cell cell)
 {
   constexpr double blocked = std::numeric_limits<double>::infinity();
-  if(shape.no_data &&
-     (friction == *shape.no_data || (std::isnan(friction) && std::isnan(*shape.no_data))))
+  if(is_no_data(shape, friction))
     return blocked;
   if(!(friction >= 0))
-    reject("the friction of cell (" + std::to_string(cell.column) + ", " +
-           std::to_string(cell.row) + ") is " + text_of(friction) +
+    reject(value_in_message("friction", friction, cell) +
            "; it must be a number that is not negative, infinity, or no_data");
   return friction;
 }

@@ -21,6 +21,23 @@
 
 namespace CGAL::Approximate_geodesics {
 
+namespace internal {
+
+// Returns the gain in height per unit of horizontal length; infinity for a vertical direction.
+template <typename Vector_3>
+double slope(const Vector_3& direction)
+{
+  const auto [x, y, z] = space_vector(direction);
+  const double run = std::sqrt(x * x + y * y);
+  return run > 0 ? z / run : std::copysign(infinity, z);
+}
+
+// Whether a cost function can be called with a slope alone.
+template <typename CostFunction>
+constexpr bool is_cost_of_slope = std::is_invocable_v<const CostFunction&, double>;
+
+} // namespace internal
+
 /*!
  * \ingroup PkgApproximateGeodesicsCosts
  *
@@ -40,7 +57,17 @@ public:
   template <typename Face, typename Vector_3>
   double operator()(const Face& face, const Vector_3& direction) const
   {
-    return static_cast<double>(m_function(face, direction));
+    if constexpr(std::is_invocable_v<const CostFunction&, const Face&, const Vector_3&>)
+      return static_cast<double>(m_function(face, direction));
+    else
+      return static_cast<double>(m_function(internal::slope(direction)));
+  }
+
+  /// returns the result of a function of the slope.
+  template <typename F = CostFunction, typename = std::enable_if_t<internal::is_cost_of_slope<F>>>
+  double operator()(const double slope) const
+  {
+    return static_cast<double>(m_function(slope));
   }
 
 private:
@@ -68,6 +95,13 @@ public:
     return static_cast<double>(m_function(face, -direction));
   }
 
+  /// returns the cost of the opposite slope, of a function of the slope.
+  template <typename F = CostFunction, typename = std::enable_if_t<internal::is_cost_of_slope<F>>>
+  double operator()(const double slope) const
+  {
+    return static_cast<double>(m_function(-slope));
+  }
+
 private:
   CostFunction m_function;
 };
@@ -90,7 +124,8 @@ private:
  * `Directional_points` includes it. Each direction takes 32 bytes, unless zigzags make it
  * redundant.
  *
- * \param f a model of `DirectionalCostFunction`
+ * \param f a model of `DirectionalCostFunction`, or a function `f(s)` of the slope: of `s` units of
+ *        height per horizontal unit
  */
 template <typename CostFunction>
 Directional_cost<CostFunction> directional_cost(CostFunction f)
@@ -125,15 +160,6 @@ constexpr bool has_directional_cost =
     is_directional_cost<std::decay_t<decltype(parameters::get_parameter(
         std::declval<const NamedParameters&>(), internal_np::face_weight))>>;
 
-// Returns the gain in height per unit of horizontal length; infinity for a vertical direction.
-template <typename Vector_3>
-double slope(const Vector_3& direction)
-{
-  const auto [x, y, z] = space_vector(direction);
-  const double run = std::sqrt(x * x + y * y);
-  return run > 0 ? z / run : std::copysign(infinity, z);
-}
-
 } // namespace internal
 
 /*!
@@ -163,7 +189,13 @@ public:
   template <typename Face, typename Vector_3>
   double operator()(const Face& /* face */, const Vector_3& direction) const
   {
-    return 0.6 / m_factor * std::exp(3.5 * std::abs(internal::slope(direction) + 0.05));
+    return (*this)(internal::slope(direction));
+  }
+
+  /// returns the time per unit of length on a slope, in seconds per meter.
+  double operator()(const double slope) const
+  {
+    return 0.6 / m_factor * std::exp(3.5 * std::abs(slope + 0.05));
   }
 
 private:
@@ -193,11 +225,74 @@ public:
   template <typename Face, typename Vector_3>
   double operator()(const Face& /* face */, const Vector_3& direction) const
   {
-    const double s = internal::slope(direction);
+    return (*this)(internal::slope(direction));
+  }
+
+  /// returns the energy per unit of length on a slope, in joules per kilogram and meter.
+  double operator()(const double s) const
+  {
     if(!(std::abs(s) <= STEEPEST_SLOPE))
       return internal::infinity;
     return ((((280.5 * s - 58.7) * s - 76.8) * s + 51.9) * s + 19.6) * s + 2.5;
   }
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsCosts
+ *
+ * The walking time on slopes, in seconds per meter of surface length, by Naismith's rule with
+ * Langmuir's corrections \cgalCite{l-ml-84}, as the module `r.walk` of GRASS has it: 0.72 seconds
+ * per horizontal meter and 6 seconds per meter of ascent; a descent of up to 12 degrees, a slope of
+ * 0.2125, saves 2 seconds per meter of height, and a steeper one costs as much.
+ *
+ * The mesh is in meters, with the z axis upward. Steep descents are made in zigzags of 12 degrees.
+ *
+ * \cgalModels{DirectionalCostFunction}
+ */
+class Naismith_time
+{
+public:
+  /// the steepest descent that saves time.
+  static constexpr double STEEPEST_GENTLE_DESCENT = 0.2125;
+
+  /// constructs the cost function.
+  /// \param pace the seconds per horizontal meter
+  /// \param ascent the seconds per meter of ascent
+  /// \throws std::invalid_argument if `pace` is below `0.425`, as descents would take no time, or
+  ///         `ascent` is negative, or if one of them is not a finite number.
+  explicit Naismith_time(const double pace = 0.72, const double ascent = 6)
+    : m_pace(internal::checked_positive(pace, "the pace")), m_ascent(ascent)
+  {
+    if(pace < OF_DESCENT * STEEPEST_GENTLE_DESCENT)
+      internal::reject("the pace is " + internal::text_of(pace) +
+                       " seconds per meter; it must be at least 0.425");
+    if(!(ascent >= 0) || std::isinf(ascent))
+      internal::reject("the time of ascents is " + internal::text_of(ascent) +
+                       "; it must be a finite number that is not negative");
+  }
+
+  /// returns the time per unit of length in a direction, in seconds per meter.
+  template <typename Face, typename Vector_3>
+  double operator()(const Face& /* face */, const Vector_3& direction) const
+  {
+    return (*this)(internal::slope(direction));
+  }
+
+  /// returns the time per unit of length on a slope, in seconds per meter.
+  double operator()(const double slope) const
+  {
+    const double per_height = slope >= 0                          ? m_ascent
+                              : slope >= -STEEPEST_GENTLE_DESCENT ? -OF_DESCENT
+                                                                  : OF_DESCENT;
+    if(std::isinf(slope))
+      return per_height;
+    return (m_pace + per_height * std::abs(slope)) / std::hypot(1, slope);
+  }
+
+private:
+  static constexpr double OF_DESCENT = 2; // seconds per meter of height
+
+  double m_pace, m_ascent;
 };
 
 /*!

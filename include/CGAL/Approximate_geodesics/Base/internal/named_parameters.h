@@ -31,6 +31,7 @@
   APPLY(edge_length_t, edge_length, edge_length_map)                                               \
   APPLY(epsilon_t, epsilon, epsilon)                                                               \
   APPLY(face_weight_t, face_weight, face_weight_map)                                               \
+  APPLY(heights_t, heights, heights)                                                               \
   APPLY(maximum_number_of_points_t, maximum_number_of_points, maximum_number_of_points)            \
   APPLY(maximum_number_of_points_per_edge_t, maximum_number_of_points_per_edge,                    \
         maximum_number_of_points_per_edge)                                                         \

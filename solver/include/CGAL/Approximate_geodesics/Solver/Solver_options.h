@@ -105,7 +105,8 @@ struct Solver_cost
     DRIFT_TIME,     ///< `Drift_time`
     ONE_WAY,        ///< `One_way`
     TENSOR_COST,    ///< `Tensor_cost`
-    SAMPLED_COST    ///< any cost function, sampled in several directions per face
+    SAMPLED_COST,   ///< any cost function, sampled in several directions per face
+    NAISMITH_TIME   ///< `Naismith_time`
   };
 
   /// returns `Hiking_time`, with a factor for speeds.
@@ -113,6 +114,12 @@ struct Solver_cost
 
   /// returns `Walking_energy`.
   static Solver_cost walking_energy() { return {WALKING_ENERGY, {}, {}}; }
+
+  /// returns `Naismith_time`, with the seconds per horizontal meter and per meter of ascent.
+  static Solver_cost naismith_time(const double pace = 0.72, const double ascent = 6)
+  {
+    return {NAISMITH_TIME, {pace, ascent}, {}};
+  }
 
   /// returns `Drift_time`, with the velocities of the drift, three numbers per face, and the speed
   /// of the boat.
@@ -187,6 +194,37 @@ struct Solver_options
   /// the number of threads for building the graph and computing matrices; `0` selects one per core.
   /// Without TBB, a single thread is used.
   std::size_t number_of_threads = 0;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * The parameters of a `Grid_solver`. Arrays have one value per cell, row by row, and are only read
+ * during construction.
+ */
+struct Grid_solver_options
+{
+  /// the number of slopes per unit that `slope_costs` has.
+  static constexpr int SLOPES_PER_UNIT = 8000;
+
+  /// the number of all slopes, from -4 to 4.
+  static constexpr std::size_t NUMBER_OF_SLOPES = 8 * SLOPES_PER_UNIT + 1;
+
+  /// the costs per unit of length; if null, all are `1`.
+  const double* friction = nullptr;
+
+  /// the heights of the centers, if not null.
+  const double* heights = nullptr;
+
+  /// the error bound, which is not supported with heights or costs. If absent, there is none.
+  std::optional<double> epsilon = std::nullopt;
+
+  /// the cost per unit of length, which friction multiplies; arrays have numbers for cells in place
+  /// of faces. `Hiking_time`, `Walking_energy` and `Naismith_time` need heights.
+  std::optional<Solver_cost> cost = std::nullopt;
+
+  /// the costs per unit of length on slopes from `-4` to `4`, instead of `cost`, if not empty.
+  std::vector<double> slope_costs = {};
 };
 
 /*!

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_metric.h>
 
 #include <algorithm>
 #include <array>
@@ -28,18 +29,32 @@ namespace CGAL::Approximate_geodesics::internal {
  * is a sum `i u + j v` with integers that are not negative. Its length as a path along lines is at
  * most 1 / cos(a / 2) times its own, where `a` is the angle of `u` and `v`. All three are in one
  * quadrant, so the path stays in the rectangle that its ends span.
+ *
+ * On heights, lines have profiles. A line is cut where it crosses rows and columns of centers;
+ * heights there are interpolated between two centers, and slopes between cuts are constant.
  */
 class Grid_lines
 {
 public:
   // the largest error on a grid of equal cells, unless cells are far longer than wide
   static constexpr double LARGEST_ERROR = 0.003;
+  // where costs depend on slopes, so that there are directions of about any slope
+  static constexpr double LARGEST_ERROR_OF_PROFILES = 0.0015;
 
   // a part of a line: the place of a cell relative to the first one, and the length within it
   struct Part
   {
     std::ptrdiff_t offset;
     double length;
+  };
+
+  // a piece of a line whose slope is constant: where heights are interpolated for its end
+  struct Piece
+  {
+    std::ptrdiff_t first, second; // places of cells
+    double share;                 // of the second one
+    double length, inverse;       // the length, and 1 / length
+    std::size_t beyond_part;      // its parts are those that begin behind the last piece
   };
 
   struct Line
@@ -49,15 +64,23 @@ public:
     std::size_t first_part, beyond_part;
     bool passes_corner;                    // of four cells, between its two middle parts
     std::array<std::ptrdiff_t, 2> offsets; // of the two cells beside this corner
+    std::size_t first_piece, beyond_piece; // if there are profiles
   };
 
   Grid_lines() = default;
 
-  explicit Grid_lines(const Grid_shape& shape)
-    : m_width(shape.cell_width),
-      m_height(shape.cell_height),
+  Grid_lines(const Grid_shape& shape, const Grid_metric& metric, const bool has_profiles)
+    : m_has_profiles(has_profiles),
+      m_largest_error(has_profiles ? LARGEST_ERROR_OF_PROFILES : LARGEST_ERROR),
+      m_sides(metric.between(shape.rows / 2, shape.rows / 2)),
       m_stride(static_cast<std::ptrdiff_t>(shape.columns))
   {
+    for(const Grid_metric::Sides& sides : metric.all())
+    {
+      const double ratio = sides.width / sides.height;
+      m_smallest_ratio = (std::min)(m_smallest_ratio, ratio);
+      m_largest_ratio = (std::max)(m_largest_ratio, ratio);
+    }
     const Vector along_row{1, 0}, along_column{0, 1};
     add_to_quadrants(along_row);
     add_between(along_row, along_column);
@@ -66,10 +89,29 @@ public:
 
   const std::vector<Line>& lines() const { return m_lines; }
 
+  const std::vector<Part>& parts() const { return m_parts; }
+  const std::vector<Piece>& pieces() const { return m_pieces; }
+
+  // Whether a line passes between two cells that touch at a corner, one of which is blocked.
+  static bool is_blocked_at_corner(const Line& line, const double* const cell)
+  {
+    return line.passes_corner &&
+           (std::min)(cell[line.offsets[0]], cell[line.offsets[1]]) == infinity;
+  }
+
+  // Returns the length of a line between rows where cells have these sides, relative to its own
+  // one.
+  static double scale(const Line& line, const Grid_metric::Sides& sides)
+  {
+    const double x = static_cast<double>(line.columns) * sides.width,
+                 y = static_cast<double>(line.rows) * sides.height;
+    return std::sqrt(x * x + y * y) / line.length;
+  }
+
   // Returns the cost of a line from `cell`, a pointer to its friction; infinity if it is blocked.
   double cost(const Line& line, const double* const cell) const
   {
-    if(line.passes_corner && (std::min)(cell[line.offsets[0]], cell[line.offsets[1]]) == infinity)
+    if(is_blocked_at_corner(line, cell))
       return infinity;
     double result = 0;
     for(std::size_t i = line.first_part; i < line.beyond_part; ++i)
@@ -80,7 +122,7 @@ public:
   // Returns the largest relative error on a grid of equal cells.
   double error_on_equal_cells() const { return m_error; }
 
-  std::size_t memory() const { return memory_of(m_lines, m_parts); }
+  std::size_t memory() const { return memory_of(m_lines, m_parts, m_pieces); }
 
 private:
   // lines to cells that are farther away, in columns or rows, are not used
@@ -91,18 +133,26 @@ private:
     std::ptrdiff_t columns, rows;
   };
 
-  double angle(const Vector& v) const
+  // Returns the largest angle between two neighbors. The tangent, r / (r^2 p p' + q q') for vectors
+  // (p, q) and (p', q') and cells of the width r and the height 1, has one maximum.
+  double angle(const Vector& first, const Vector& last) const
   {
-    return std::atan2(static_cast<double>(v.rows) * m_height,
-                      static_cast<double>(v.columns) * m_width);
+    const double best = std::sqrt(static_cast<double>(first.rows * last.rows) /
+                                  static_cast<double>(first.columns * last.columns));
+    const double ratio =
+        std::isnan(best) ? m_smallest_ratio : (std::clamp)(best, m_smallest_ratio, m_largest_ratio);
+    const auto from_row = [&](const Vector& v) {
+      return std::atan2(static_cast<double>(v.rows), static_cast<double>(v.columns) * ratio);
+    };
+    return from_row(last) - from_row(first);
   }
 
   // Adds lines between two neighbors.
   void add_between(const Vector& first, const Vector& last)
   {
-    const double error = 1 / std::cos((angle(last) - angle(first)) / 2) - 1;
+    const double error = 1 / std::cos(angle(first, last) / 2) - 1;
     const Vector middle{first.columns + last.columns, first.rows + last.rows};
-    if(error <= LARGEST_ERROR || (std::max)(middle.columns, middle.rows) > LARGEST_REACH)
+    if(error <= m_largest_error || (std::max)(middle.columns, middle.rows) > LARGEST_REACH)
     {
       m_error = (std::max)(m_error, error);
       return;
@@ -127,24 +177,22 @@ private:
   // its length, and another row at `(j + 1/2) / v.rows`.
   void add(const Vector& v, const std::ptrdiff_t x_sign, const std::ptrdiff_t y_sign)
   {
-    const double length = std::hypot(static_cast<double>(v.columns) * m_width,
-                                     static_cast<double>(v.rows) * m_height);
-    Line line{x_sign * v.columns, y_sign * v.rows, length, m_parts.size(), 0, false, {0, 0}};
-    double last = 0;
+    const double length = std::hypot(static_cast<double>(v.columns) * m_sides.width,
+                                     static_cast<double>(v.rows) * m_sides.height);
+    Line line{x_sign * v.columns, y_sign * v.rows, length, m_parts.size(), 0, false, {0, 0}, 0, 0};
     const auto offset = [&](const std::ptrdiff_t i, const std::ptrdiff_t j) {
       return y_sign * j * m_stride + x_sign * i;
     };
-    const auto end_part = [&](const std::ptrdiff_t i, const std::ptrdiff_t j, const double at) {
-      m_parts.push_back({offset(i, j), (at - last) * length});
-      last = at;
-    };
+    m_cuts.clear();
+    if(m_has_profiles)
+      cut_at_rows_and_columns(v, offset);
     std::ptrdiff_t i = 0, j = 0;
     while(i < v.columns || j < v.rows)
     {
       const std::ptrdiff_t lead = (2 * i + 1) * v.rows - (2 * j + 1) * v.columns;
-      end_part(i, j,
-               lead <= 0 ? (static_cast<double>(i) + 0.5) / static_cast<double>(v.columns)
-                         : (static_cast<double>(j) + 0.5) / static_cast<double>(v.rows));
+      const double at = lead <= 0 ? (static_cast<double>(i) + 0.5) / static_cast<double>(v.columns)
+                                  : (static_cast<double>(j) + 0.5) / static_cast<double>(v.rows);
+      m_ends.push_back({offset(i, j), at});
       if(lead == 0)
       {
         line.passes_corner = true;
@@ -153,15 +201,92 @@ private:
       i += lead <= 0 ? 1 : 0;
       j += lead >= 0 ? 1 : 0;
     }
-    end_part(i, j, 1);
+    m_ends.push_back({offset(i, j), 1});
+    line.first_piece = m_pieces.size();
+    add_parts(length);
+    line.beyond_piece = m_pieces.size();
     line.beyond_part = m_parts.size();
     m_lines.push_back(line);
   }
 
-  double m_width = 1, m_height = 1;
-  std::ptrdiff_t m_stride = 0; // from row to row
+  // Finds where a line crosses rows and columns of centers.
+  template <typename Offset>
+  void cut_at_rows_and_columns(const Vector& v, const Offset& offset)
+  {
+    const auto add_cut = [&](const double at, const std::ptrdiff_t first,
+                             const std::ptrdiff_t second, const double share) {
+      m_cuts.push_back({at, first, second, share});
+    };
+    const auto part = [](const std::ptrdiff_t i, const std::ptrdiff_t n) {
+      return static_cast<double>(i) / static_cast<double>(n);
+    };
+    for(std::ptrdiff_t i = 1; i < v.columns; ++i)
+    {
+      const std::ptrdiff_t j = i * v.rows / v.columns;
+      add_cut(part(i, v.columns), offset(i, j), offset(i, j + 1),
+              part(i * v.rows % v.columns, v.columns));
+    }
+    for(std::ptrdiff_t j = 1; j < v.rows; ++j)
+    {
+      const std::ptrdiff_t i = j * v.columns / v.rows;
+      add_cut(part(j, v.rows), offset(i, j), offset(i + 1, j),
+              part(j * v.columns % v.rows, v.rows));
+    }
+    const std::ptrdiff_t last = offset(v.columns, v.rows);
+    add_cut(1, last, last, 0);
+    std::sort(m_cuts.begin(), m_cuts.end(), [](const Cut& a, const Cut& b) { return a.at < b.at; });
+  }
+
+  // Adds parts that end where the line enters another cell, or where it is cut.
+  void add_parts(const double length)
+  {
+    double last = 0, last_cut = 0;
+    auto cut = m_cuts.begin();
+    const auto add_part = [&](const std::ptrdiff_t offset, const double at) {
+      if(at > last)
+        m_parts.push_back({offset, (at - last) * length});
+      last = at;
+    };
+    for(const End& end : m_ends)
+    {
+      for(; cut != m_cuts.end() && cut->at <= end.at; ++cut)
+      {
+        add_part(end.offset, cut->at);
+        const double extent = (cut->at - last_cut) * length;
+        m_pieces.push_back(
+            {cut->first, cut->second, cut->share, extent, 1 / extent, m_parts.size()});
+        last_cut = cut->at;
+      }
+      add_part(end.offset, end.at);
+    }
+    m_ends.clear();
+  }
+
+  // where a line crosses a row or a column of centers
+  struct Cut
+  {
+    double at; // relative to its length
+    std::ptrdiff_t first, second;
+    double share;
+  };
+
+  // where a line leaves a cell
+  struct End
+  {
+    std::ptrdiff_t offset;
+    double at;
+  };
+
+  bool m_has_profiles = false;
+  double m_largest_error = LARGEST_ERROR;
+  Grid_metric::Sides m_sides{1, 1};
+  double m_smallest_ratio = infinity, m_largest_ratio = 0; // of widths to heights
+  std::ptrdiff_t m_stride = 0;                             // from row to row
   std::vector<Line> m_lines;
   std::vector<Part> m_parts;
+  std::vector<Piece> m_pieces;
+  std::vector<Cut> m_cuts; // of the line that is being added
+  std::vector<End> m_ends; // likewise
   double m_error = 0;
 };
 

@@ -70,15 +70,18 @@ inline void check_numbers_of_faces(const Solver_cost& cost, const std::size_t nu
              text_of(cost.of_faces[i]) + " in its cost; numbers must be finite");
 }
 
+inline double parameter_of(const Solver_cost& cost, const std::size_t i)
+{
+  if(i >= cost.parameters.size())
+    reject("the costs have " + std::to_string(cost.parameters.size()) +
+           " parameters, too few for their model");
+  return cost.parameters[i];
+}
+
 inline Cost_function ready_function(const Solver_cost& cost)
 {
   const double* const numbers = cost.of_faces.data();
-  const auto parameter = [&](const std::size_t i) {
-    if(i >= cost.parameters.size())
-      reject("the costs have " + std::to_string(cost.parameters.size()) +
-             " parameters, too few for their model");
-    return cost.parameters[i];
-  };
+  const auto parameter = [&](const std::size_t i) { return parameter_of(cost, i); };
   const auto vectors =
       boost::make_function_property_map<std::size_t>([numbers](const std::size_t face) {
         const double* const v = numbers + 3 * face;
@@ -104,6 +107,8 @@ inline Cost_function ready_function(const Solver_cost& cost)
     return Tensor_cost(tensors);
   case Solver_cost::SAMPLED_COST:
     return Sampled_cost(cost);
+  case Solver_cost::NAISMITH_TIME:
+    return Naismith_time(parameter(0), parameter(1));
   }
   reject("unknown cost model " + std::to_string(int(cost.model)));
 }

@@ -1,0 +1,108 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_GRID_GRID_METRIC_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_GRID_GRID_METRIC_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * The lengths of the sides of cells. They are the same for all rows, unless the grid is geographic:
+ * then a line has the metric of the latitude in the middle between the rows of its ends. So lengths
+ * are symmetric, and their relative error is of second order in the extent of the line.
+ */
+class Grid_metric
+{
+public:
+  struct Sides
+  {
+    double width, height;
+  };
+
+  Grid_metric() = default;
+
+  explicit Grid_metric(const Grid_shape& shape) : m_smallest{shape.cell_width, shape.cell_height}
+  {
+    if(!shape.first_latitude)
+    {
+      m_sides.push_back(m_smallest);
+      return;
+    }
+    check_latitudes(shape);
+    m_is_geographic = true;
+    for(std::size_t sum = 0; sum + 1 < 2 * shape.rows; ++sum)
+      m_sides.push_back(sides_at(shape, static_cast<double>(sum + 1) / 2));
+    m_smallest = m_sides.front();
+    for(const Sides& sides : m_sides)
+      m_smallest = {(std::min)(m_smallest.width, sides.width),
+                    (std::min)(m_smallest.height, sides.height)};
+  }
+
+  bool is_geographic() const { return m_is_geographic; }
+
+  // Returns the sides of cells for lines between two rows.
+  const Sides& between(const std::size_t row, const std::size_t other) const
+  {
+    return m_is_geographic ? m_sides[row + other] : m_sides.front();
+  }
+
+  // Returns the smallest width and the smallest height.
+  const Sides& smallest() const { return m_smallest; }
+
+  // Returns those of all rows.
+  const std::vector<Sides>& all() const { return m_sides; }
+
+  std::size_t memory() const { return memory_of(m_sides); }
+
+private:
+  static void check_latitudes(const Grid_shape& shape)
+  {
+    constexpr double pole = 90, rounding = 1e-9;
+    const double first = *shape.first_latitude;
+    const double last = first - static_cast<double>(shape.rows) * shape.cell_height;
+    if(!(first <= pole + rounding && last >= -pole - rounding))
+      reject("the grid extends from latitude " + text_of(first) + " to " + text_of(last) +
+             "; latitudes must be from 90 to -90 degrees");
+    constexpr double most = 360;
+    if(!(static_cast<double>(shape.columns) * shape.cell_width <= most + rounding))
+      reject("the grid extends over " +
+             text_of(static_cast<double>(shape.columns) * shape.cell_width) +
+             " degrees of longitude; there must be at most 360");
+  }
+
+  // Returns the sides of a cell whose center is so many rows from where the first row begins: the
+  // radii of curvature of the ellipsoid in both directions, times angles.
+  static Sides sides_at(const Grid_shape& shape, const double rows)
+  {
+    constexpr double equatorial_radius = 6378137, flattening = 1 / 298.257223563;
+    constexpr double eccentricity = flattening * (2 - flattening); // its square
+    const double radians = std::acos(-1.) / 180;
+    const double latitude = (*shape.first_latitude - rows * shape.cell_height) * radians;
+    const double sine = std::sin(latitude);
+    const double square = 1 - eccentricity * sine * sine;
+    const double across = equatorial_radius / std::sqrt(square);
+    return {shape.cell_width * radians * across * std::cos(latitude),
+            shape.cell_height * radians * across * (1 - eccentricity) / square};
+  }
+
+  bool m_is_geographic = false;
+  std::vector<Sides> m_sides; // by the sum of two rows, if they differ
+  Sides m_smallest{1, 1};
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_GRID_GRID_METRIC_H

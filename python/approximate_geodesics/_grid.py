@@ -1,0 +1,317 @@
+"""The class `Grid`."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Literal, Optional, Sequence, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays, _native
+from ._costs import DirectionalCost, HikingTime, NaismithTime, WalkingEnergy
+from ._solver import Progress, _bound, _checked, _distance, _number
+
+SlopeFunction = Callable[[_arrays.Floats], npt.ArrayLike]
+
+_BY_NAME: dict[str, Callable[[], DirectionalCost]] = {
+    "hiking_time": HikingTime,
+    "naismith_time": NaismithTime,
+    "walking_energy": WalkingEnergy,
+}
+_STEEPEST, _SLOPES_PER_UNIT = 4, 8000
+
+
+class Grid:
+    """Costs and paths on a raster: a regular grid of cells with friction, heights, or both.
+
+    No mesh is built. Lines join the centers of cells up to 15 rows and columns apart, in all
+    directions. "Distance" and "length" mean costs.
+
+    Parameters
+    ----------
+    friction : (rows, columns) array of float, optional
+        What a unit of length costs in each cell: not negative; infinity forbids a cell. By default,
+        1 everywhere.
+    heights : (rows, columns) array of float, optional
+        The heights of the centers, in the unit of lengths. Lines are on the surface then.
+    cell_size : float, or two
+        The size of a cell; or its width, along a row, and its height.
+    cost : str, DirectionalCost or callable, optional
+        What a unit of length costs, which friction multiplies: `"hiking_time"`, `"naismith_time"`,
+        `"walking_energy"`, an object of such a class, or a function of slopes, (k,) float64, that
+        returns (k,) costs; these need heights. Or a `DriftTime`, `OneWay` or `TensorCost`, with one
+        row of numbers for each cell, in the order of `friction.ravel()`: x is along rows, y goes
+        from row to row, and z upward.
+    epsilon : float, optional
+        Paths cost at most `1 + epsilon` times as much as the cheapest ones in the plane, for
+        friction alone. Without it, there is no bound where friction changes; where it does not,
+        distances are at most `error_on_equal_cells` too large, 0.3 % for most cells.
+    no_data : float, optional
+        The friction or height of cells that cannot be entered; NaN by default.
+    first_latitude : float, optional
+        The latitude, in degrees, of the side where the first row begins. Then `cell_size` is in
+        degrees, rows run south, and lengths are in meters.
+    progress : callable, optional
+        Called while the graph is built.
+
+    Raises
+    ------
+    ValueError
+        If the input cannot be right. The message names the cell, by its column and its row.
+
+    A cell is a pair of a row and a column, as NumPy has it; cells are a sequence of pairs, or a (k, 2)
+    array. Points of paths and isolines are rows and columns, too, in which centers are integers.
+
+    Several threads can call all methods at the same time. Ctrl-C ends searches.
+
+    >>> grid = ag.Grid(heights=dem, cell_size=30, cost="hiking_time")
+    >>> seconds = grid.distances((120, 80))
+    >>> path = grid.path((120, 80), (7, 460))
+    """
+
+    def __init__(
+        self,
+        friction: Optional[npt.ArrayLike] = None,
+        *,
+        heights: Optional[npt.ArrayLike] = None,
+        cell_size: Union[float, tuple[float, float]] = 1.0,
+        cost: Union[str, DirectionalCost, SlopeFunction, None] = None,
+        epsilon: Optional[float] = None,
+        no_data: Optional[float] = float("nan"),
+        first_latitude: Optional[float] = None,
+        progress: Optional[Progress] = None,
+    ) -> None:
+        if friction is None and heights is None:
+            raise TypeError("a Grid has friction, or heights, or both; there are none")
+        values = None if friction is None else _arrays.numbers(friction, "friction", (-1, -1))
+        wanted = (-1, -1) if values is None else values.shape
+        surface = None if heights is None else _arrays.numbers(heights, "heights", wanted)
+        first = surface if values is None else values
+        assert first is not None
+        self._shape = (first.shape[0], first.shape[1])
+        model, slope_costs = _native_cost(cost, first.size)
+        self._grid = _native.Grid(
+            self._shape,
+            _two_numbers(cell_size),
+            None if no_data is None else _number(no_data, "no_data"),
+            None if first_latitude is None else _number(first_latitude, "first_latitude"),
+            values,
+            surface,
+            _bound(epsilon),
+            model,
+            slope_costs,
+            _checked(progress),
+        )
+
+    @overload
+    def distances(
+        self,
+        sources: Any,
+        *,
+        return_nearest: Literal[False] = False,
+        return_predecessors: Literal[False] = False,
+        max_distance: Optional[float] = None,
+        direction_to_source: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> _arrays.Floats: ...
+
+    @overload
+    def distances(
+        self,
+        sources: Any,
+        *,
+        return_nearest: Literal[True],
+        return_predecessors: Literal[False] = False,
+        max_distance: Optional[float] = None,
+        direction_to_source: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> tuple[_arrays.Floats, _arrays.Integers]: ...
+
+    @overload
+    def distances(
+        self,
+        sources: Any,
+        *,
+        return_nearest: Literal[False] = False,
+        return_predecessors: Literal[True],
+        max_distance: Optional[float] = None,
+        direction_to_source: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> tuple[_arrays.Floats, _arrays.Integers]: ...
+
+    @overload
+    def distances(
+        self,
+        sources: Any,
+        *,
+        return_nearest: Literal[True],
+        return_predecessors: Literal[True],
+        max_distance: Optional[float] = None,
+        direction_to_source: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> tuple[_arrays.Floats, _arrays.Integers, _arrays.Integers]: ...
+
+    def distances(
+        self,
+        sources: Any,
+        *,
+        return_nearest: bool = False,
+        return_predecessors: bool = False,
+        max_distance: Optional[float] = None,
+        direction_to_source: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> Any:
+        """Costs of all cells from the nearest source.
+
+        Parameters
+        ----------
+        sources : cell or cells
+        return_nearest : bool
+            Whether the nearest sources are returned, too.
+        return_predecessors : bool
+            Whether the cells before each one on its path are returned, too.
+        max_distance : float, optional
+            Cells that cost more are not reached; the run ends there.
+        direction_to_source : bool
+            Whether the costs are those to the sources. The first time, the graph is copied for that.
+        progress : callable, optional
+
+        Returns
+        -------
+        (rows, columns) array of float64
+            Infinity for cells that no source reaches.
+        (rows, columns) array of int64
+            The position of the nearest source among the sources, or -1; if wanted.
+        (rows, columns) array of int64
+            The last cell before each one whose center is on the path, as a flat index for
+            `numpy.unravel_index`; the cell itself if there is none, or -1 if it is not reached; if
+            wanted.
+        """
+        result, nearest, predecessors = self._grid.distances(
+            _cells(sources, "sources"),
+            _distance(max_distance),
+            direction_to_source,
+            return_nearest,
+            return_predecessors,
+            _checked(progress),
+        )
+        more = ([nearest] if return_nearest else []) + ([predecessors] if return_predecessors else [])
+        return (result, *more) if more else result
+
+    @overload
+    def path(
+        self, source: Any, target: Any, *, return_length: Literal[False] = False
+    ) -> _arrays.Floats: ...
+
+    @overload
+    def path(
+        self, source: Any, target: Any, *, return_length: Literal[True]
+    ) -> tuple[_arrays.Floats, float]: ...
+
+    def path(self, source: Any, target: Any, *, return_length: bool = False) -> Any:
+        """A cheapest path from one cell to another.
+
+        Returns
+        -------
+        (k, 2) array of float64
+            Rows and columns of its points; (0, 2) if there is none.
+        float
+            What it costs, or infinity; if wanted.
+        """
+        ends = np.concatenate([_cells(source, "source", (2,)), _cells(target, "target", (2,))])
+        points, length = self._grid.path(ends)
+        return (points, length) if return_length else points
+
+    @overload
+    def isolines(self, values: npt.ArrayLike, levels: float) -> list[_arrays.Floats]: ...
+
+    @overload
+    def isolines(
+        self, values: npt.ArrayLike, levels: Union[Sequence[float], npt.NDArray[Any]]
+    ) -> list[list[_arrays.Floats]]: ...
+
+    def isolines(self, values: npt.ArrayLike, levels: npt.ArrayLike) -> Any:
+        """Lines where values of cells, such as costs, reach a level; or for each of several levels.
+
+        Parameters
+        ----------
+        values : (rows, columns) array of float
+            No lines are next to cells whose values are infinite, NaN, or `no_data`.
+        levels : float, or (k,) array of float
+
+        Returns
+        -------
+        list of (k, 2) arrays of float64
+            Rows and columns; the last point of a closed line is its first. Of several levels, a list
+            of such lists.
+        """
+        numbers = _arrays.numbers(values, "values", self._shape)
+        if np.ndim(levels) == 0:
+            return self._grid.isolines(numbers, _number(levels, "levels"))
+        return [
+            self._grid.isolines(numbers, float(level))
+            for level in _arrays.numbers(levels, "levels", (-1,))
+        ]
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """The numbers of rows and columns."""
+        return self._shape
+
+    @property
+    def error_on_equal_cells(self) -> float:
+        """How much too large distances are at most, relatively, where all cells are alike."""
+        return self._grid.error_on_equal_cells
+
+    @property
+    def error_of_slopes(self) -> float:
+        """How much too large costs of slopes are at most, relatively, due to interpolation."""
+        return self._grid.error_of_slopes
+
+    @property
+    def memory(self) -> int:
+        """The size of the graph and of unused workspaces, in bytes."""
+        return self._grid.memory
+
+    def __repr__(self) -> str:
+        return f"<Grid of {self._shape[0]} x {self._shape[1]} cells>"
+
+
+def _cells(values: Any, name: str, shape: tuple[int, ...] = ()) -> _arrays.Integers:
+    """Rows and columns, (k, 2)."""
+    wanted = shape or ((2,) if np.ndim(values) == 1 and len(values) > 0 else (-1, 2))
+    result = _arrays.integers(values, name, wanted).astype(np.int64, copy=False)
+    cells: _arrays.Integers = np.ascontiguousarray(result.reshape(-1, 2))
+    wrong = np.flatnonzero(cells.min(axis=1, initial=0) < 0)
+    if len(wrong) > 0:
+        raise ValueError(f"{name} has the cell {tuple(cells[wrong[0]].tolist())}, which is below 0")
+    return cells
+
+
+def _two_numbers(cell_size: Any) -> tuple[float, float]:
+    if np.ndim(cell_size) == 0:
+        size = _number(cell_size, "cell_size")
+        return size, size
+    numbers = _arrays.numbers(cell_size, "cell_size", (2,))
+    return float(numbers[0]), float(numbers[1])
+
+
+def _native_cost(
+    cost: Union[str, DirectionalCost, SlopeFunction, None], number_of_cells: int
+) -> tuple[Optional[tuple[int, list[float], _arrays.Floats]], Optional[_arrays.Floats]]:
+    if cost is None:
+        return None, None
+    if isinstance(cost, str):
+        if cost not in _BY_NAME:
+            raise ValueError(f"the cost is {cost!r}; it must be one of {', '.join(_BY_NAME)}")
+        cost = _BY_NAME[cost]()
+    if isinstance(cost, DirectionalCost):
+        return cost._of_elements(number_of_cells, "cells", "the grid"), None
+    if not callable(cost):
+        raise TypeError(
+            f"the cost is of type {type(cost).__name__}; it must be a name, a DirectionalCost, or a "
+            "function of slopes"
+        )
+    number = _STEEPEST * _SLOPES_PER_UNIT
+    slopes = np.arange(-number, number + 1) / _SLOPES_PER_UNIT
+    return None, _arrays.numbers(cost(slopes), "costs", slopes.shape)

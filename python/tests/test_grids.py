@@ -1,0 +1,162 @@
+"""Rasters."""
+
+import numpy as np
+import pytest
+
+import approximate_geodesics as ag
+
+ROWS, COLUMNS = np.mgrid[:31, :43]
+
+
+def seconds_per_meter(slope):
+    return 0.6 * np.exp(3.5 * np.abs(slope + 0.05))
+
+
+def test_distances_are_as_the_crow_flies():
+    grid = ag.Grid(np.full((31, 43), 2), cell_size=3)
+    found = grid.distances((7, 20))
+    expected = 6 * np.hypot(ROWS - 7, COLUMNS - 20)
+    assert found.shape == grid.shape == (31, 43)
+    assert np.all(found >= expected * (1 - 1e-9))
+    assert np.all(found <= expected * (1 + 1e-9 + grid.error_on_equal_cells))
+    assert grid.error_on_equal_cells < 0.003
+
+
+def test_cells_have_a_width_and_a_height():
+    found = ag.Grid(np.ones((4, 5)), cell_size=(2, 3)).distances((0, 0))
+    assert found[0, 4] == 8
+    assert found[3, 0] == 9
+
+
+def test_hikers_on_a_slope():
+    heights = (0.2 * 10 * COLUMNS).astype(np.float32)
+    length = 10 * 10 * np.hypot(1, 0.2)
+    for cost in ("hiking_time", ag.HikingTime(), lambda s: seconds_per_meter(s)):
+        grid = ag.Grid(heights=heights, cell_size=10, cost=cost)
+        there = grid.distances((5, 12))
+        back = grid.distances((5, 12), direction_to_source=True)
+        assert there[5, 22] == pytest.approx(length * seconds_per_meter(0.2), rel=1e-5)
+        assert there[5, 2] == pytest.approx(length * seconds_per_meter(-0.2), rel=1e-5)
+        assert back[5, 22] == pytest.approx(length * seconds_per_meter(-0.2), rel=1e-5)
+        assert 0 <= grid.error_of_slopes < 1e-5
+    slow = ag.Grid(np.full(heights.shape, 2.0), heights=heights, cell_size=10, cost="hiking_time")
+    np.testing.assert_allclose(slow.distances((5, 12)), 2 * there, rtol=1e-6)
+    assert ag.Grid(heights=heights, cost="naismith_time").distances((5, 12))[5, 13] > 0
+    assert ag.Grid(heights=heights, cost="walking_energy").distances((5, 12))[5, 13] > 0
+    plain = ag.Grid(heights=heights, cell_size=10).distances((5, 12))
+    assert plain[5, 22] == pytest.approx(length, rel=1e-6)
+
+
+def test_wind_takes_along():
+    cost = ag.DriftTime(np.tile([1.0, 0, 0], (31 * 43, 1)), speed=3)
+    found = ag.Grid(np.ones((31, 43)), cost=cost).distances((3, 20))
+    assert found[3, 28] == pytest.approx(8 / 4)
+    assert found[3, 12] == pytest.approx(8 / 2)
+
+
+def test_paths_sources_and_predecessors():
+    friction = np.ones((31, 43))
+    friction[:25, 20] = np.inf
+    friction[:25, 21] = np.nan
+    grid = ag.Grid(friction)
+    sources = [(2, 3), (2, 40)]
+    costs, nearest, predecessors = grid.distances(
+        sources, return_nearest=True, return_predecessors=True
+    )
+    assert nearest[0, 0] == 0 and nearest[0, 42] == 1 and nearest[3, 20] == -1
+    assert predecessors[2, 3] == 2 * 43 + 3
+    assert predecessors[3, 21] == -1
+    path, length = grid.path(sources[0], sources[1], return_length=True)
+    assert tuple(path[0]) == sources[0] and tuple(path[-1]) == sources[1]
+    assert path[:, 0].max() >= 24.5
+    assert length == pytest.approx(grid.distances(sources[0])[sources[1]])
+    near = grid.distances(np.array(sources), max_distance=5)
+    np.testing.assert_array_equal(near, np.where(costs <= 5, costs, np.inf))
+    assert grid.path((2, 3), (3, 20)).shape == (0, 2)
+    assert np.all(np.isinf(grid.distances([])))
+
+
+def test_bound_with_friction():
+    friction = np.where((ROWS // 3 + COLUMNS // 4) % 2 == 0, 1.0, 4.0)
+    bounded = ag.Grid(friction, epsilon=0.1).distances((0, 0))
+    lines = ag.Grid(friction).distances((0, 0))
+    assert np.all(bounded <= lines * 1.1 + 1e-9)
+    assert np.mean(bounded[1:, 1:] / lines[1:, 1:]) < 1
+
+
+def test_degrees():
+    grid = ag.Grid(np.ones((31, 43)), cell_size=0.01, first_latitude=60.005)
+    found = grid.distances((0, 0))
+    assert found[30, 0] == pytest.approx(0.3 * 111412, rel=1e-3)
+    assert found[0, 1] == pytest.approx(0.01 * 55800, rel=1e-3)
+
+
+def test_isolines_are_circles():
+    grid = ag.Grid(np.ones((31, 43)), cell_size=2)
+    costs = grid.distances((15, 20))
+    (line,) = grid.isolines(costs, 20)
+    np.testing.assert_array_equal(line[0], line[-1])
+    np.testing.assert_allclose(np.hypot(line[:, 0] - 15, line[:, 1] - 20), 10, atol=0.1)
+    assert [len(lines) for lines in grid.isolines(costs, [10, 20, 1e6])] == [1, 1, 0]
+
+
+def test_progress_and_memory():
+    calls = []
+    grid = ag.Grid(np.ones((700, 700)))
+    grid.distances((0, 0), progress=lambda done, number: calls.append((done, number)))
+    assert calls[-1] == (490000, 490000)
+    assert grid.memory > 490000 * 16
+    assert repr(grid) == "<Grid of 700 x 700 cells>"
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        ({"friction": np.ones(5)}, "friction"),
+        ({"friction": -np.ones((3, 4))}, r"cell \(0, 0\) is -1"),
+        ({"friction": np.ones((3, 4)), "heights": np.ones((4, 3))}, "heights"),
+        ({"friction": np.ones((0, 4))}, "no cells"),
+        ({"friction": np.full((3, 4), np.nan), "no_data": None}, "nan"),
+        ({"heights": np.full((3, 4), np.inf)}, "height of cell"),
+        ({"friction": np.ones((3, 4)), "cell_size": 0}, "width of a cell"),
+        ({"friction": np.ones((3, 4)), "cell_size": (1, 2, 3)}, "cell_size"),
+        ({"friction": np.ones((3, 4)), "cost": "hiking_time"}, "no heights"),
+        ({"friction": np.ones((3, 4)), "cost": "flying"}, "walking_energy"),
+        ({"friction": np.ones((3, 4)), "epsilon": 0}, "epsilon is 0"),
+        ({"heights": np.ones((3, 4)), "epsilon": 0.1}, "no bound"),
+        ({"heights": np.ones((3, 4)), "cost": lambda s: s}, "slope -"),
+        ({"heights": np.ones((3, 4)), "cost": lambda s: s[1:]}, "costs"),
+        ({"friction": np.ones((3, 4)), "cost": ag.DriftTime([[1, 0, 0]], 2)}, "1 cells.*has 12"),
+        ({"friction": np.ones((3, 4)), "first_latitude": 100}, "latitude 100"),
+    ],
+)
+def test_bad_input(options, message):
+    with pytest.raises(ValueError, match=message):
+        ag.Grid(**options)
+
+
+def test_bad_types_and_cells():
+    grid = ag.Grid(np.ones((3, 4)))
+    for call in (
+        lambda: ag.Grid(),
+        lambda: ag.Grid(np.ones((3, 4)), cost=3),
+        lambda: ag.Grid(np.ones((3, 4)), cost=ag.CostFunction(lambda f, d: f)),
+        lambda: ag.Grid(np.ones((3, 4)), cell_size="1"),
+    ):
+        with pytest.raises(TypeError):
+            call()
+    for cells, message in (
+        ((3, 0), r"\(0, 3\) does not exist"),
+        ([(0, 0), (0, 4)], "source 1"),
+        ((-1, 0), "below 0"),
+        ((0.5, 1), "integers"),
+        ((0, 1, 2), "shape"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            grid.distances(cells)
+    with pytest.raises(ValueError, match="target"):
+        grid.path((0, 0), (9, 9))
+    with pytest.raises(ValueError, match="max_distance"):
+        grid.distances((0, 0), max_distance=-1)
+    with pytest.raises(ValueError, match="values"):
+        grid.isolines(np.ones((4, 3)), 1)
