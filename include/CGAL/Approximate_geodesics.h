@@ -37,6 +37,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 
+#include <CGAL/Approximate_geodesics/Paths/Loop_straightener.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
@@ -58,6 +59,7 @@
 #include <CGAL/Approximate_geodesics/Queries/karcher_mean.h>
 #include <CGAL/Approximate_geodesics/Queries/logarithmic_map.h>
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>
+#include <CGAL/Approximate_geodesics/Queries/shorten_loop.h>
 #include <CGAL/Approximate_geodesics/Queries/trace_geodesic.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 

@@ -9,8 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_sleeves.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve_straightener.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/tightened_points.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -73,14 +72,7 @@ private:
     if(!std::isfinite(steps.length()))
       return {points, steps.length()};
     Path result;
-    append(steps.points.front(), result.points);
-    internal::Sleeve_straightener straightener(m_triangulation);
-    internal::Path_sleeves(m_triangulation, steps)
-        .for_each_sleeve([&](const internal::Sleeve& sleeve, const Intrinsic_point& end) {
-          straightener.tighten(sleeve);
-          straightener.for_each_point([&](const Intrinsic_point& p) { append(p, result.points); });
-          append(end, result.points);
-        });
+    result.points = internal::tightened_points(m_triangulation, steps);
     internal::cut_loops(result.points);
     result.length = internal::length_of_segments(m_triangulation, result.points);
     if(result.length <= steps.length())
@@ -94,14 +86,6 @@ private:
     return path.points.size() > 2 &&
            std::any_of(path.points.begin() + 1, path.points.end() - 1,
                        [](const Intrinsic_point& p) { return p.is_vertex(); });
-  }
-
-  // Crossings at the end of an edge are at its vertex, where there may be several of them.
-  void append(const Intrinsic_point& p, std::vector<Intrinsic_point>& points) const
-  {
-    const Intrinsic_point q = p.reduced(m_triangulation);
-    if(points.empty() || !q.is_vertex() || q.vertex != points.back().vertex)
-      points.push_back(q);
   }
 
   const Intrinsic_triangulation& m_triangulation;
