@@ -44,8 +44,10 @@ public:
       expansion.look(sight, left_end, right_end);
     };
     const Vertex_sights sights(m_triangulation, m_run.tables());
-    sights.for_each_corner(v, m_run.arrival(v), [](Index) {}, on_corner);
-    sights.for_each(v, m_run.arrival(v), [](Index) {}, on_sight);
+    sights.for_each_corner(
+        v, m_run.arrival(v), [](Index) {}, on_corner);
+    sights.for_each(
+        v, m_run.arrival(v), [](Index) {}, on_sight);
   }
 
   // Adds the windows of a source that is not a vertex.
@@ -54,11 +56,11 @@ public:
     Visitor visitor{{}, *this, source, label};
     Sight_expansion<Visitor> expansion(m_run.tables(), label, visitor);
     const Lines_of_sight lines(m_triangulation, m_run.tables(), point);
-    lines.for_each_side([&](const Index side, const Face_point&, const Plane_vector start,
-                            const Plane_vector end) {
-      if(cross(start, end) > 0)
-        add(from_tip_in_plane(side, source, true, label, start, end - start, start, end));
-    });
+    lines.for_each_side(
+        [&](const Index side, const Face_point&, const Plane_vector start, const Plane_vector end) {
+          if(cross(start, end) > 0)
+            add(from_tip_in_plane(side, source, true, label, start, end - start, start, end));
+        });
     lines.for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
       expansion.look(sight, left_end, right_end);
     });
@@ -91,8 +93,7 @@ private:
     void on_face(const Sight& sight, Plane_vector /* apex */)
     {
       found.add(from_tip_in_plane(sight.halfedge, source, false, label_of_tip, sight.left,
-                                  sight.edge, sight.right_ray.direction,
-                                  sight.left_ray.direction));
+                                  sight.edge, sight.right_ray.direction, sight.left_ray.direction));
     }
 
     Face_windows& found;
@@ -134,7 +135,7 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   const Run& m_run;
   const Labels& m_labels;
-  std::vector<Side_windows> m_sides; // of faces, by halfedge
+  std::vector<Side_windows> m_sides;  // of faces, by halfedge
   std::vector<Face_window> m_windows; // with a tip in the face
 };
 

@@ -252,8 +252,8 @@ public:
   }
 
   // Calls `f(side, p, start, end)` for the sides of these faces, laid out around the point, and
-  // the point as one of the face. Positions are sums of edges, as differences would have no direction
-  // where the point is close to a corner.
+  // the point as one of the face. Positions are sums of edges, as differences would have no
+  // direction where the point is close to a corner.
   template <typename F>
   void for_each_side(F f) const
   {

@@ -309,7 +309,8 @@ public:
   // Calls `on_edge(h)` for edges, and `on_corner(h, right, left)` for the faces ahead, to the left
   // of `h`, with the directions between which paths continue; `h` is the x axis.
   template <typename OnEdge, typename OnCorner>
-  void for_each_corner(const Index v, const Arrival& arrival, OnEdge on_edge, OnCorner on_corner) const
+  void
+  for_each_corner(const Index v, const Arrival& arrival, OnEdge on_edge, OnCorner on_corner) const
   {
     const Index first = m_triangulation.first_halfedge(v),
                 beyond = m_triangulation.beyond_halfedge(v);

@@ -29,7 +29,7 @@ struct Network_border
   static constexpr std::size_t NONE = (std::numeric_limits<std::size_t>::max)();
 
   std::array<std::size_t, 2> sources;
-  std::vector<Intrinsic_point> points;          // in faces
+  std::vector<Intrinsic_point> points;            // in faces
   std::array<std::size_t, 2> corners{NONE, NONE}; // where it begins and ends, unless it is closed
 };
 
@@ -108,8 +108,7 @@ private:
       if(std::abs(cross(edge, p)) > result.tolerance * size || !(size > 0))
         continue;
       const double way = dot(edge, p) / size;
-      m_on_edges.push_back(
-          {(std::min)(side, opposite), side < opposite ? way : size - way, end});
+      m_on_edges.push_back({(std::min)(side, opposite), side < opposite ? way : size - way, end});
     }
     return result;
   }
@@ -145,8 +144,8 @@ private:
     {
       const auto& [face, x, end] = *it;
       const double tolerance = m_ends[end].tolerance;
-      for(auto next = it + 1; next != list.end() && std::get<0>(*next) == face &&
-                              std::get<1>(*next) - x <= tolerance;
+      for(auto next = it + 1;
+          next != list.end() && std::get<0>(*next) == face && std::get<1>(*next) - x <= tolerance;
           ++next)
         if(length(m_ends[std::get<2>(*next)].position - m_ends[end].position) <= tolerance)
           m_sets.union_set(end, std::get<2>(*next));
@@ -250,7 +249,8 @@ private:
   {
     std::vector<std::size_t> result;
     std::multimap<std::size_t, std::size_t> next;
-    for(auto it = std::lower_bound(m_incidences.begin(), m_incidences.end(), Incidence(node, 0, 0, 0));
+    for(auto it =
+            std::lower_bound(m_incidences.begin(), m_incidences.end(), Incidence(node, 0, 0, 0));
         it != m_incidences.end() && std::get<0>(*it) == node; ++it)
     {
       const auto& [n, left, right, end] = *it;

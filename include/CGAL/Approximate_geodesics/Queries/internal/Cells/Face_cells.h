@@ -22,8 +22,8 @@ namespace CGAL::Approximate_geodesics::internal {
 // A part of the border between two cells, in a face.
 struct Border_arc
 {
-  Index halfedge;                        // the first of the face
-  std::size_t left, right;               // the sources of the cells beside it
+  Index halfedge;                            // the first of the face
+  std::size_t left, right;                   // the sources of the cells beside it
   std::vector<std::array<double, 3>> points; // barycentric coordinates
 };
 

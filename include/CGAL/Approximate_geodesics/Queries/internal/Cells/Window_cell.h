@@ -33,7 +33,6 @@ struct Placed_window
   std::size_t entry; // the side that it is seen through, or NO_SIDE
 
   bool has_entry() const { return entry != NO_SIDE; }
-
 };
 
 // What a part of the boundary of a window's cell is.
@@ -154,8 +153,8 @@ private:
     const Placed_window& v = m_windows[other];
     const Plane_vector focus = v.tip - m_window.tip;
     const double distance = length(focus), difference = m_window.label - v.label;
-    const double rounding = ROUNDING * (m_window.label + v.label + length(m_window.tip) +
-                                        length(v.tip) + distance);
+    const double rounding =
+        ROUNDING * (m_window.label + v.label + length(m_window.tip) + length(v.tip) + distance);
     const bool is_never_nearer = -difference >= distance - rounding,
                is_always_nearer = difference >= distance - rounding;
     if(is_never_nearer && !(is_always_nearer && is_before(other)))
@@ -212,9 +211,8 @@ private:
     }
     for(const Plane_vector d : region.rays)
       Focal_curve{0, {-d.y, d.x}}.for_each_root(all, add);
-    std::sort(ends.begin(), ends.end(), [](const Plane_vector u, const Plane_vector v) {
-      return cross(u, v) > 0;
-    });
+    std::sort(ends.begin(), ends.end(),
+              [](const Plane_vector u, const Plane_vector v) { return cross(u, v) > 0; });
     for(std::size_t i = 1; i < ends.size(); ++i)
       cut(other, region, {ends[i - 1], ends[i]});
   }
@@ -296,8 +294,8 @@ private:
   const std::vector<Placed_window>& m_windows;
   const std::size_t m_number;
   const Placed_window& m_window;
-  std::array<Focal_curve, 3> m_lines; // of the sides
-  std::optional<Focal_curve> m_entry; // this and the following are shifted
+  std::array<Focal_curve, 3> m_lines;                     // of the sides
+  std::optional<Focal_curve> m_entry;                     // this and the following are shifted
   boost::container::small_vector<Focal_curve, 3> m_sides; // that lines from the tip leave through
   std::vector<Cell_piece> m_pieces, m_merged;
 };
