@@ -27,6 +27,7 @@
 
 #define CGAL_APPROXIMATE_GEODESICS_FOR_EACH_NEW_PARAMETER(APPLY)                                   \
   APPLY(accept_weaker_bound_t, accept_weaker_bound, accept_weaker_bound)                           \
+  APPLY(chord_error_t, chord_error, chord_error)                                                   \
   APPLY(direction_to_source_t, direction_to_source, direction_to_source)                           \
   APPLY(edge_length_t, edge_length, edge_length_map)                                               \
   APPLY(epsilon_t, epsilon, epsilon)                                                               \

@@ -231,6 +231,43 @@ public:
     return line.is_found() ? line.for_each_crossing(m_tables.steps, f) : -1;
   }
 
+  // Calls `f(sight, left_end, right_end)` for the sights through the sides of the faces that
+  // contain the point, but those at the border and those that contain it, too.
+  template <typename F>
+  void for_each_sight(F f) const
+  {
+    if(point().is_vertex())
+      return Vertex_sights(triangulation(), m_tables)
+          .for_each(
+              point().vertex, Arrival(), [](Index) {}, f);
+    for_each_side(
+        [&](const Index side, const Face_point&, const Plane_vector start, const Plane_vector end) {
+          const Index outside = triangulation().opposite(side);
+          if(triangulation().is_border(outside) || point().is_on_edge_of(side, triangulation()))
+            return;
+          const Sight sight = this->sight(outside, end, start);
+          if(sight.left_distance > 0 && sight.right_distance > 0)
+            f(sight, triangulation().source(outside), triangulation().target(outside));
+        });
+  }
+
+  // Calls `f(side, p, start, end)` for the sides of these faces, laid out around the point, and
+  // the point as one of the face. Positions are sums of edges, as differences would have no
+  // direction where the point is close to a corner.
+  template <typename F>
+  void for_each_side(F f) const
+  {
+    point().for_each_face(triangulation(), [&](const Index h) {
+      for(const Index side : triangulation().halfedges_of_face(h))
+      {
+        const Face_layout layout(triangulation(), side);
+        for_each_face_point(triangulation(), point(), side, [&](const Face_point& p) {
+          f(side, p, layout.vector_to_corner(0, p), layout.vector_to_corner(1, p));
+        });
+      }
+    });
+  }
+
 private:
   // Considers the lines to `end` through the sights that `for_each_sight` reports.
   template <typename Bound, typename ForEachSight>
@@ -353,43 +390,6 @@ private:
       const double to_corner = distance(triangulation(), p, Face_point::at_source(side));
       on_node(triangulation().source(side), to_corner,
               to_corner > 0 ? Arrival::across(opposite, start, start - end) : Arrival());
-    });
-  }
-
-  // Calls `f(sight, left_end, right_end)` for the sights through the sides of these faces that are
-  // not at the border and do not contain the point.
-  template <typename F>
-  void for_each_sight(F f) const
-  {
-    if(point().is_vertex())
-      return Vertex_sights(triangulation(), m_tables)
-          .for_each(
-              point().vertex, Arrival(), [](Index) {}, f);
-    for_each_side(
-        [&](const Index side, const Face_point&, const Plane_vector start, const Plane_vector end) {
-          const Index outside = triangulation().opposite(side);
-          if(triangulation().is_border(outside) || point().is_on_edge_of(side, triangulation()))
-            return;
-          const Sight sight = this->sight(outside, end, start);
-          if(sight.left_distance > 0 && sight.right_distance > 0)
-            f(sight, triangulation().source(outside), triangulation().target(outside));
-        });
-  }
-
-  // Calls `f(side, p, start, end)` for the sides of the faces, laid out around the point, and the
-  // point as one of the face. Positions are sums of edges, as differences would have no direction
-  // where the point is close to a corner.
-  template <typename F>
-  void for_each_side(F f) const
-  {
-    point().for_each_face(triangulation(), [&](const Index h) {
-      for(const Index side : triangulation().halfedges_of_face(h))
-      {
-        const Face_layout layout(triangulation(), side);
-        for_each_face_point(triangulation(), point(), side, [&](const Face_point& p) {
-          f(side, p, layout.vector_to_corner(0, p), layout.vector_to_corner(1, p));
-        });
-      }
     });
   }
 

@@ -190,6 +190,11 @@ public:
     return memory_of(m_bound, m_bounded_nodes, m_arrival) + m_sights.memory();
   }
 
+  // How paths arrive at a node that has a label.
+  const Arrival& arrival(const Node node) const { return m_arrival[node]; }
+
+  const Sight_tables& tables() const { return graph().m_tables; }
+
   // Calls `f(node, length, arrival)` for the lines from a point where the search starts.
   template <typename F>
   void for_each_line_from(const Intrinsic_point& point, const double label, F f) const

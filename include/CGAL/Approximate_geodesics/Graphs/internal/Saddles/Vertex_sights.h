@@ -300,6 +300,18 @@ public:
   template <typename OnEdge, typename OnSight>
   void for_each(const Index v, const Arrival& arrival, OnEdge on_edge, OnSight on_sight) const
   {
+    for_each_corner(v, arrival, on_edge,
+                    [&](const Index h, const Plane_vector right, const Plane_vector left) {
+                      open(h, right, left, on_sight);
+                    });
+  }
+
+  // Calls `on_edge(h)` for edges, and `on_corner(h, right, left)` for the faces ahead, to the left
+  // of `h`, with the directions between which paths continue; `h` is the x axis.
+  template <typename OnEdge, typename OnCorner>
+  void
+  for_each_corner(const Index v, const Arrival& arrival, OnEdge on_edge, OnCorner on_corner) const
+  {
     const Index first = m_triangulation.first_halfedge(v),
                 beyond = m_triangulation.beyond_halfedge(v);
     if(arrival.is_none() || m_bends[v] == Bend_kind::ANY ||
@@ -308,7 +320,7 @@ public:
       for(Index h = first; h < beyond; ++h)
       {
         on_edge(h);
-        open(h, Plane_vector{1, 0}, unit_corner(m_steps[h]), on_sight);
+        on_corner(h, Plane_vector{1, 0}, unit_corner(m_steps[h]));
       }
       return;
     }
@@ -317,9 +329,9 @@ public:
     const Bend_sectors sectors(m_triangulation, m_steps, v);
     const Boundary right = sectors.right_boundary(arrival), left = sectors.left_boundary(arrival);
     if(right.exists())
-      open_sector(v, right, left, on_edge, on_sight);
+      open_sector(v, right, left, on_edge, on_corner);
     if(left.exists() && m_bends[v] == Bend_kind::BORDER)
-      open_sector(v, {first_after_border(v)}, left, on_edge, on_sight);
+      open_sector(v, {first_after_border(v)}, left, on_edge, on_corner);
   }
 
   // The same in the opposite direction, back along the line, up to an angle.
@@ -337,18 +349,21 @@ public:
     Boundary left = sectors.left_of(arrival, angle);
     if(left.halfedge == right.halfedge && cross(right.direction, left.direction) < 0)
       left = {}; // all around the vertex
-    open_sector(v, right, left, on_edge, on_sight);
+    open_sector(v, right, left, on_edge,
+                [&](const Index h, const Plane_vector right_end, const Plane_vector left_end) {
+                  open(h, right_end, left_end, on_sight);
+                });
   }
 
 private:
   // Opens a sector from one boundary counterclockwise to the other, or to the border, or all around
   // the vertex.
-  template <typename OnEdge, typename OnSight>
+  template <typename OnEdge, typename OnCorner>
   void open_sector(const Index v,
                    const Boundary& right,
                    const Boundary& left,
                    OnEdge& on_edge,
-                   OnSight& on_sight) const
+                   const OnCorner& on_corner) const
   {
     Index h = right.halfedge;
     Plane_vector start = right.direction;
@@ -359,8 +374,8 @@ private:
       if(!m_steps[h].has_face())
         return;
       if(h == left.halfedge)
-        return open(h, start, left.direction, on_sight);
-      open(h, start, unit_corner(m_steps[h]), on_sight);
+        return on_corner(h, start, left.direction);
+      on_corner(h, start, unit_corner(m_steps[h]));
       h = m_triangulation.counterclockwise(v, h);
       start = {1, 0};
       on_edge(h);

@@ -1,0 +1,144 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_FACE_WINDOWS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_FACE_WINDOWS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Side_windows.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * Finds the windows of all faces after a search, when all labels are known: for each point, there
+ * is a window that sees it and knows its distance. Sights are given up as in the search.
+ */
+template <typename Run, typename Labels>
+class Face_windows
+{
+public:
+  Face_windows(const Intrinsic_triangulation& triangulation, const Run& run, const Labels& labels)
+    : m_triangulation(triangulation),
+      m_run(run),
+      m_labels(labels),
+      m_sides(triangulation.number_of_halfedges())
+  {
+  }
+
+  // Adds the windows of a vertex that was reached from a source.
+  void add_vertex(const Index v, const std::size_t source)
+  {
+    Visitor visitor{{}, *this, source, m_labels.distance(v)};
+    Sight_expansion<Visitor> expansion(m_run.tables(), visitor.label_of_tip, visitor);
+    const auto on_corner = [&](const Index h, const Plane_vector right, const Plane_vector left) {
+      add({h, true, source, visitor.label_of_tip, {0, 0}, right, left});
+    };
+    const auto on_sight = [&](const Sight& sight, const Index left_end, const Index right_end) {
+      expansion.look(sight, left_end, right_end);
+    };
+    const Vertex_sights sights(m_triangulation, m_run.tables());
+    sights.for_each_corner(
+        v, m_run.arrival(v), [](Index) {}, on_corner);
+    sights.for_each(
+        v, m_run.arrival(v), [](Index) {}, on_sight);
+  }
+
+  // Adds the windows of a source that is not a vertex.
+  void add_point(const Intrinsic_point& point, const double label, const std::size_t source)
+  {
+    Visitor visitor{{}, *this, source, label};
+    Sight_expansion<Visitor> expansion(m_run.tables(), label, visitor);
+    const Lines_of_sight lines(m_triangulation, m_run.tables(), point);
+    lines.for_each_side(
+        [&](const Index side, const Face_point&, const Plane_vector start, const Plane_vector end) {
+          if(cross(start, end) > 0)
+            add(from_tip_in_plane(side, source, true, label, start, end - start, start, end));
+        });
+    lines.for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
+      expansion.look(sight, left_end, right_end);
+    });
+  }
+
+  // The windows, in no particular order.
+  std::vector<Face_window> windows() &&
+  {
+    for(const Side_windows& side : m_sides)
+      side.for_each([&](const Face_window& window) { m_windows.push_back(window); });
+    return std::move(m_windows);
+  }
+
+private:
+  struct Visitor : Sight_visitor_base
+  {
+    static constexpr bool knows_arrivals = true;
+    static constexpr bool wants_faces = true;
+
+    double bound(const Index v) const { return found.m_labels.distance(v); }
+    double label(const Index v) const { return found.m_labels.distance(v); }
+    const Arrival& arrival(const Index v) const { return found.m_run.arrival(v); }
+    bool has_predecessor(const Index v) const
+    {
+      return found.m_labels.predecessor(v) != null_index;
+    }
+
+    void on_vertex(Index, const Sight_path&, const Sight&, Plane_vector, Plane_vector) {}
+
+    void on_face(const Sight& sight, Plane_vector /* apex */)
+    {
+      found.add(from_tip_in_plane(sight.halfedge, source, false, label_of_tip, sight.left,
+                                  sight.edge, sight.right_ray.direction, sight.left_ray.direction));
+    }
+
+    Face_windows& found;
+    std::size_t source;
+    double label_of_tip;
+  };
+
+  // `edge` is the vector of the halfedge, whose source is at `start`, where the tip is the origin.
+  static Face_window from_tip_in_plane(const Index h,
+                                       const std::size_t source,
+                                       const bool has_tip_in_face,
+                                       const double label,
+                                       const Plane_vector start,
+                                       const Plane_vector edge,
+                                       const Plane_vector right,
+                                       const Plane_vector left)
+  {
+    const auto unit = [](const Plane_vector v) { return 1 / length(v) * v; };
+    const Plane_vector x_axis = unit(edge);
+    return {h,
+            has_tip_in_face,
+            source,
+            label,
+            turned_right(-1. * start, x_axis),
+            turned_right(unit(right), x_axis),
+            turned_right(unit(left), x_axis)};
+  }
+
+  void add(const Face_window& window)
+  {
+    if(!(cross(window.right, window.left) > 0)) // or NaN
+      return;
+    if(window.has_tip_in_face)
+      m_windows.push_back(window);
+    else if(window.tip.y < 0 && window.right.y > 0 && window.left.y > 0)
+      m_sides[window.halfedge].insert(window, m_triangulation.length(window.halfedge));
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Run& m_run;
+  const Labels& m_labels;
+  std::vector<Side_windows> m_sides;  // of faces, by halfedge
+  std::vector<Face_window> m_windows; // with a tip in the face
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_SADDLES_FACE_WINDOWS_H

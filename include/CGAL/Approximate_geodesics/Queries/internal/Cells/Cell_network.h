@@ -1,0 +1,292 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_CELLS_CELL_NETWORK_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_CELLS_CELL_NETWORK_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Queries/internal/Cells/Face_cells.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+// A border between two cells, as a polyline with the first cell on its left.
+struct Network_border
+{
+  static constexpr std::size_t NONE = (std::numeric_limits<std::size_t>::max)();
+
+  std::array<std::size_t, 2> sources;
+  std::vector<Intrinsic_point> points;            // in faces
+  std::array<std::size_t, 2> corners{NONE, NONE}; // where it begins and ends, unless it is closed
+};
+
+// Where borders end.
+struct Network_corner
+{
+  Intrinsic_point point;
+  std::vector<std::size_t> sources; // counterclockwise, if there are three or more
+};
+
+/*
+ * Joins arcs to polylines. Ends of arcs that are next to each other, up to rounding, are one node:
+ * in a face, on an edge, or at a vertex. Polylines go on where exactly two arcs between the same
+ * cells meet.
+ */
+class Cell_network
+{
+public:
+  Cell_network(const Intrinsic_triangulation& triangulation, const std::vector<Border_arc>& arcs)
+    : m_triangulation(triangulation),
+      m_arcs(arcs),
+      m_ends(2 * arcs.size()),
+      m_nodes(m_ends.size(), 0),
+      m_parents(m_ends.size(), 0),
+      m_sets(m_nodes.data(), m_parents.data())
+  {
+    for(std::size_t i = 0; i < m_ends.size(); ++i)
+      m_sets.make_set(i);
+    for(std::size_t i = 0; i < m_ends.size(); ++i)
+      m_ends[i] = place(i);
+    join_at_vertices();
+    join_on_edges();
+    join_in_faces();
+    list_incidences();
+    follow_all();
+  }
+
+  const std::vector<Network_border>& borders() const { return m_borders; }
+  const std::vector<Network_corner>& corners() const { return m_corners; }
+
+private:
+  static constexpr std::size_t NONE = Network_border::NONE;
+  static constexpr double TOLERANCE = 1e-6; // in longest edges of faces
+
+  // Ends with even numbers are first points, the others last points.
+  struct End
+  {
+    Plane_vector position; // in the frame of the face
+    double tolerance;
+  };
+
+  const Border_arc& arc(const std::size_t end) const { return m_arcs[end / 2]; }
+
+  const std::array<double, 3>& weights(const std::size_t end) const
+  {
+    return end % 2 == 0 ? arc(end).points.front() : arc(end).points.back();
+  }
+
+  // Also lists it at the vertices and edges that it is next to.
+  End place(const std::size_t end)
+  {
+    const Index h = arc(end).halfedge;
+    const Face_layout layout(m_triangulation, h);
+    const std::array<double, 3>& weight = weights(end);
+    const double longest = (std::max)({m_triangulation.length(layout.halfedge(0)),
+                                       m_triangulation.length(layout.halfedge(1)),
+                                       m_triangulation.length(layout.halfedge(2))});
+    const End result{layout.position({h, weight}), TOLERANCE * longest};
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const Index side = layout.halfedge(i), opposite = m_triangulation.opposite(side);
+      const Plane_vector p = result.position - layout.corner(i), edge = layout.edge(i, (i + 1) % 3);
+      if(length(p) <= result.tolerance)
+        m_at_vertices.emplace_back(layout.vertex(i), end);
+      const double size = length(edge);
+      if(std::abs(cross(edge, p)) > result.tolerance * size || !(size > 0))
+        continue;
+      const double way = dot(edge, p) / size;
+      m_on_edges.push_back({(std::min)(side, opposite), side < opposite ? way : size - way, end});
+    }
+    return result;
+  }
+
+  void join_at_vertices()
+  {
+    std::sort(m_at_vertices.begin(), m_at_vertices.end());
+    for(std::size_t i = 1; i < m_at_vertices.size(); ++i)
+      if(m_at_vertices[i].first == m_at_vertices[i - 1].first)
+        m_sets.union_set(m_at_vertices[i].second, m_at_vertices[i - 1].second);
+  }
+
+  void join_on_edges()
+  {
+    std::sort(m_on_edges.begin(), m_on_edges.end());
+    for(std::size_t i = 1; i < m_on_edges.size(); ++i)
+    {
+      const auto& [edge, way, end] = m_on_edges[i - 1];
+      const auto& [next_edge, next_way, next_end] = m_on_edges[i];
+      if(edge == next_edge &&
+         next_way - way <= (std::max)(m_ends[end].tolerance, m_ends[next_end].tolerance))
+        m_sets.union_set(end, next_end);
+    }
+  }
+
+  void join_in_faces()
+  {
+    std::vector<std::tuple<Index, double, std::size_t>> list;
+    for(std::size_t i = 0; i < m_ends.size(); ++i)
+      list.emplace_back(arc(i).halfedge, m_ends[i].position.x, i);
+    std::sort(list.begin(), list.end());
+    for(auto it = list.begin(); it != list.end(); ++it)
+    {
+      const auto& [face, x, end] = *it;
+      const double tolerance = m_ends[end].tolerance;
+      for(auto next = it + 1;
+          next != list.end() && std::get<0>(*next) == face && std::get<1>(*next) - x <= tolerance;
+          ++next)
+        if(length(m_ends[std::get<2>(*next)].position - m_ends[end].position) <= tolerance)
+          m_sets.union_set(end, std::get<2>(*next));
+    }
+  }
+
+  // Whether an arc is a point, up to rounding.
+  bool is_point(const std::size_t i) const
+  {
+    constexpr double several = 4;
+    return m_nodes[2 * i] == m_nodes[2 * i + 1] &&
+           length(m_ends[2 * i].position - m_ends[2 * i + 1].position) <=
+               several * m_ends[2 * i].tolerance;
+  }
+
+  // Lists the ends by node and pair of cells, and what follows each of them.
+  void list_incidences()
+  {
+    for(std::size_t i = 0; i < m_ends.size(); ++i)
+      m_nodes[i] = m_sets.find_set(i);
+    for(std::size_t i = 0; i < m_ends.size(); ++i)
+      if(!is_point(i / 2))
+        m_incidences.emplace_back(m_nodes[i], arc(i).left, arc(i).right, i);
+    std::sort(m_incidences.begin(), m_incidences.end());
+    m_next.assign(m_ends.size(), NONE);
+    const auto is_same = [&](const std::size_t i, const std::size_t j) {
+      const auto key = [](const Incidence& x) {
+        return std::tie(std::get<0>(x), std::get<1>(x), std::get<2>(x));
+      };
+      return j < m_incidences.size() && key(m_incidences[i]) == key(m_incidences[j]);
+    };
+    for(std::size_t i = 0, beyond; i < m_incidences.size(); i = beyond)
+    {
+      for(beyond = i + 1; is_same(i, beyond);)
+        ++beyond;
+      if(beyond == i + 2)
+      {
+        const std::size_t a = std::get<3>(m_incidences[i]), b = std::get<3>(m_incidences[i + 1]);
+        m_next[a] = b;
+        m_next[b] = a;
+      }
+    }
+  }
+
+  void follow_all()
+  {
+    m_is_passed.resize(m_arcs.size());
+    for(const bool is_closed : {false, true})
+      for(std::size_t end = 0; end < m_ends.size(); ++end)
+        if(!m_is_passed[end / 2] && !is_point(end / 2) && (is_closed || m_next[end] == NONE))
+          follow(end);
+  }
+
+  // Follows a polyline that begins with an end of an arc.
+  void follow(const std::size_t first)
+  {
+    Network_border border{{arc(first).left, arc(first).right}, {}};
+    std::size_t last = first;
+    for(std::size_t end = first; end != NONE && !m_is_passed[end / 2]; end = m_next[last])
+    {
+      m_is_passed[end / 2] = true;
+      append(end, border.points);
+      last = end ^ 1;
+    }
+    if(m_next[last] == NONE)
+      border.corners = {corner(first), corner(last)};
+    else
+      border.points.push_back(border.points.front());
+    if(first % 2 == 1)
+    {
+      std::reverse(border.points.begin(), border.points.end());
+      std::swap(border.corners[0], border.corners[1]);
+    }
+    m_borders.push_back(std::move(border));
+  }
+
+  // Appends the points of an arc from one end to the other, but the one that is there already.
+  void append(const std::size_t end, std::vector<Intrinsic_point>& points) const
+  {
+    const Border_arc& a = arc(end);
+    const std::size_t n = a.points.size();
+    for(std::size_t i = points.empty() ? 0 : 1; i < n; ++i)
+      points.push_back(point(a.halfedge, a.points[end % 2 == 0 ? i : n - 1 - i]));
+  }
+
+  static Intrinsic_point point(const Index h, const std::array<double, 3>& weight)
+  {
+    return Intrinsic_point::in_face(h, weight[1], weight[2]);
+  }
+
+  std::size_t corner(const std::size_t end)
+  {
+    const auto [it, is_new] = m_corner_of_node.emplace(m_nodes[end], m_corners.size());
+    if(is_new)
+      m_corners.push_back({point(arc(end).halfedge, weights(end)), cells_around(m_nodes[end])});
+    return it->second;
+  }
+
+  // Across a border that leaves the node, the next cell counterclockwise is that on its left.
+  std::vector<std::size_t> cells_around(const std::size_t node) const
+  {
+    std::vector<std::size_t> result;
+    std::multimap<std::size_t, std::size_t> next;
+    for(auto it =
+            std::lower_bound(m_incidences.begin(), m_incidences.end(), Incidence(node, 0, 0, 0));
+        it != m_incidences.end() && std::get<0>(*it) == node; ++it)
+    {
+      const auto& [n, left, right, end] = *it;
+      next.emplace(end % 2 == 0 ? right : left, end % 2 == 0 ? left : right);
+      result.insert(result.end(), {left, right});
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    std::vector<std::size_t> ordered;
+    std::size_t cell = result.front();
+    do
+    {
+      ordered.push_back(cell);
+      const auto it = next.find(cell);
+      cell = it == next.end() || next.count(cell) > 1 ? NONE : it->second;
+    } while(cell != NONE && cell != ordered.front() && ordered.size() <= result.size());
+    return cell == ordered.front() && ordered.size() == result.size() ? ordered : result;
+  }
+
+  using Incidence = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>;
+
+  const Intrinsic_triangulation& m_triangulation;
+  const std::vector<Border_arc>& m_arcs;
+  std::vector<End> m_ends;
+  std::vector<std::size_t> m_nodes, m_parents; // of ends; ranks of sets before
+  boost::disjoint_sets<std::size_t*, std::size_t*> m_sets;
+  std::vector<std::pair<Index, std::size_t>> m_at_vertices;
+  std::vector<std::tuple<Index, double, std::size_t>> m_on_edges;
+  std::vector<Incidence> m_incidences; // node, cells, end
+  std::vector<std::size_t> m_next;     // the end of another arc that follows an end
+  std::vector<bool> m_is_passed;       // arcs
+  std::vector<Network_border> m_borders;
+  std::vector<Network_corner> m_corners;
+  std::map<std::size_t, std::size_t> m_corner_of_node;
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_CELLS_CELL_NETWORK_H

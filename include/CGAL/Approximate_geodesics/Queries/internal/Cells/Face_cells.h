@@ -1,0 +1,277 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_CELLS_FACE_CELLS_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_CELLS_FACE_CELLS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_windows.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Cells/Window_cell.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+// A part of the border between two cells, in a face.
+struct Border_arc
+{
+  Index halfedge;                            // the first of the face
+  std::size_t left, right;                   // the sources of the cells beside it
+  std::vector<std::array<double, 3>> points; // barycentric coordinates
+};
+
+// A part of a side of a face where a window knows the smallest distance.
+struct Side_part
+{
+  Index halfedge;
+  double begin, end; // from the source to the target of the halfedge, as parts of its length
+  Plane_vector tip;  // in the frame of the halfedge
+  std::size_t source;
+};
+
+// Which borders are wanted.
+struct Cell_options
+{
+  bool within_cells;  // also those where two shortest paths from the same source meet
+  double chord_error; // the largest distance of an arc from its polyline
+};
+
+// The same direction, up to what rounding errors of labels make of paths that meet at a tip.
+inline bool differ_in_direction(const Plane_vector a, const Plane_vector b)
+{
+  constexpr double smallest_angle = 1e-5;
+  const double size = length(a) * length(b);
+  return std::abs(cross(a, b)) > smallest_angle * size || (dot(a, b) < 0 && size > 0);
+}
+
+/*
+ * Divides a face among its windows: finds the areas of cells, the arcs of borders in the face, and
+ * the parts of its sides.
+ */
+class Face_cells
+{
+public:
+  Face_cells(const Intrinsic_triangulation& triangulation,
+             const Cell_options& options,
+             std::vector<double>& areas)
+    : m_triangulation(triangulation), m_options(options), m_areas(areas)
+  {
+  }
+
+  // Divides the face to the left of `h`, the first of the face, among the windows from `first` on.
+  template <typename Iterator>
+  void divide(const Index h, const Iterator first, const Iterator beyond)
+  {
+    const Face_layout layout(m_triangulation, h);
+    m_face = h;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      m_corners[i] = layout.corner(i);
+      m_edges[i] = layout.edge(i, (i + 1) % 3);
+      m_halfedges[i] = layout.halfedge(i);
+    }
+    m_doubled_area = cross(m_edges[0], m_edges[1]);
+    if(!(m_doubled_area > 0))
+      return;
+    m_windows.clear();
+    for(Iterator it = first; it != beyond; ++it)
+      m_windows.push_back(placed(*it));
+    for(std::size_t i = 0; i < m_windows.size(); ++i)
+      report(Window_cell(m_corners, m_windows, i), i);
+  }
+
+  const std::vector<Border_arc>& arcs() const { return m_arcs; }
+  const std::vector<Side_part>& side_parts() const { return m_side_parts; }
+
+private:
+  Placed_window placed(const Face_window& w) const
+  {
+    const auto side = static_cast<std::size_t>(
+        std::find(m_halfedges.begin(), m_halfedges.end(), w.halfedge) - m_halfedges.begin());
+    const Plane_vector x_axis = 1 / length(m_edges[side]) * m_edges[side];
+    return {m_corners[side] + turned_left(w.tip, x_axis),
+            turned_left(w.right, x_axis),
+            turned_left(w.left, x_axis),
+            w.label,
+            w.source,
+            w.has_tip_in_face ? Placed_window::NO_SIDE : side};
+  }
+
+  void report(const Window_cell& cell, const std::size_t number)
+  {
+    const Placed_window& w = cell.window();
+    for(const Cell_piece& piece : cell.pieces())
+    {
+      if(piece.end == Cell_end::ENTRY)
+        continue;
+      add_area(cell, piece);
+      if(w.has_entry())
+        add_side_part(w.entry, cell.entry().point(piece.range.end),
+                      cell.entry().point(piece.range.begin), w);
+      if(piece.is_side())
+        add_side_part(static_cast<std::size_t>(piece.end),
+                      cell.curve(piece).point(piece.range.begin),
+                      cell.curve(piece).point(piece.range.end), w);
+      else if(is_wanted(piece, number))
+        add_arc(piece, number);
+    }
+  }
+
+  // The area between the side that the window is seen through and the piece.
+  void add_area(const Window_cell& cell, const Cell_piece& piece)
+  {
+    const Placed_window& w = cell.window();
+    const auto& [begin, end] = piece.range;
+    const Focal_curve& curve = cell.curve(piece);
+    const Plane_vector p = curve.point(begin), q = curve.point(end);
+    const Plane_vector p_in = w.has_entry() ? cell.entry().point(begin) : Plane_vector{0, 0},
+                       q_in = w.has_entry() ? cell.entry().point(end) : Plane_vector{0, 0};
+    double area = cross(p - q_in, q - p_in) / 2;
+    if(piece.end == Cell_end::EQUAL_DISTANCE)
+      area += Hyperbola(w, m_windows[piece.other]).area_beside_chord(p, q);
+    m_areas[w.source] += area;
+  }
+
+  void add_side_part(const std::size_t side,
+                     const Plane_vector begin,
+                     const Plane_vector end,
+                     const Placed_window& w)
+  {
+    const double squared = dot(m_edges[side], m_edges[side]);
+    const Plane_vector tip = w.tip - m_corners[side];
+    const auto part = [&](const Plane_vector p) { return dot(tip + p, m_edges[side]) / squared; };
+    const Plane_vector x_axis = 1 / std::sqrt(squared) * m_edges[side];
+    m_side_parts.push_back(
+        {m_halfedges[side], part(begin), part(end), turned_right(tip, x_axis), w.source});
+  }
+
+  // Both sides of an arc report it; one of them is enough. Only one side reports a ray.
+  bool is_wanted(const Cell_piece& piece, const std::size_t number) const
+  {
+    const Placed_window &w = m_windows[number], &v = m_windows[piece.other];
+    if(piece.end == Cell_end::EQUAL_DISTANCE &&
+       (w.source > v.source || (w.source == v.source && number > piece.other)))
+      return false;
+    if(w.source != v.source)
+      return true;
+    const Plane_vector middle = piece.curve.point(piece.range.middle());
+    return m_options.within_cells && differ_in_direction(middle, middle + (w.tip - v.tip));
+  }
+
+  /*
+   * The points that are at the same distance from the tips of two windows: center + x e + y f with
+   * x = -(c / 2) cosh s and y = b sinh s, where e is the direction from the first tip to the
+   * second, at distance d, c the difference of labels, and 4 b^2 = d^2 - c^2.
+   */
+  class Hyperbola
+  {
+  public:
+    Hyperbola(const Placed_window& w, const Placed_window& v)
+      : m_focus(v.tip - w.tip), m_difference(w.label - v.label)
+    {
+      const double distance = length(m_focus);
+      m_axis = 1 / distance * m_focus;
+      m_semiaxis = std::sqrt((distance - m_difference) * (distance + m_difference)) / 2;
+    }
+
+    // Points are relative to the tip of the first window.
+    double parameter(const Plane_vector p) const
+    {
+      return std::asinh(cross(m_axis, p) / m_semiaxis);
+    }
+
+    Plane_vector point(const double s) const
+    {
+      const Plane_vector p{-m_difference / 2 * std::cosh(s), m_semiaxis * std::sinh(s)};
+      return 0.5 * m_focus + turned_left(p, m_axis);
+    }
+
+    // Positive if the arc is farther from the first tip than the chord.
+    double area_beside_chord(const Plane_vector p, const Plane_vector q) const
+    {
+      const double s = std::abs(parameter(q) - parameter(p));
+      return m_difference * m_semiaxis / 4 * sinh_minus(s);
+    }
+
+  private:
+    // sinh s - s
+    static double sinh_minus(const double s)
+    {
+      constexpr double small = 0.1;
+      if(s > small)
+        return std::sinh(s) - s;
+      const double x = s * s;
+      return s * x / 6 * (1 + x / 20 * (1 + x / 42 * (1 + x / 72 * (1 + x / 110))));
+    }
+
+    Plane_vector m_focus, m_axis;
+    double m_difference, m_semiaxis;
+  };
+
+  void add_arc(const Cell_piece& piece, const std::size_t number)
+  {
+    const Placed_window &w = m_windows[number], &v = m_windows[piece.other];
+    const Plane_vector p = piece.curve.point(piece.range.begin),
+                       q = piece.curve.point(piece.range.end);
+    Border_arc arc{m_face, w.source, v.source, {}};
+    const auto add = [&](const Plane_vector x) { arc.points.push_back(weights(w.tip + x)); };
+    add(p);
+    if(piece.end == Cell_end::EQUAL_DISTANCE && w.label != v.label)
+    {
+      const Hyperbola hyperbola(w, v);
+      const double begin = hyperbola.parameter(p), end = hyperbola.parameter(q);
+      const double bulge = length(hyperbola.point((begin + end) / 2) - 0.5 * (p + q));
+      constexpr double most = 1000;
+      const double n = std::ceil((std::min)(most, std::sqrt(bulge / m_options.chord_error)));
+      for(double i = 1; i < n; ++i)
+        add(hyperbola.point(begin + i / n * (end - begin)));
+    }
+    add(q);
+    if(arc.left > arc.right)
+    {
+      std::swap(arc.left, arc.right);
+      std::reverse(arc.points.begin(), arc.points.end());
+    }
+    m_arcs.push_back(std::move(arc));
+  }
+
+  // Points on sides are exactly there.
+  std::array<double, 3> weights(const Plane_vector p) const
+  {
+    constexpr double rounding = 1e-9;
+    std::array<double, 3> result;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t side = (i + 1) % 3;
+      result[i] = cross(m_edges[side], p - m_corners[side]) / m_doubled_area;
+      if(!(result[i] > rounding))
+        result[i] = 0;
+    }
+    const double sum = result[0] + result[1] + result[2];
+    for(double& weight : result)
+      weight /= sum;
+    return result;
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Cell_options& m_options;
+  std::vector<double>& m_areas;
+  Index m_face = 0;
+  std::array<Plane_vector, 3> m_corners{}, m_edges{};
+  std::array<Index, 3> m_halfedges{};
+  double m_doubled_area = 0;
+  std::vector<Placed_window> m_windows;
+  std::vector<Border_arc> m_arcs;
+  std::vector<Side_part> m_side_parts;
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_CELLS_FACE_CELLS_H

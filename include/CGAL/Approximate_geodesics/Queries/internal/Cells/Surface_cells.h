@@ -1,0 +1,186 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_CELLS_SURFACE_CELLS_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_CELLS_SURFACE_CELLS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Cells/Cell_network.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * The cells of the sources of an exact search: all windows of the surface, sorted by face, and the
+ * cells of each face. A border along an edge is in neither of its faces: there, the smallest
+ * distances on the two sides are those of different cells.
+ */
+class Surface_cells
+{
+  using Search = Surface_search<Saddle_vertex_graph>;
+
+public:
+  Surface_cells(const Search& search, const Cell_options& options)
+    : m_triangulation(search.graph().triangulation()),
+      m_options(options),
+      m_areas(search.sources().size(), 0),
+      m_cells(m_triangulation, m_options, m_areas)
+  {
+    find_windows(search);
+    divide_faces();
+    m_arcs = m_cells.arcs();
+    m_parts = m_cells.side_parts();
+    std::sort(m_parts.begin(), m_parts.end(), [](const Side_part& p, const Side_part& q) {
+      return std::make_pair(p.halfedge, p.begin) < std::make_pair(q.halfedge, q.begin);
+    });
+    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+    {
+      const Index opposite = m_triangulation.opposite(h);
+      if(h < opposite && !m_triangulation.is_border(h) && !m_triangulation.is_border(opposite))
+        compare_sides(h, opposite);
+    }
+  }
+
+  // In units of the triangulation.
+  const std::vector<double>& areas() const { return m_areas; }
+
+  const std::vector<Border_arc>& arcs() const { return m_arcs; }
+
+private:
+  static constexpr std::size_t NONE = Network_border::NONE;
+
+  void find_windows(const Search& search)
+  {
+    const auto& nodes = search.search();
+    const auto& labels = nodes.labels();
+    const auto& run = nodes.graph_run();
+    Face_windows found(m_triangulation, run, labels);
+    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
+      if(labels.is_reached(v) && (run.arrival(v).is_none() || run.tables().bends.is_possible(v)))
+        found.add_vertex(v, nodes.source(v));
+    for(std::size_t i = 0; i < search.sources().size(); ++i)
+      if(const Source_point& s = search.sources()[i]; !s.point.is_vertex())
+        found.add_point(s.point, s.distance / m_triangulation.unit(), i);
+    m_windows = std::move(found).windows();
+  }
+
+  // Faces that only one source reaches are not divided, unless borders within cells are wanted.
+  void divide_faces()
+  {
+    std::vector<std::pair<Index, Index>> order; // faces, and numbers of windows
+    order.reserve(m_windows.size());
+    for(std::size_t i = 0; i < m_windows.size(); ++i)
+      order.emplace_back(m_triangulation.first_of_face(m_windows[i].halfedge),
+                         static_cast<Index>(i));
+    std::sort(order.begin(), order.end());
+    m_source_of_face.assign(m_triangulation.number_of_halfedges(), NONE);
+    std::vector<Face_window> windows;
+    for(auto it = order.begin(); it != order.end();)
+    {
+      const Index h = it->first;
+      windows.clear();
+      for(; it != order.end() && it->first == h; ++it)
+        windows.push_back(m_windows[it->second]);
+      const std::size_t source = windows.front().source;
+      const bool has_one_source = std::all_of(
+          windows.begin(), windows.end(), [&](const Face_window& w) { return w.source == source; });
+      if(has_one_source && !m_options.within_cells)
+        fill(h, source);
+      else
+        m_cells.divide(h, windows.begin(), windows.end());
+    }
+  }
+
+  void fill(const Index h, const std::size_t source)
+  {
+    const Face_layout layout(m_triangulation, h);
+    m_areas[source] += cross(layout.edge(0, 1), layout.edge(1, 2)) / 2;
+    for(const Index side : m_triangulation.halfedges_of_face(h))
+      m_source_of_face[side] = source;
+  }
+
+  // The parts of a side, as seen from `h`.
+  std::vector<Side_part> parts(const Index side, const Index h) const
+  {
+    if(m_source_of_face[side] != NONE)
+      return {{h, 0, 1, {0, 0}, m_source_of_face[side]}};
+    const auto is_before = [](const Side_part& p, const Index i) { return p.halfedge < i; };
+    std::vector<Side_part> result;
+    for(auto it = std::lower_bound(m_parts.begin(), m_parts.end(), side, is_before);
+        it != m_parts.end() && it->halfedge == side; ++it)
+      result.push_back(*it);
+    if(side != h)
+    {
+      std::reverse(result.begin(), result.end());
+      for(Side_part& p : result)
+        p = {h, 1 - p.end, 1 - p.begin, {m_triangulation.length(h) - p.tip.x, -p.tip.y}, p.source};
+    }
+    return result;
+  }
+
+  // Adds borders along an edge.
+  void compare_sides(const Index h, const Index opposite)
+  {
+    const std::size_t left_source = m_source_of_face[h], right_source = m_source_of_face[opposite];
+    if(left_source != NONE && left_source == right_source)
+      return;
+    constexpr double smallest_part = 2e-6;
+    const std::vector<Side_part> left = parts(h, h), right = parts(opposite, h);
+    for(auto p = left.begin(), q = right.begin(); p != left.end() && q != right.end();)
+    {
+      const double begin = (std::max)(p->begin, q->begin), end = (std::min)(p->end, q->end);
+      if(end - begin > smallest_part && is_border(*p, *q, (begin + end) / 2))
+        add_arc(h, begin, end, p->source, q->source);
+      ++(p->end < q->end ? p : q);
+    }
+  }
+
+  bool is_border(const Side_part& p, const Side_part& q, const double part) const
+  {
+    if(p.source != q.source)
+      return true;
+    const Plane_vector point{part * m_triangulation.length(p.halfedge), 0};
+    return m_options.within_cells && differ_in_direction(point - p.tip, point - q.tip);
+  }
+
+  void add_arc(const Index h,
+               const double begin,
+               const double end,
+               const std::size_t left,
+               const std::size_t right)
+  {
+    const Index first = m_triangulation.first_of_face(h);
+    const auto point = [&](const double part) {
+      const Face_point p =
+          Face_point::on_edge(h, (std::clamp)(part, 0., 1.)).seen_from(m_triangulation, first);
+      return p.weight;
+    };
+    if(left < right)
+      m_arcs.push_back({first, left, right, {point(begin), point(end)}});
+    else
+      m_arcs.push_back({first, right, left, {point(end), point(begin)}});
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Cell_options m_options;
+  std::vector<double> m_areas;
+  Face_cells m_cells;
+  std::vector<Face_window> m_windows;
+  std::vector<std::size_t> m_source_of_face; // by halfedge; NONE if there are several
+  std::vector<Border_arc> m_arcs;
+  std::vector<Side_part> m_parts;
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_CELLS_SURFACE_CELLS_H

@@ -1,0 +1,96 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FOCAL_CURVE_H
+#define CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FOCAL_CURVE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+// Unit vectors between two, counterclockwise, by less than a half turn.
+struct Direction_range
+{
+  Plane_vector begin, end;
+
+  bool contains(const Plane_vector u) const { return cross(begin, u) > 0 && cross(u, end) > 0; }
+
+  Plane_vector middle() const
+  {
+    const Plane_vector sum = begin + end;
+    return 1 / length(sum) * sum;
+  }
+};
+
+/*
+ * A curve around the origin, given by 1 / r for a direction: `constant + dot(linear, u)` for a unit
+ * vector `u`. It is a conic with a focus at the origin, or a straight line. All curves that bound
+ * what a tip is nearest to have this form: borders of faces, rays from other tips, and hyperbolas.
+ * Two of them meet where a trigonometric polynomial of degree one vanishes.
+ */
+struct Focal_curve
+{
+  double constant = 0;
+  Plane_vector linear = {0, 0};
+
+  // The line through `p` in direction `d`.
+  static Focal_curve line(const Plane_vector p, const Plane_vector d)
+  {
+    const double factor = 1 / cross(d, p);
+    return {0, {-factor * d.y, factor * d.x}};
+  }
+
+  // The points whose distance from `focus` is larger by `difference` than that from the origin.
+  // \pre The difference is smaller than the distance of the focus, in absolute value.
+  static Focal_curve hyperbola(const Plane_vector focus, const double difference)
+  {
+    const double distance = length(focus);
+    const double factor = 2 / ((distance - difference) * (distance + difference));
+    return {factor * difference, factor * focus};
+  }
+
+  double at(const Plane_vector u) const { return constant + dot(linear, u); }
+
+  Plane_vector point(const Plane_vector u) const { return 1 / at(u) * u; }
+
+  friend Focal_curve operator-(const Focal_curve& a, const Focal_curve& b)
+  {
+    return {a.constant - b.constant, a.linear - b.linear};
+  }
+
+  // Calls `f(u)` for the directions in a range where the function vanishes.
+  template <typename F>
+  void for_each_root(const Direction_range& range, F f) const
+  {
+    const double squared = dot(linear, linear), rest = squared - constant * constant;
+    if(!(rest > 0))
+      return;
+    const double along = -constant / squared, across = std::sqrt(rest) / squared;
+    for(const double sign : {-1., 1.})
+    {
+      const Plane_vector u{along * linear.x - sign * across * linear.y,
+                           along * linear.y + sign * across * linear.x};
+      if(range.contains(u))
+        f(u);
+    }
+  }
+
+  // The largest value in a range.
+  double maximum(const Direction_range& range) const
+  {
+    if(range.contains(linear))
+      return constant + length(linear);
+    return (std::max)(at(range.begin), at(range.end));
+  }
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTERNAL_FOCAL_CURVE_H

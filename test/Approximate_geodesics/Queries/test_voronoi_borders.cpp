@@ -1,0 +1,376 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_borders.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include "checks/expect_message.h"
+#include "meshes/hostile_meshes.h"
+#include "meshes/sample_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Voronoi diagrams and cut loci, against closed forms and exact distances.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+using namespace geodesics_test;
+using Cells = AG::Voronoi_cells<Mesh>;
+
+double total_area(const Cells& cells)
+{
+  return std::accumulate(cells.areas.begin(), cells.areas.end(), 0.);
+}
+
+double length_of_border(const Mesh& mesh, const AG::Voronoi_border<Mesh>& border)
+{
+  double result = 0;
+  for(std::size_t i = 1; i < border.points.size(); ++i)
+    result += std::sqrt(CGAL::squared_distance(position(mesh, border.points[i - 1]),
+                                               position(mesh, border.points[i])));
+  return result;
+}
+
+// Exact distances from single sources.
+class Exact_distances
+{
+  using Paths = AG::Surface_mesh_shortest_path<Mesh, AG::Saddle_vertex_graph>;
+
+public:
+  Exact_distances(const Mesh& mesh, std::vector<Surface_point> sources, std::vector<double> initial)
+    : m_mesh(mesh), m_sources(std::move(sources)), m_initial(std::move(initial))
+  {
+    m_initial.resize(m_sources.size(), 0);
+    m_paths.resize(m_sources.size());
+  }
+
+  double operator()(const std::size_t source, const Face_location& p)
+  {
+    if(!m_paths[source])
+    {
+      m_paths[source] = std::make_unique<Paths>(m_mesh);
+      const auto add = [&](const auto& point) { m_paths[source]->add_source_point(point); };
+      add(m_sources[source]);
+    }
+    return m_initial[source] + m_paths[source]->shortest_distance_to_source_points(p).first;
+  }
+
+  double smallest(const Face_location& p)
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for(std::size_t i = 0; i < m_sources.size(); ++i)
+      result = (std::min)(result, (*this)(i, p));
+    return result;
+  }
+
+private:
+  const Mesh& m_mesh;
+  const std::vector<Surface_point> m_sources;
+  std::vector<double> m_initial;
+  std::vector<std::unique_ptr<Paths>> m_paths;
+};
+
+// Points of borders are at the same distance from both sources, and nearer to no other; cells cover
+// the part of the surface that is reached.
+void expect_right_cells(const Mesh& mesh,
+                        const Cells& cells,
+                        const std::vector<Surface_point>& sources,
+                        const std::vector<double>& initial = {},
+                        const std::size_t step = 1)
+{
+  Exact_distances exact(mesh, sources, initial);
+  double largest = 0, error = 0;
+  for(const auto& border : cells.borders)
+  {
+    ASSERT_LT(border.sources[0], border.sources[1]);
+    ASSERT_GE(border.points.size(), 2u);
+    for(std::size_t i = 0; i < border.points.size(); i += step)
+    {
+      const double distance = exact.smallest(border.points[i]);
+      largest = (std::max)(largest, distance);
+      for(const std::size_t source : border.sources)
+        error = (std::max)(error, exact(source, border.points[i]) - distance);
+    }
+    if(border.is_closed())
+    {
+      EXPECT_EQ(border.points.front(), border.points.back());
+    }
+  }
+  EXPECT_LE(error, 1e-6 * largest);
+  double area = 0;
+  for(const Face f : mesh.faces())
+    if(std::isfinite(exact.smallest({f, {1, 0, 0}})))
+      area += CGAL::Polygon_mesh_processing::face_area(f, mesh);
+  if(area > 1e-280 && area < 1e280) // no underflow and overflow
+    EXPECT_NEAR(total_area(cells), area, 1e-9 * area);
+}
+
+std::vector<Surface_point> random_sources(const Mesh& mesh, const std::size_t n, Random& random)
+{
+  std::vector<Surface_point> result;
+  for(std::size_t i = 0; i < n; ++i)
+    if(i % 3 == 0)
+      result.emplace_back(random_vertex(mesh, random));
+    else if(i % 3 == 1)
+      result.emplace_back(random_face_location(mesh, random));
+    else
+      result.emplace_back(Edge_location(random_halfedge(mesh, random), 0.37));
+  return result;
+}
+
+// Of how many cells the whole surface consists; borders are a planar graph on a sphere.
+void expect_triangulation_of_sphere(const Cells& cells)
+{
+  std::set<std::size_t> used;
+  for(const auto& triangle : cells.triangles())
+    used.insert(triangle.begin(), triangle.end());
+  EXPECT_EQ(used.size() + cells.triangles().size(), cells.borders.size() + 2);
+  for(const auto& corner : cells.corners)
+    EXPECT_EQ(corner.sources.size(), 3u);
+}
+
+TEST(VoronoiBorders, of_two_points_of_a_plane_is_their_bisector)
+{
+  const Mesh mesh = to_mesh(flat_grid(9, 7)); // 8 x 6 cells
+  const double width = 8, height = 6;
+  for(const double x : {3., 3.25, 3.8})
+  {
+    const std::vector<Surface_point> sources{location_at(mesh, Point(x - 1, 2.5, 0)),
+                                             location_at(mesh, Point(x + 1, 2.5, 0))};
+    const Cells cells = AG::voronoi_borders(mesh, sources);
+    ASSERT_EQ(cells.borders.size(), 1u);
+    EXPECT_EQ(cells.corners.size(), 2u);
+    for(const auto& p : cells.borders[0].points)
+      EXPECT_NEAR(position(mesh, p).x(), x, 1e-12);
+    EXPECT_NEAR(length_of_border(mesh, cells.borders[0]), height, 1e-12);
+    // the first cell is to the left
+    EXPECT_LT(position(mesh, cells.borders[0].points.front()).y(), 1e-12);
+    EXPECT_NEAR(cells.areas[0], x * height, 1e-9);
+    EXPECT_NEAR(cells.areas[1], (width - x) * height, 1e-9);
+    EXPECT_TRUE(cells.triangles().empty());
+  }
+}
+
+TEST(VoronoiBorders, of_points_with_initial_distances_is_a_hyperbola)
+{
+  const Mesh mesh = to_mesh(flat_grid(9, 7));
+  const Point a(2.3, 3, 0), b(5.3, 3, 0); // with 3 between them
+  const std::vector<Surface_point> sources{location_at(mesh, a), location_at(mesh, b)};
+  const auto distances = [&](const double error) {
+    return AG::voronoi_borders(
+        mesh, sources,
+        CGAL::parameters::initial_distances(std::vector<double>{1, 0}).chord_error(error));
+  };
+  const Cells cells = distances(1e-6);
+  ASSERT_EQ(cells.borders.size(), 1u);
+  double area = 0; // to the left of the polyline
+  for(std::size_t i = 0; i < cells.borders[0].points.size(); ++i)
+  {
+    const Point p = position(mesh, cells.borders[0].points[i]);
+    EXPECT_NEAR(1 + std::sqrt(CGAL::squared_distance(p, a)),
+                std::sqrt(CGAL::squared_distance(p, b)), 1e-12);
+    if(i == 0)
+      continue;
+    const Point q = position(mesh, cells.borders[0].points[i - 1]);
+    area += (p.x() + q.x()) / 2 * (p.y() - q.y());
+  }
+  EXPECT_NEAR(cells.areas[0], area, 1e-5);
+  // x = 3.8 - cosh(s) / 2 and y = 3 + sqrt(2) sinh(s), with y from 0 to 6
+  const double s = std::asinh(3 / std::sqrt(2.));
+  EXPECT_NEAR(cells.areas[0], 6 * 3.8 - std::sqrt(2.) / 4 * (std::sinh(2 * s) + 2 * s), 1e-9);
+  EXPECT_NEAR(total_area(cells), 48, 1e-9);
+  EXPECT_LT(distances(0.1).borders[0].points.size(), cells.borders[0].points.size());
+}
+
+TEST(VoronoiBorders, runs_along_edges)
+{
+  const Mesh mesh = to_mesh(octahedron());
+  std::vector<Vertex> poles;
+  for(const Vertex v : mesh.vertices())
+    if(mesh.point(v).z() != 0)
+      poles.push_back(v);
+  ASSERT_EQ(poles.size(), 2u);
+  const Cells cells = AG::voronoi_borders(mesh, poles);
+  ASSERT_EQ(cells.borders.size(), 1u);
+  EXPECT_TRUE(cells.borders[0].is_closed());
+  for(const auto& p : cells.borders[0].points)
+    EXPECT_NEAR(position(mesh, p).z(), 0, 1e-12);
+  double edges = 0;
+  for(const auto e : mesh.edges())
+    if(mesh.point(mesh.vertex(e, 0)).z() == 0 && mesh.point(mesh.vertex(e, 1)).z() == 0)
+      edges += std::sqrt(
+          CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  EXPECT_NEAR(length_of_border(mesh, cells.borders[0]), edges, 1e-9);
+  EXPECT_NEAR(cells.areas[0], cells.areas[1], 1e-12);
+  EXPECT_EQ(cells.neighbors(), (std::vector<std::array<std::size_t, 2>>{{0, 1}}));
+}
+
+TEST(VoronoiBorders, are_found_where_four_cells_meet)
+{
+  const Mesh mesh = to_mesh(flat_grid(5, 5)); // 4 x 4 cells
+  std::vector<Surface_point> sources;
+  for(const double y : {1., 3.})
+    for(const double x : {1., 3.})
+      sources.emplace_back(location_at(mesh, Point(x, y, 0)));
+  const Cells cells = AG::voronoi_borders(mesh, sources);
+  EXPECT_EQ(cells.borders.size(), 4u);
+  EXPECT_EQ(cells.triangles().size(), 2u);
+  for(const double area : cells.areas)
+    EXPECT_NEAR(area, 4, 1e-12);
+  const auto middle = std::find_if(cells.corners.begin(), cells.corners.end(),
+                                   [](const auto& c) { return c.sources.size() == 4; });
+  ASSERT_NE(middle, cells.corners.end());
+  EXPECT_EQ(middle->sources, (std::vector<std::size_t>{0, 1, 3, 2})); // counterclockwise
+}
+
+TEST(VoronoiBorders, leaves_out_empty_cells)
+{
+  const Mesh mesh = to_mesh(flat_grid(9, 7));
+  const std::vector<Surface_point> sources{location_at(mesh, Point(2.5, 3.5, 0)),
+                                           location_at(mesh, Point(2.5, 3.5, 0)),
+                                           location_at(mesh, Point(3.5, 3.5, 0)),
+                                           location_at(mesh, Point(6.25, 3.5, 0)),
+                                           Vertex(20),
+                                           Vertex(20)};
+  const std::vector<double> initial{0, 0, 1.5, 0.5, 0, 0};
+  const Cells cells =
+      AG::voronoi_borders(mesh, sources, CGAL::parameters::initial_distances(initial));
+  EXPECT_GT(cells.areas[0], 1);
+  EXPECT_EQ(cells.areas[1], 0);
+  EXPECT_EQ(cells.areas[2], 0);
+  EXPECT_GT(cells.areas[3], 1);
+  EXPECT_GT(cells.areas[4], 1);
+  EXPECT_EQ(cells.areas[5], 0);
+  EXPECT_NEAR(total_area(cells), 48, 1e-9);
+  for(const auto& border : cells.borders)
+    for(const std::size_t source : border.sources)
+      EXPECT_GT(cells.areas[source], 0);
+  expect_right_cells(mesh, cells, sources, initial);
+}
+
+TEST(VoronoiBorders, have_equal_distances_on_generated_meshes)
+{
+  const std::uint64_t seed = test_seed();
+  for(const Named_mesh& named : generated_meshes(seed))
+  {
+    SCOPED_TRACE(named.name);
+    if(named.mesh.number_of_faces() == 0)
+      continue;
+    Random random(seed);
+    const auto sources = random_sources(named.mesh, 7, random);
+    expect_right_cells(named.mesh, AG::voronoi_borders(named.mesh, sources), sources);
+    std::vector<double> initial(sources.size());
+    for(double& distance : initial)
+      distance = random.between(0, 0.1) * size(named.mesh);
+    expect_right_cells(
+        named.mesh,
+        AG::voronoi_borders(named.mesh, sources, CGAL::parameters::initial_distances(initial)),
+        sources, initial);
+  }
+}
+
+TEST(VoronoiBorders, divide_sample_meshes)
+{
+  for(const char* const name : {"elephant.off", "sphere966.off", "cube-meshed.off", "anchor.off"})
+  {
+    SCOPED_TRACE(name);
+    const Mesh mesh = sample_mesh(name);
+    Random random(test_seed());
+    for(const std::size_t n : {2, 10, 100})
+    {
+      const auto sources = random_sources(mesh, n, random);
+      const Cells cells = AG::voronoi_borders(mesh, sources);
+      const double area = CGAL::Polygon_mesh_processing::area(mesh);
+      EXPECT_NEAR(total_area(cells), area, 1e-9 * area);
+      if(n < 100)
+        expect_right_cells(mesh, cells, sources, {}, 11);
+      else if(std::string(name) == "sphere966.off" || std::string(name) == "cube-meshed.off")
+        expect_triangulation_of_sphere(cells);
+    }
+  }
+}
+
+TEST(VoronoiBorders, are_right_on_hostile_meshes)
+{
+  for(const Hostile_mesh& hostile : accepted_meshes())
+  {
+    SCOPED_TRACE(hostile.name);
+    for(const auto& sources : {some_vertices(hostile.mesh), some_points(hostile.mesh)})
+      if(!sources.empty())
+        expect_right_cells(hostile.mesh, AG::voronoi_borders(hostile.mesh, sources), sources);
+  }
+}
+
+TEST(VoronoiBorders, rejects_bad_input)
+{
+  const Mesh mesh = quiet_mesh();
+  for(const double error : {0., -1., not_a_number})
+    expect_message<std::invalid_argument>(
+        [&] { AG::voronoi_borders(mesh, Vertex(0), CGAL::parameters::chord_error(error)); },
+        "chord error", "positive");
+  expect_message<std::invalid_argument>(
+      [&] {
+        AG::voronoi_borders(mesh, std::vector<Vertex>{Vertex(0), Vertex(99)});
+      },
+      "source");
+  const Cells cells = AG::voronoi_borders(mesh, std::vector<Vertex>());
+  EXPECT_TRUE(cells.areas.empty());
+  EXPECT_TRUE(cells.borders.empty());
+}
+
+TEST(CutLocus, of_a_plane_is_empty)
+{
+  const Mesh mesh = to_mesh(flat_grid(9, 7));
+  const Cells cells = AG::cut_locus(mesh, location_at(mesh, Point(2.3, 3.1, 0)));
+  EXPECT_TRUE(cells.borders.empty());
+  EXPECT_NEAR(total_area(cells), 48, 1e-9);
+}
+
+TEST(CutLocus, of_a_polyhedron_is_a_tree_with_convex_vertices_as_leaves)
+{
+  for(const char* const name : {"cube.off", "tetrahedron.off", "icosahedron.off"})
+  {
+    SCOPED_TRACE(name);
+    const Mesh mesh = sample_mesh(name);
+    const Face_location source(Face(0), {0.25, 0.35, 0.4});
+    const Cells cells = AG::cut_locus(mesh, source);
+    std::map<std::size_t, int> degrees;
+    for(const auto& border : cells.borders)
+      for(const std::size_t corner : border.corners)
+        ++degrees[corner];
+    EXPECT_EQ(degrees.size(), cells.borders.size() + 1);
+    std::set<Point> leaves;
+    for(const auto& [corner, degree] : degrees)
+      if(degree == 1)
+      {
+        const Point p = position(mesh, cells.corners[corner].point);
+        double nearest = 1e10;
+        for(const Vertex v : mesh.vertices())
+          nearest = (std::min)(nearest, CGAL::squared_distance(p, mesh.point(v)));
+        EXPECT_LT(nearest, 1e-18);
+        leaves.insert(p);
+      }
+    EXPECT_GE(leaves.size() + 1, mesh.number_of_vertices() - degrees.size() / 2);
+    const double area = CGAL::Polygon_mesh_processing::area(mesh);
+    EXPECT_NEAR(total_area(cells), area, 1e-9 * area);
+  }
+}
+
+} // namespace
