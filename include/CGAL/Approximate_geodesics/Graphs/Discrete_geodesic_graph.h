@@ -238,7 +238,7 @@ public:
 private:
   // Each thread works on blocks of nodes. They do not depend on the number of threads, so that the
   // graph does not either.
-  static constexpr Node SIZE_OF_BLOCK = internal::Compressed_rows::MAXIMUM_SIZE;
+  static constexpr Node SIZE_OF_BLOCK = internal::Arc_block::MAXIMUM_SIZE;
 
   using Expansion = internal::Cone_expansion<internal::Recent_unfolding>;
 
@@ -249,14 +249,14 @@ private:
 
     internal::Recent_unfolding unfolding;
     std::vector<internal::Stored_arc> arcs;
-    internal::Compressed_rows rows;
+    internal::Arc_block rows;
   };
 
   void build(const internal::Loop& loop)
   {
     m_triangulation.get().check_triangle_inequality();
-    std::vector<internal::Compressed_rows> blocks((number_of_nodes() + SIZE_OF_BLOCK - 1) /
-                                                  SIZE_OF_BLOCK);
+    std::vector<internal::Arc_block> blocks((number_of_nodes() + SIZE_OF_BLOCK - 1) /
+                                            SIZE_OF_BLOCK);
     const double unit = internal::unit_of_arcs(triangulation());
     std::atomic<std::size_t> number_done(0);
     std::vector<std::unique_ptr<Workspace>> workspaces(loop.number_of_threads());

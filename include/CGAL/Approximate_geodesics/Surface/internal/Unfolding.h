@@ -144,7 +144,7 @@ class Recent_unfolding
 {
 public:
   explicit Recent_unfolding(const Intrinsic_triangulation& triangulation)
-    : m_on_demand(triangulation), m_halfedges(SIZE, null_index), m_faces(SIZE)
+    : m_on_demand{triangulation}, m_halfedges(SIZE, null_index), m_faces(SIZE)
   {
   }
 

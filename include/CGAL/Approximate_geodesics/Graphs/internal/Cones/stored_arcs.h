@@ -123,7 +123,7 @@ void find_stored_arcs(const Index node,
  * the smallest one, 16 bits each. In the few rows where these do not fit, targets are stored as
  * they are, after the marker WIDE. Before all rows, a word each tells where they begin.
  */
-class Compressed_rows
+class Arc_block
 {
   using Word = std::uint32_t;
 
@@ -267,7 +267,7 @@ public:
   explicit Compressed_arcs(const double unit = 1) : m_unit(unit) {}
 
   // All blocks but the last one are full.
-  Compressed_arcs(const double unit, std::vector<Compressed_rows> blocks)
+  Compressed_arcs(const double unit, std::vector<Arc_block> blocks)
     : m_blocks(std::move(blocks)), m_unit(unit)
   {
   }
@@ -283,7 +283,7 @@ public:
   std::size_t maximum_degree() const
   {
     std::size_t result = 0;
-    for(const Compressed_rows& block : m_blocks)
+    for(const Arc_block& block : m_blocks)
       result = (std::max)(result, block.maximum_degree());
     return result;
   }
@@ -329,25 +329,25 @@ public:
   std::size_t memory() const
   {
     std::size_t result = memory_of(m_blocks);
-    for(const Compressed_rows& block : m_blocks)
+    for(const Arc_block& block : m_blocks)
       result += block.memory();
     return result;
   }
 
 private:
-  static constexpr std::size_t SIZE_OF_BLOCK = Compressed_rows::MAXIMUM_SIZE;
+  static constexpr std::size_t SIZE_OF_BLOCK = Arc_block::MAXIMUM_SIZE;
 
-  const Compressed_rows& block(const Node node) const { return m_blocks[node / SIZE_OF_BLOCK]; }
+  const Arc_block& block(const Node node) const { return m_blocks[node / SIZE_OF_BLOCK]; }
 
   Arc_length_summary summary() const
   {
     Arc_length_summary result;
-    for(const Compressed_rows& block : m_blocks)
+    for(const Arc_block& block : m_blocks)
       result.add(block.summary());
     return result;
   }
 
-  std::vector<Compressed_rows> m_blocks;
+  std::vector<Arc_block> m_blocks;
   double m_unit;
 };
 
