@@ -35,6 +35,9 @@ public:
   // the largest error on a grid of equal cells, unless cells are far longer than wide
   static constexpr double LARGEST_ERROR = 0.003;
 
+  // lines to cells that are farther away, in columns or rows, are not used
+  static constexpr std::ptrdiff_t LARGEST_REACH = 15;
+
   // a part of a line: the place of a cell relative to the first one, and the length within it
   struct Part
   {
@@ -83,9 +86,6 @@ public:
   std::size_t memory() const { return memory_of(m_lines, m_parts); }
 
 private:
-  // lines to cells that are farther away, in columns or rows, are not used
-  static constexpr std::ptrdiff_t LARGEST_REACH = 15;
-
   struct Vector
   {
     std::ptrdiff_t columns, rows;
