@@ -212,6 +212,61 @@ TEST(Tiled_grid_search, predecessors_lead_to_the_source)
     });
 }
 
+// Rows of predecessors, as texts.
+std::vector<std::string> predecessors(const Terrain_in_tiles& terrain, const Tiled& tiled)
+{
+  std::vector<std::string> result;
+  for(std::size_t row = 0; row < terrain.shape.rows; ++row)
+  {
+    result.emplace_back();
+    tiled.for_each_predecessor(row, [&](const std::size_t column, const Grid_place& p) {
+      result.back() += std::to_string(column) + ": " + std::to_string(p.column) + ' ' +
+                       std::to_string(p.row) + ' ' + std::to_string(p.slot) + '\n';
+    });
+  }
+  return result;
+}
+
+TEST(Tiled_grid_search, has_the_same_predecessors_with_tiles_of_any_size_after_ties_are_ordered)
+{
+  Random random(test_seed());
+  for(int i = 0; i < 8; ++i)
+  {
+    const std::vector<Grid_cell> sources{{random.below(20), random.below(20)}};
+    Terrain_in_tiles terrain = random_terrain(random, sources);
+    terrain.epsilon = i % 2 == 0 ? 0 : 0.5;
+    const Grid_cell target{random.below(terrain.shape.columns), random.below(terrain.shape.rows)};
+    std::vector<std::string> expected;
+    for(const std::size_t side : {100, 30, 7})
+    {
+      Tiled tiled(terrain.shape.columns, terrain.shape.rows, terrain, sources, side);
+      EXPECT_TRUE(tiled.run());
+      EXPECT_TRUE(tiled.order_ties());
+      if(expected.empty())
+        expected = predecessors(terrain, tiled);
+      EXPECT_EQ(predecessors(terrain, tiled), expected);
+      if(terrain.epsilon == 0) // else arcs that the search leaves out may be shorter, by rounding
+        expect_path_of_distance(terrain, sources, tiled, target);
+    }
+  }
+}
+
+TEST(Tiled_grid_search, paths_end_where_arcs_cost_nothing)
+{
+  Terrain_in_tiles terrain{{60, 60, 1, 1, {}}, std::vector<double>(3600, 0), 0};
+  for(std::size_t i = 0; i < 3600; i += 7)
+    terrain.friction[i] = 1;
+  for(const double e : {0., 0.5})
+  {
+    terrain.epsilon = e;
+    Tiled tiled(60, 60, terrain, {{50, 50}}, 10);
+    EXPECT_TRUE(tiled.run());
+    EXPECT_TRUE(tiled.order_ties());
+    for(std::size_t i = 0; i < 60; ++i)
+      EXPECT_EQ(tiled.path({i, 59 - i}).front(), (Grid_place{50, 50, 0}));
+  }
+}
+
 // ----- ends before the end
 
 // Counts tiles, and stops after some.

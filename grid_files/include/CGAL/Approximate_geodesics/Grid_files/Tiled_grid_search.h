@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Grid_nodes.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Label_files.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Tile_graph.h>
+#include <CGAL/Approximate_geodesics/Grid_files/internal/first_predecessors.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/assertions.h>
 
@@ -127,6 +128,31 @@ public:
         return false;
       settle(*tile);
       ++m_number_of_visits;
+    }
+    return true;
+  }
+
+  /*!
+   * makes predecessors independent of tiles, and of what was resumed, as distances are: of several
+   * paths with the same cost, takes the one whose last node comes first, in the order of rows,
+   * columns and slots. (Where arcs cost nothing, predecessors stay as they were found.) It follows
+   * all arcs once, so it takes about as long as `run()`.
+   *
+   * \param visitor as for `run()`
+   *
+   * \return whether all tiles have been processed.
+   *
+   * \pre `run()` has returned `true`.
+   */
+  template <typename Visitor = Geodesic_visitor_base>
+  bool order_ties(Visitor&& visitor = Visitor())
+  {
+    for(std::size_t index = 0; index < number_of_tiles(); ++index)
+    {
+      visitor.on_progress(index, number_of_tiles());
+      if(!visitor.go_further())
+        return false;
+      order_ties_in(tile(index));
     }
     return true;
   }
@@ -287,7 +313,8 @@ private:
   Tile tile(const std::size_t index) const
   {
     const std::size_t column = index % m_tile_columns * m_side,
-                      row = index / m_tile_columns * m_side, margin = Graph::largest_reach();
+                      row = index / m_tile_columns * m_side;
+    const std::size_t margin = Graph::largest_reach() + 1; // a graph may look at neighbors of cells
     const auto clipped = [&](const std::size_t extra) {
       const std::size_t c = column - (std::min)(column, extra), r = row - (std::min)(row, extra);
       return Grid_window{c, r, (std::min)(column + m_side + extra, m_columns) - c,
@@ -299,12 +326,9 @@ private:
   void settle(const std::size_t index)
   {
     const Tile tile = this->tile(index);
-    const Grid_window& window = tile.window;
-    const Graph graph = m_graph_of_window(window);
-    const internal::Tile_graph<Graph> tile_graph(graph, own_places(tile), window, m_nodes);
-    const std::size_t first_row = window.first_row,
-                      beyond_row = first_row + tile_graph.nodes().rows();
-    const Rows rows = m_labels->rows(first_row, beyond_row - first_row);
+    const Graph graph = m_graph_of_window(tile.window);
+    const internal::Tile_graph<Graph> tile_graph(graph, own_places(tile), tile.window, m_nodes);
+    const Rows rows = m_labels->rows(tile.window.first_row, tile_graph.nodes().rows());
     Propagation search(tile_graph);
     search.resume([&](const auto& set) { enter_labels(tile_graph, rows, set); });
     m_smallest_open[index] = internal::infinity;
@@ -358,6 +382,21 @@ private:
   void close_labels(const internal::Tile_graph<Graph>& tile, const Rows& rows) const
   {
     tile.for_each_own_place([&](const Grid_place& p) { rows.label(p).close(); });
+  }
+
+  void order_ties_in(const Tile& tile) const
+  {
+    const Graph graph = m_graph_of_window(tile.window);
+    const internal::Tile_graph<Graph> tile_graph(graph, own_places(tile), tile.window, m_nodes);
+    const Rows rows = m_labels->rows(tile.window.first_row, tile_graph.nodes().rows());
+    std::vector<double> labels(graph.number_of_nodes(), internal::infinity);
+    tile_graph.for_each_node(
+        [&](const Node node, const Grid_place& p) { labels[node] = rows.label(p).distance(); });
+    const std::vector<Node> first = internal::first_predecessors(tile_graph, labels);
+    tile_graph.for_each_node([&](const Node node, const Grid_place& p) {
+      if(tile_graph.owns(p) && first[node] != tile_graph.null_node)
+        rows.predecessor(p).set(tile_graph.place(first[node]), p);
+    });
   }
 
   std::size_t m_columns, m_rows, m_side;

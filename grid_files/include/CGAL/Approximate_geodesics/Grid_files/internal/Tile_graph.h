@@ -53,6 +53,13 @@ public:
       m_graph.for_each_arc(node, labels, f);
   }
 
+  // The same, from any node.
+  template <typename Labels, typename F>
+  void for_each_arc_in_window(const Node node, const Labels& labels, const F& f) const
+  {
+    m_graph.for_each_arc(node, labels, f);
+  }
+
   // of the window
   const Grid_nodes& nodes() const { return m_nodes; }
 
