@@ -237,7 +237,7 @@ TEST(Tiled_grid_search, has_the_same_predecessors_with_tiles_of_any_size_after_t
     terrain.epsilon = i % 2 == 0 ? 0 : 0.5;
     const Grid_cell target{random.below(terrain.shape.columns), random.below(terrain.shape.rows)};
     std::vector<std::string> expected;
-    for(const std::size_t side : {100, 30, 7})
+    for(const std::size_t side : {100u, 30u, 7u})
     {
       Tiled tiled(terrain.shape.columns, terrain.shape.rows, terrain, sources, side);
       EXPECT_TRUE(tiled.run());
@@ -355,7 +355,7 @@ TEST(Tiled_grid_search, is_killed_and_resumed)
       return Tiled(terrain.shape.columns, terrain.shape.rows, terrain, sources,
                    5 + random.below(20), folder.name());
     };
-    int number_of_kills = 0;
+    std::size_t number_of_kills = 0;
     while(!ends_before([&] { make().run(); }, 500 + random.below(1000 + 300 * number_of_kills)))
       ++number_of_kills;
     std::cout << number_of_kills << " kills" << std::endl;
