@@ -171,7 +171,7 @@ void expect_path_of_distance(const Terrain_in_tiles& terrain,
 TEST(Tiled_grid_search, finds_the_bits_of_one_graph)
 {
   Random random(test_seed());
-  for(int i = 0; i < 40; ++i)
+  for(int i = 0; i < 24; ++i)
   {
     const std::vector<Grid_cell> sources{{random.below(20), random.below(20)},
                                          {random.below(20), random.below(20)}};
@@ -230,7 +230,7 @@ std::vector<std::string> predecessors(const Terrain_in_tiles& terrain, const Til
 TEST(Tiled_grid_search, has_the_same_predecessors_with_tiles_of_any_size_after_ties_are_ordered)
 {
   Random random(test_seed());
-  for(int i = 0; i < 8; ++i)
+  for(int i = 0; i < 4; ++i)
   {
     const std::vector<Grid_cell> sources{{random.below(20), random.below(20)}};
     Terrain_in_tiles terrain = random_terrain(random, sources);

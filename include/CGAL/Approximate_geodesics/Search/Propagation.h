@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -250,7 +251,8 @@ public:
    * forgets the last run, and continues one whose distances were kept elsewhere. Only the arcs from
    * open nodes, and from those whose distances fall, are followed. If all distances are lengths of
    * paths, and all arcs from the other nodes have been followed, results are those of the run that
-   * is continued. `source()` returns the node that a path starts with.
+   * is continued. `source()` returns the node that a path starts with. The graph must not have a
+   * `Run` of its own, which might keep more than distances.
    *
    * \param enter_labels a function object. It is called with a function `set(node, distance,
    *        predecessor, is_open)`, which it calls for each node that has a distance, once. The
@@ -261,6 +263,8 @@ public:
   template <typename EnterLabels>
   void resume(const EnterLabels& enter_labels)
   {
+    static_assert(std::is_same_v<Run, Geodesic_run_base<Graph>>,
+                  "resume() keeps nothing that the Run of a graph keeps");
     forget();
     guard([&] {
       prepare();
