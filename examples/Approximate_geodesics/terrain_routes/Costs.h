@@ -37,18 +37,27 @@ using CGAL::Approximate_geodesics::Grid_window;
 class Costs
 {
 public:
-  explicit Costs(const Options& options) : m_options(options)
+  // Opens the raster.
+  explicit Costs(const Options& options)
+    : m_options(options),
+      m_raster(open_raster(options.input, options.band)),
+      m_frame(m_raster->frame())
   {
-    const std::unique_ptr<Raster_reader> raster = open_raster(options.input, options.band);
-    m_frame = raster->frame();
     if(options.no_data)
       m_frame.no_data = options.no_data;
     read_cell_size();
-    if(!options.work_folder.empty())
-      lock(options.work_folder);
-    m_values = std::make_unique<Mapped_file>(options.work_folder.empty() ? "" : file(),
+  }
+
+  // Reads its values. No other member function may be called before, but for `frame()`.
+  void read()
+  {
+    const std::string& folder = m_options.work_folder;
+    if(!folder.empty())
+      lock(folder);
+    m_values = std::make_unique<Mapped_file>(folder.empty() ? "" : file(),
                                              size_of_row() * m_frame.rows, Mapped_file::Mode::NEW);
-    read(*raster);
+    read_rows();
+    m_raster.reset();
   }
 
   const Raster_frame& frame() const { return m_frame; }
@@ -149,7 +158,7 @@ private:
     throw std::invalid_argument("--work-folder " + folder + ": another process works there");
   }
 
-  void read(Raster_reader& raster)
+  void read_rows()
   {
     Progress progress("Reading the raster");
     std::vector<double> values;
@@ -158,7 +167,7 @@ private:
     for(std::size_t row = 0; row < m_frame.rows; ++row)
     {
       progress.set_part(row, m_frame.rows);
-      raster.read_row(values);
+      m_raster->read_row(values);
       for(std::size_t column = 0; column < m_frame.columns; ++column)
         values[column] = checked(values[column], column, row);
       checksum.process_bytes(values.data(), size_of_row());
@@ -182,6 +191,7 @@ private:
   }
 
   const Options& m_options;
+  std::unique_ptr<Raster_reader> m_raster; // until it has been read
   Raster_frame m_frame;
   Grid_shape m_shape;
   std::unique_ptr<Mapped_file> m_values; // infinity for cells that cannot be entered

@@ -24,7 +24,7 @@ using CGAL::Approximate_geodesics::Grid_place;
 // The number of columns and rows of tiles that the memory suffices for.
 inline std::size_t side_of_tiles(const Costs& costs, const Options& options)
 {
-  constexpr double of_program = 24 << 20, of_cell = 160, of_node = 80;
+  constexpr double of_program = 24 << 20, of_cell = 160, of_node = 140;
   constexpr std::size_t least = 32, most = 2048; // searches of larger ones are not faster
   if(options.work_folder.empty())
     return std::max(costs.shape().columns, costs.shape().rows);

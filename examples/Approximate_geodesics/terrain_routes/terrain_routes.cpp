@@ -41,6 +41,7 @@ static void run(const Options& options)
   Costs costs(options);
   const std::vector<Grid_cell> sources = cells_of("--sources", options.sources, costs.frame());
   const std::vector<Grid_cell> targets = cells_of("--targets", options.targets, costs.frame());
+  costs.read();
   const Stopwatch stopwatch;
   Answer answer(costs, options, sources, targets);
   print(answer, stopwatch.seconds());

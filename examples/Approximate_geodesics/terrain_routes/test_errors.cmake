@@ -43,7 +43,9 @@ refuse("--targets missing.txt: cannot read missing.txt: No such file" ring.asc -
 
 # rasters
 refuse("cannot read missing.asc: No such file or directory" missing.asc -s cell:0,0)
-refuse("cannot read .: it is a folder" . -s cell:0,0)
+file(MAKE_DIRECTORY ${folder}/folder.asc)
+refuse("cannot read folder.asc: it is a folder" folder.asc -s cell:0,0)
+file(REMOVE_RECURSE ${folder}/folder.asc)
 refuse_raster("its header has no ncols" "nrows 2")
 refuse_raster("its header has no cellsize" "ncols 2" "nrows 2" "1 1 1 1")
 refuse_raster("ncols is not a number of cells" "ncols 0" "nrows 2" "cellsize 1")

@@ -26,7 +26,9 @@ using Dataset = std::unique_ptr<void, Close>;
 // Messages are part of the errors that are thrown.
 void prepare_gdal()
 {
+  constexpr GIntBig size_of_cache = 16 << 20; // rows are read in order
   GDALAllRegister();
+  GDALSetCacheMax64(size_of_cache);
   CPLSetErrorHandler(CPLQuietErrorHandler);
   CPLErrorReset();
 }
