@@ -36,7 +36,7 @@ class SdistWithLibrary(sdist):
     def make_release_tree(self, base_dir, files):
         super().make_release_tree(base_dir, files)
         base = pathlib.Path(base_dir)
-        for name in ("include", "compiled", "matrix_files", "solver", "cmake"):
+        for name in ("include", "compiled", "matrix_files", "grid_files", "solver", "cmake"):
             shutil.copytree(LIBRARY / name, base / IN_SDIST / name)
         for name in ("CMakeLists.txt", "CITATION.cff"):
             shutil.copy(LIBRARY / name, base / IN_SDIST)

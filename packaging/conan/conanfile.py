@@ -58,6 +58,6 @@ class ApproximateGeodesicsConan(ConanFile):
             component.bindirs = []
             component.requires = ["cgal::cgal"]
             component.set_property("cmake_target_name", f"Approximate_geodesics::{name}")
-        for name in ("compiled", "matrix_files"):
+        for name in ("compiled", "matrix_files", "grid_files"):
             self.cpp_info.components[name].libs = [f"Approximate_geodesics_{name}"]
         self.cpp_info.components["compiled"].defines = ["CGAL_APPROXIMATE_GEODESICS_COMPILED"]

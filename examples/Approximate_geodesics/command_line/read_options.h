@@ -45,20 +45,21 @@ inline void check_values(const boost::program_options::parsed_options& parsed)
         reject_option(option.string_key, "a value must follow, in place of " + word);
 }
 
-// Reads the options, whose names cannot be abbreviated, and the mesh, which comes without a name.
-// It may be missing only if `help` is asked for.
+// Reads the options, whose names cannot be abbreviated, and the name of the mesh, or of another
+// kind of input, which comes without an option. It may be missing only if `help` is asked for.
 inline boost::program_options::variables_map
 read_options(const int argc,
              char* argv[],
              const boost::program_options::options_description& description,
-             std::string& mesh)
+             std::string& input,
+             const std::string& kind = "mesh")
 {
   namespace po = boost::program_options;
   po::options_description all;
-  std::vector<std::string> meshes;
-  all.add(description).add_options()("mesh", po::value(&meshes), "the mesh");
+  std::vector<std::string> inputs;
+  all.add(description).add_options()(kind.c_str(), po::value(&inputs), "the input");
   po::positional_options_description positions;
-  positions.add("mesh", -1);
+  positions.add(kind.c_str(), -1);
 
   po::variables_map result;
   try
@@ -81,12 +82,13 @@ read_options(const int argc,
     throw;
   }
   po::notify(result);
-  if(meshes.size() > 1)
-    throw std::invalid_argument("more than one mesh is given: " + meshes[0] + " and " + meshes[1]);
-  if(!meshes.empty())
-    mesh = meshes.front();
-  if(mesh.empty() && !result["help"].as<bool>())
-    throw std::invalid_argument("no mesh given (it comes before the options); try --help");
+  if(inputs.size() > 1)
+    throw std::invalid_argument("more than one " + kind + " is given: " + inputs[0] + " and " +
+                                inputs[1]);
+  if(!inputs.empty())
+    input = inputs.front();
+  if(input.empty() && !result["help"].as<bool>())
+    throw std::invalid_argument("no " + kind + " given (it comes before the options); try --help");
   return result;
 }
 

@@ -1,20 +1,13 @@
 #ifndef GEODESIC_DISTANCES_PICTURE_H
 #define GEODESIC_DISTANCES_PICTURE_H
 
+#include "../command_line/quoted_for_shell.h"
 #include "../command_line/read_options.h"
 
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-inline std::string quoted_for_shell(const std::string& text)
-{
-  std::string result = "'";
-  for(const char c : text)
-    result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
 
 // What is drawn, and where to.
 struct Picture

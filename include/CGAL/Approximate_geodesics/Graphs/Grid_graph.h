@@ -267,6 +267,9 @@ public:
             static_cast<double>(place.cell.row) * m_shape.cell_height + p.y};
   }
 
+  /// returns how many columns or rows away from its ends an arc reads cells, at most.
+  static constexpr std::size_t largest_reach() { return internal::Grid_lines::LARGEST_REACH; }
+
   /// returns the largest relative error of distances where all cells have the same friction, and no
   /// heights. On a geographic grid, it is that in the metric of the latitude.
   double error_on_equal_cells() const { return m_lines.error_on_equal_cells(); }

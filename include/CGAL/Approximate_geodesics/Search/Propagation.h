@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -250,6 +251,33 @@ public:
     search(seeds, Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic(), {});
   }
 
+  /*!
+   * forgets the last run, and continues one whose distances were kept elsewhere. Only the arcs from
+   * open nodes, and from those whose distances fall, are followed. If all distances are lengths of
+   * paths, and all arcs from the other nodes have been followed, results are those of the run that
+   * is continued. `source()` returns the node that a path starts with. The graph must not have a
+   * `Run` of its own, which might keep more than distances.
+   *
+   * \param enter_labels a function object. It is called with a function `set(node, distance,
+   *        predecessor, is_open)`, which it calls for each node that has a distance, once. The
+   *        predecessor can be `null_node`.
+   *
+   * \throws std::invalid_argument if a distance is negative, infinite, or not a number.
+   */
+  template <typename EnterLabels>
+  void resume(const EnterLabels& enter_labels)
+  {
+    static_assert(std::is_same_v<Run, Geodesic_run_base<Graph>>,
+                  "resume() keeps nothing that the Run of a graph keeps");
+    forget();
+    guard([&] {
+      prepare();
+      enter_labels([&](const Node node, const double distance, const Node predecessor,
+                       const bool is_open) { take_over(node, distance, predecessor, is_open); });
+      propagate_all(Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic());
+    });
+  }
+
   /// enables or disables statistics for subsequent runs, which they slow down slightly.
   void collect_statistics(const bool counts) { m_counts = counts; }
 
@@ -474,8 +502,7 @@ private:
               const Heuristic& heuristic,
               const Find_entries& find_entries)
   {
-    try
-    {
+    guard([&] {
       prepare();
       Start<Heuristic> start{*this, seeds, stop, heuristic};
       m_run.start(start);
@@ -485,12 +512,27 @@ private:
       else
         for(const Seed& seed : seeds)
           enter(Entry{seed, {}}, stop, heuristic);
-      propagate(
-          stop,
-          internal::Watch(m_labels, goal(stop, heuristic), visitor, m_graph->unit(), m_counts),
-          heuristic);
-      count_all();
-      m_sources.forget_all(); // a visitor may have queried them before they were final
+      propagate_all(stop, visitor, heuristic);
+    });
+  }
+
+  template <typename Visitor, typename Heuristic>
+  void propagate_all(const Stop_rule& stop, Visitor&& visitor, const Heuristic& heuristic)
+  {
+    propagate(stop,
+              internal::Watch(m_labels, goal(stop, heuristic), visitor, m_graph->unit(), m_counts),
+              heuristic);
+    count_all();
+    m_sources.forget_all(); // a visitor may have queried them before they were final
+  }
+
+  // Calls `f()`. If an exception leaves it, nothing counts as reached.
+  template <typename F>
+  void guard(F f)
+  {
+    try
+    {
+      f();
     }
     catch(...)
     {
@@ -518,6 +560,23 @@ private:
     m_seeds.push_back(seed);
     if(enter(seed.node, seed.distance, stop, heuristic))
       m_run.on_label(seed.node, seed.distance, entry.payload);
+  }
+
+  // Labels a node of a run that is continued. Closed nodes are kept for `forget()`; open ones will
+  // be when they are expanded.
+  void take_over(const Node node, const double distance, const Node predecessor, const bool is_open)
+  {
+    const double label = to_graph_unit(distance);
+    if(!(label >= 0 && label < std::numeric_limits<double>::infinity()) ||
+       node >= m_labels.number_of_nodes())
+      check({Seed{node, distance}}, Stop_rule()); // throws
+    m_labels.set(node, label, predecessor);
+    if(predecessor == null_node)
+      m_seeds.push_back({node, label, node});
+    if(is_open)
+      m_queue.push(node, label);
+    else
+      m_labels.order().push_back(node);
   }
 
   // Labels a node where the search starts, unless it has a smaller label. Returns whether it did.

@@ -41,6 +41,9 @@ public:
   // where costs depend on slopes, so that there are directions of about any slope
   static constexpr double LARGEST_ERROR_OF_PROFILES = 0.0015;
 
+  // lines to cells that are farther away, in columns or rows, are not used
+  static constexpr std::ptrdiff_t LARGEST_REACH = 15;
+
   // a part of a line: the place of a cell relative to the first one, and the length within it
   struct Part
   {
@@ -125,9 +128,6 @@ public:
   std::size_t memory() const { return memory_of(m_lines, m_parts, m_pieces); }
 
 private:
-  // lines to cells that are farther away, in columns or rows, are not used
-  static constexpr std::ptrdiff_t LARGEST_REACH = 15;
-
   struct Vector
   {
     std::ptrdiff_t columns, rows;

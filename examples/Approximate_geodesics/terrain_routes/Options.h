@@ -1,0 +1,37 @@
+#ifndef TERRAIN_ROUTES_OPTIONS_H
+#define TERRAIN_ROUTES_OPTIONS_H
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the user wants.
+struct Options
+{
+  std::string input;
+  std::vector<std::string> sources;
+  std::vector<std::string> targets;
+  int band = 1;
+  std::optional<double> no_data;
+  std::optional<std::array<double, 2>> cell_size;
+
+  std::optional<double> epsilon;
+  std::size_t memory = 0; // in bytes; 0 stands for no limit
+  std::string work_folder;
+
+  std::string output;
+  bool overwrites = false;
+  bool writes_back_links = false;
+  bool writes_corridor = false;
+  bool writes_table = false;
+  std::vector<double> isochrones;
+  std::optional<std::size_t> number_of_isochrones;
+  bool draws = false;
+  bool asks_for_help = false;
+
+  bool has_isochrones() const { return number_of_isochrones || !isochrones.empty(); }
+};
+
+#endif // TERRAIN_ROUTES_OPTIONS_H

@@ -1,0 +1,126 @@
+#ifndef TERRAIN_ROUTES_DESCRIBE_OPTIONS_H
+#define TERRAIN_ROUTES_DESCRIBE_OPTIONS_H
+
+#include "Options.h"
+#include "rasters/gdal.h"
+
+#include <boost/program_options.hpp>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+// The options as --help shows them, in groups.
+
+namespace po = boost::program_options;
+
+inline auto text_option(const char* name) { return po::value<std::string>()->value_name(name); }
+
+inline auto texts_option(const char* name)
+{
+  return po::value<std::vector<std::string>>()->multitoken()->value_name(name);
+}
+
+inline po::options_description make_group(const char* title)
+{
+  constexpr unsigned width = 88, width_of_descriptions = 60;
+  return po::options_description(title, width, width_of_descriptions);
+}
+
+inline po::options_description describe_raster(Options& options)
+{
+  po::options_description result = make_group("From where to where");
+  po::options_description_easy_init add = result.add_options();
+  add("sources,s", po::value(&options.sources)->multitoken()->value_name("P ..."),
+      "where to start. P is x,y in the coordinates of the map; cell:C,R for a column and a row, "
+      "counted from 0 in the order of the file; or file:NAME for a text file with a P per line, "
+      "and comments after #");
+  add("targets,t", po::value(&options.targets)->multitoken()->value_name("P ..."),
+      "where paths from the cheapest source shall lead to, given likewise");
+  add("band", text_option("N"), "the band that holds the costs (default: 1)");
+  add("no-data", text_option("V"),
+      "what stands for cells that cannot be entered, in place of what the file says; nan is "
+      "possible. So does infinity");
+  add("cell-size", text_option("W[,H]"),
+      "width and height of a cell, in place of what the file says");
+  return result;
+}
+
+inline po::options_description describe_search(Options& options)
+{
+  po::options_description result = make_group("How to search");
+  po::options_description_easy_init add = result.add_options();
+  add("epsilon,e", text_option("E"),
+      "let paths cost at most 1 + E times as much as the cheapest ones in the plane (default: 0.3 "
+      "% "
+      "too much where costs are equal, in all directions, without a bound where they change)");
+  add("memory,m", text_option("SIZE"),
+      "use no more memory than this, such as 500M or 2G; the rest is in --work-folder");
+  add("work-folder,w", po::value(&options.work_folder)->value_name("DIR"),
+      "where to keep what has been found, 20 bytes a cell and more with --epsilon. If the program "
+      "is "
+      "killed or interrupted, the same call goes on from there. At the end, its files go");
+  return result;
+}
+
+inline po::options_description describe_output(Options& options)
+{
+  po::options_description result = make_group("What to write");
+  po::options_description_easy_init add = result.add_options();
+  add("output,o", po::value(&options.output)->default_value("terrain_routes")->value_name("NAME"),
+      "what the names of the files written begin with, such as folder/valley");
+  add("force,f", po::bool_switch(&options.overwrites),
+      "replace files that exist. They stay as they are if anything fails");
+  add("back-links,b", po::bool_switch(&options.writes_back_links),
+      "write the direction from where the path arrives at each cell");
+  add("corridor,c", po::bool_switch(&options.writes_corridor),
+      "write what the cheapest path from the sources to the targets costs that passes each cell");
+  add("isochrones,i", texts_option("V ..."),
+      "write lines of these costs; or, for count:K, of K that are spread evenly");
+  add("csv", po::bool_switch(&options.writes_table), "write the paths as a table, too");
+  add("picture,p", po::bool_switch(&options.draws), "draw a picture (needs gnuplot)");
+  add("help,h", po::bool_switch(&options.asks_for_help), "print this text");
+  return result;
+}
+
+inline po::options_description describe_options(Options& options)
+{
+  po::options_description result;
+  result.add(describe_raster(options)).add(describe_search(options)).add(describe_output(options));
+  return result;
+}
+
+inline void print_help(const po::options_description& description)
+{
+  std::cout
+      << "Usage: terrain_routes RASTER --sources P ... [options]\n\n"
+         "Finds what the cheapest path from the nearest source to every cell of a raster costs, "
+         "and\n"
+         "the cheapest paths to some targets. Paths are not bound to 8 or 16 directions.\n\n"
+         "RASTER has a cost per unit of length for each cell. It is an NPY file, an ASCII grid "
+         "(.asc)\n"
+      << (has_gdal() ? "or any raster that GDAL reads, such as GeoTIFF.\n"
+                     : "(GeoTIFF needs GDAL, and this program was compiled without).\n")
+      << "Written are rasters in the format of RASTER or as GeoTIFF, and lines as GeoJSON, in the\n"
+         "coordinates of the map:\n"
+         "  NAME_cost.tif              the costs; no data or infinity where no path leads to,\n"
+         "  NAME_paths.geojson         for targets: the paths with their costs and lengths,\n"
+         "and, if asked for,\n"
+         "  NAME_back_links.tif        in degrees clockwise from the first row; no data at "
+         "sources,\n"
+         "  NAME_corridor.tif          the costs of the best detours over each cell,\n"
+         "  NAME_isochrones.geojson    lines of equal costs,\n"
+         "  NAME_paths.csv             a line per point: target, x, y, and length so far,\n"
+         "  NAME.png                   costs of cells in gray, isochrones and paths.\n"
+      << description
+      << "\nThe exit status is 1, with a message on standard error, if something was refused or\n"
+         "failed, and else 0: that a target is not reached is an answer, too. Either all files "
+         "are\n"
+         "written, or none is.\n"
+         "\nExamples:\n"
+         "  terrain_routes friction.tif -s 412000,5301000 -t 420500,5307250 --picture\n"
+         "  terrain_routes friction.npy -s cell:0,0 -e 0.1 --isochrones count:20 --back-links\n"
+         "  terrain_routes country.tif -s file:towns.txt --memory 2G --work-folder /scratch/work\n";
+}
+
+#endif // TERRAIN_ROUTES_DESCRIBE_OPTIONS_H
