@@ -258,12 +258,14 @@ void expect_close_to_zigzags(const Cost& cost, const double slope, const double 
   const double x = 1 / std::hypot(1, slope), z = sign * slope / std::hypot(1, slope);
   const Mesh mesh = to_mesh(flat_grid(2, 2).transformed(
       [&](const Point& p) { return Point(p.x(), x * p.y(), z * p.y()); }));
-  double expected = infinity;
-  for(double angle = 1e-3; angle < 1.57; angle += 1e-4) // there are several minima
-  {
+  const auto per_height = [&](const double angle) {
     const double up = std::sin(angle);
-    expected = (std::min)(expected, cost(Face(0), Vector(std::cos(angle), x * up, z * up)) / up);
-  }
+    return cost(Face(0), Vector(std::cos(angle), x * up, z * up)) / up;
+  };
+  double best = 1e-3;
+  for(double angle = best; angle < 1.57; angle += 1e-4) // there are several minima
+    best = per_height(angle) < per_height(best) ? angle : best;
+  const double expected = smallest_value(per_height, best - 1e-4, best + 1e-4);
   const double epsilon = 0.05;
   const Triangulation triangulation(mesh, with_cost(cost).epsilon(epsilon));
   const Directional_graph<AG::Fixed_number_of_points> along_edges(triangulation,
