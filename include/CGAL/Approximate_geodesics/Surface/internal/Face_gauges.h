@@ -411,7 +411,7 @@ public:
 
   bool is_forbidden(const Index face) const
   {
-    return m_first_sector[face] == m_first_sector[face + 1] && !has_formula(face);
+    return !has_formula(face) && m_first_sector[face] == m_first_sector[face + 1];
   }
 
   // Returns an upper bound of the finite costs of unit vectors.
