@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What costs that depend on the direction cost to compute, and how far off they are, on a terrain.
-// See --help.
+// What costs that depend on the direction cost to compute, beside a weight per face, and how far
+// off they are, on a terrain. See --help.
 
 #include "measuring/Errors.h"
 #include "measuring/measure.h"
@@ -12,6 +12,7 @@
 #include "meshes/Terrain.h"
 #include "output/Options.h"
 #include "output/Table.h"
+#include "peers/Curvature_points.h"
 #include "peers/searches_of_arrays.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
@@ -21,10 +22,14 @@
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/property_map.h>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -52,6 +57,12 @@ public:
       m_mesh(mesh),
       m_triangulation(
           mesh, CGAL::parameters::face_weight_map(AG::directional_cost(cost)).epsilon(EPSILON / 4)),
+      m_sampled([&mesh, cost](const double epsilon) {
+        const auto without_formula = [&](const auto f, const auto& d) { return cost(f, d); };
+        return AG::Intrinsic_triangulation(
+            mesh, CGAL::parameters::face_weight_map(AG::directional_cost(without_formula))
+                      .epsilon(epsilon));
+      }),
       m_expected(SOURCES_OF_ERRORS * mesh.number_of_vertices(),
                  std::numeric_limits<double>::infinity())
   {
@@ -61,8 +72,8 @@ public:
 
   static Table empty_table()
   {
-    return Table({"costs", "points", "parameter", "points/edge", "build s", "search ms",
-                  "search : std::priority_queue", "mean %", "largest %", "least",
+    return Table({"costs", "points", "parameter", "points/edge", "by curvature", "build s",
+                  "search ms", "search : std::priority_queue", "mean %", "largest %", "least",
                   "largest : bound"});
   }
 
@@ -142,6 +153,7 @@ private:
         .add(points)
         .add(parameter, bound < 1 ? 1 : 0)
         .add(double(graph->number_of_points()) / double(m_triangulation.number_of_edges()), 2)
+        .add_if(bound < 1, bound < 1 ? points_by_curvature(bound) : 0, 2)
         .add(build_seconds, 3)
         .add(contest.median_seconds(0) * 1e3, 2)
         .add(contest.ratio(0, 1), 2)
@@ -151,11 +163,61 @@ private:
         .add_if(bound < 1, errors.largest() / bound, 3);
   }
 
+  // Returns the points per edge that the curvature of gauges would ask for.
+  double points_by_curvature(const double epsilon) const
+  {
+    const AG::Intrinsic_triangulation sampled = m_sampled(epsilon);
+    return double(Curvature_points(sampled, epsilon).number_of_points()) /
+           double(sampled.number_of_edges());
+  }
+
   std::string m_name;
   const Mesh& m_mesh;
   AG::Intrinsic_triangulation m_triangulation;
+  std::function<AG::Intrinsic_triangulation(double)> m_sampled; // without formulas
   std::vector<double> m_expected; // costs of all vertices from the first source, and so on
 };
+
+// Single calls on a mesh: with a weight per face, with costs that have a formula, and with those
+// that have none.
+static Table table_of_calls(const Mesh& mesh, const std::vector<Vertex>& sources)
+{
+  Table table({"points/edge", "weights us/vertex", "walking", "walking : weights", "a current",
+               "a current : weights", "sampled", "sampled : weights"});
+  std::vector<double> weights;
+  for(const auto f : mesh.faces())
+    weights.push_back(1 + double(f.idx() % 7) / 10);
+  std::vector<double> distances(mesh.number_of_vertices());
+  const auto drift =
+      boost::static_property_map<Kernel::Vector_3, Mesh::Face_index>(Kernel::Vector_3(0.5, 0, 0));
+  const auto sampled = [hiking = AG::Hiking_time()](const auto f, const auto& d) {
+    return hiking(f, d);
+  };
+  for(const int number : {1, 3})
+  {
+    Contest contest;
+    const auto add = [&](const auto& weight_map) {
+      contest.add([&, weight_map](const auto round) {
+        CGAL::approximate_geodesic_distances(
+            mesh,
+            boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh)),
+            sources[round],
+            CGAL::parameters::face_weight_map(weight_map).number_of_points_per_edge(number));
+      });
+    };
+    add(CGAL::make_property_map(weights));
+    add(AG::directional_cost(AG::Hiking_time()));
+    add(AG::directional_cost(AG::Drift_time(drift, 1)));
+    add(AG::directional_cost(sampled));
+    contest.run(sources.size());
+    const double per_vertex = 1e6 / double(mesh.number_of_vertices());
+    auto row = table.add_row();
+    row.add(double(number), 0).add(contest.median_seconds(0) * per_vertex, 2);
+    for(const std::size_t i : {1u, 2u, 3u})
+      row.add(contest.median_seconds(i) * per_vertex, 2).add(contest.ratio(i, 0), 2);
+  }
+  return table;
+}
 
 int main(int argc, char* argv[])
 {
@@ -172,6 +234,14 @@ int main(int argc, char* argv[])
     const auto drift =
         boost::static_property_map<Vector, Mesh::Face_index>(Vector(0.5, 0, 0)); // of speed 1
     add("a current", AG::Drift_time(drift, 1));
+    using Tensor = std::array<double, 6>;
+    add("a tensor", AG::Tensor_cost(boost::static_property_map<Tensor, Mesh::Face_index>(
+                        Tensor{1, 0.5, 0, 4, 0, 1})));
+    report.print("direction_calls",
+                 "Single calls with costs that depend on the direction, beside a weight per face "
+                 "(microseconds per vertex, medians of " +
+                     std::to_string(sources.size()) + " sources)",
+                 table_of_calls(terrain(options.is_quick ? 20 : 200, 1, 0.2), sources));
     report.print("directions",
                  "Costs that depend on the direction, on a terrain, and " +
                      Directions_benchmark::description_of_reference() + " (medians of " +

@@ -258,12 +258,14 @@ void expect_close_to_zigzags(const Cost& cost, const double slope, const double 
   const double x = 1 / std::hypot(1, slope), z = sign * slope / std::hypot(1, slope);
   const Mesh mesh = to_mesh(flat_grid(2, 2).transformed(
       [&](const Point& p) { return Point(p.x(), x * p.y(), z * p.y()); }));
-  double expected = infinity;
-  for(double angle = 1e-3; angle < 1.57; angle += 1e-4) // there are several minima
-  {
+  const auto per_height = [&](const double angle) {
     const double up = std::sin(angle);
-    expected = (std::min)(expected, cost(Face(0), Vector(std::cos(angle), x * up, z * up)) / up);
-  }
+    return cost(Face(0), Vector(std::cos(angle), x * up, z * up)) / up;
+  };
+  double best = 1e-3;
+  for(double angle = best; angle < 1.57; angle += 1e-4) // there are several minima
+    best = per_height(angle) < per_height(best) ? angle : best;
+  const double expected = smallest_value(per_height, best - 1e-4, best + 1e-4);
   const double epsilon = 0.05;
   const Triangulation triangulation(mesh, with_cost(cost).epsilon(epsilon));
   const Directional_graph<AG::Fixed_number_of_points> along_edges(triangulation,
@@ -354,6 +356,91 @@ TEST(Directional_costs, have_the_bound_with_polyhedral_norms)
     const auto reference = distances(mesh, dense_graph(mesh, cost, 60), Vertex(0));
     for(const Vertex v : mesh.vertices())
       EXPECT_LE(found[v], (1 + 1e-9) * (1 + epsilon) * reference[v]);
+  }
+}
+
+// Each face has a gauge of another kind: with corners and flat pieces, narrow, smooth, or such that
+// one direction costs up to forty times as much as the opposite one.
+std::function<double(Face, const Vector&)> random_gauges(const Mesh& mesh, Random& random)
+{
+  std::vector<std::function<double(const Vector&)>> gauges;
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    const Half_planes norm = Half_planes::random(random, 3 + int(f % 5));
+    const double stretch = std::pow(10., random.between(-0.7, 0.7)), size = random.between(0.3, 1);
+    const double angle = random.between(0, 7), drift = random.between(0.5, 0.95);
+    const Wind wind{drift * Vector(std::cos(angle), std::sin(angle), 0), 1};
+    const auto stretched = [=](const Vector& v) {
+      return norm.cost(Vector(stretch * v.x(), v.y(), v.z())) + 0.2 * std::abs(v.z());
+    };
+    const auto length = [](const Vector& v) { return std::sqrt(v.squared_length()); };
+    switch(f % 4)
+    {
+    case 0:
+      gauges.emplace_back(stretched);
+      break;
+    case 1:
+      gauges.emplace_back([=](const Vector& v) { return wind.cost(v); });
+      break;
+    case 2:
+      gauges.emplace_back(
+          [=](const Vector& v) { return (std::max)(stretched(v), size * length(v)); });
+      break;
+    default:
+      gauges.emplace_back([=](const Vector& v) { return stretched(v) + size * length(v); });
+    }
+  }
+  return [gauges](const Face f, const Vector& d) { return gauges[f.idx()](d); };
+}
+
+TEST(Directional_costs, have_the_bound_with_random_gauges)
+{
+  Random random(test_seed());
+  for(const Soup& soup : {terrain(5, 4, random), flat_grid(4, 4), sphere(5, 4), fan(7, 1)})
+  {
+    const Mesh mesh = to_mesh(soup);
+    const auto cost = random_gauges(mesh, random);
+    const auto dense = dense_graph(mesh, cost, 60);
+    const auto reference = distances(mesh, dense, Vertex(0));
+    const auto reference_back = distances(mesh, dense.reversed(), Vertex(0));
+    for(const double epsilon : {1., 0.3, 0.1})
+    {
+      const auto graph = bounded_graph(mesh, cost, epsilon);
+      const auto found = distances(mesh, graph, Vertex(0));
+      const auto back = distances(mesh, graph.reversed(), Vertex(0));
+      for(const Vertex v : mesh.vertices())
+      {
+        EXPECT_LE(found[v], (1 + 1e-9) * (1 + epsilon) * reference[v]);
+        EXPECT_LE(back[v], (1 + 1e-9) * (1 + epsilon) * reference_back[v]);
+      }
+    }
+  }
+}
+
+// Walkers on a slope that is not steep go straight, also if they are not sampled.
+TEST(Directional_costs, are_those_of_a_slope)
+{
+  const double slope = 0.2;
+  const Mesh mesh = to_mesh(flat_grid(6, 7).transformed(
+      [=](const Point& p) { return Point(p.x(), p.y(), slope * (0.6 * p.x() + 0.8 * p.y())); }));
+  for(const double epsilon : {0.5, 0.1, 0.02})
+  {
+    const auto np = with_cost(AG::Hiking_time()).epsilon(epsilon);
+    const Directional_graph<> graph(Triangulation(mesh, np), np);
+    EXPECT_EQ(0, graph.sampling_error());
+    EXPECT_EQ(epsilon, graph.epsilon());
+    const Vertex source(20);
+    const auto from = distances(mesh, graph, source),
+               to = distances(mesh, graph.reversed(), source);
+    for(const Vertex v : mesh.vertices())
+    {
+      const Vector way = mesh.point(v) - mesh.point(source);
+      const double length = std::sqrt(way.squared_length());
+      if(v == source)
+        continue;
+      expect_within(from[v], length * AG::Hiking_time()(Face(0), way / length), epsilon);
+      expect_within(to[v], length * AG::Hiking_time()(Face(0), -way / length), epsilon);
+    }
   }
 }
 

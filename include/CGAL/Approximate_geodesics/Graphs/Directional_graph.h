@@ -126,8 +126,9 @@ public:
   /// returns whether distances are those to the sources of a search instead of those from them.
   bool leads_to_sources() const { return this->m_is_backward; }
 
-  /// returns a bound of the relative error of the costs, which may be too high since the cost
-  /// function was sampled in some directions only. It is part of `epsilon()`. It holds for convex
+  /// returns a bound of the relative error of the costs, which may be too high where the cost
+  /// function was sampled in some directions only; `0` if it has a formula in all faces. It is part
+  /// of `epsilon()`. It holds for convex
   /// cost functions; for others, costs are those of zigzags in sampled directions.
   double sampling_error() const { return this->m_triangulation.gauges().sampling_error(); }
 

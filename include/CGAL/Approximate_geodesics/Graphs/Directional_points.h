@@ -8,10 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Gauge_polygon.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -27,8 +29,9 @@ namespace CGAL::Approximate_geodesics {
  * direction, so that paths cost at most \f$1 + \varepsilon\f$ times as much as the cheapest ones on
  * the surface.
  *
- * They differ from `Geometric_points` in two ways. Their spacing depends on how fast costs change
- * with the direction: where the unit ball of the gauge is smooth, it is proportional to
+ * They differ from `Geometric_points` in two ways. Their spacing depends on how far the direction
+ * of a path can turn in each corner of a face before the chord of the gauge between two directions
+ * is too high: where the unit ball of the gauge is smooth, this is proportional to
  * \f$\sqrt\varepsilon\f$ divided by the root of the curvature, and where it has corners, to
  * \f$\varepsilon\f$. And progressions start at all vertices as if weights were different, with the
  * ratio of the largest cost of an edge there to the smallest cost of any direction. Section
@@ -108,7 +111,7 @@ public:
   ///
   /// \throws std::invalid_argument naming a face or an edge where the bound does not hold.
   ///
-  /// Run time is \cgalBigO{n} times the square of the number of directions per face.
+  /// Run time is \cgalBigO{n k \log k} for `k` directions per face, some hundreds.
   void
   prepare(const Intrinsic_triangulation& triangulation,
           const std::size_t maximum_number_of_points = (std::numeric_limits<std::size_t>::max)())
@@ -117,7 +120,7 @@ public:
     const double rest = (std::max)((1 + m_epsilon) / (1 + sampling_error) - 1, 0.5 * m_epsilon);
     const double of_crossings = SHARE_OF_CROSSINGS * rest;
     m_bound = m_epsilon;
-    compute_spacings(triangulation, of_crossings);
+    compute_steps(triangulation, of_crossings);
     compute_starts(triangulation, (rest - of_crossings) / (1 + of_crossings));
     if((1 + rest) * (1 + sampling_error) > (1 + m_epsilon) * (1 + ROUNDING))
       give_up(
@@ -141,11 +144,7 @@ public:
     if(!triangulation.is_crossable(h))
       return 0;
     const std::size_t result = progressions(triangulation, h).number_of_points();
-    constexpr double most_if_given_up = 20; // times the root of epsilon
-    return result <= m_largest_number
-               ? result
-               : (std::min)(m_largest_number,
-                            static_cast<std::size_t>(most_if_given_up / std::sqrt(m_epsilon)) + 1);
+    return result <= m_largest_number ? result : number_if_given_up();
   }
 
   /// writes the positions of these points to `positions`. `number_of_points` is the result of
@@ -172,13 +171,12 @@ public:
   bool accepts_weaker_bound() const { return m_limit.is_soft; }
 
   /// returns the number of bytes that are stored per element of the mesh.
-  std::size_t memory() const { return internal::memory_of(m_start, m_spread); }
+  std::size_t memory() const { return internal::memory_of(m_start, m_step, m_smallest_cost); }
 
 private:
-  using Gauge_shape = internal::Gauge_shape;
-
   static constexpr double SHARE_OF_CROSSINGS =
-      0.65; // of epsilon; the rest is for passing near vertices
+      0.75; // of epsilon; the rest is for passing near vertices
+  static constexpr double SHARE_OF_SAMPLING = 0.05; // of the error of crossings
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double ROUNDING = 1e-9;
   static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7; // as in `Measured_progressions`
@@ -191,60 +189,84 @@ private:
     m_bound = infinity;
   }
 
-  // Computes, per face, the largest admissible square of the shift of a point, relative to the
-  // square of its distance from the other edges.
-  void compute_spacings(const Intrinsic_triangulation& triangulation, const double epsilon)
+  std::size_t number_if_given_up() const
   {
-    const auto& gauges = triangulation.gauges();
-    m_spread.assign(gauges.number_of_faces(), 1);
-    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-    {
-      if(!triangulation.is_open(h))
-        continue;
-      const Index face = gauges.face(h);
-      const Gauge_shape shape(gauges, face);
-      if(!shape.is_bounded())
-        give_up(triangulation.name_of_face(h) +
-                " has directions that are free or forbidden, and others that are not");
-      if(m_spread[face] == 1 && !shape.is_free()) // its first halfedge
-        m_spread[face] = (std::min)(0.999, spread(shape, epsilon));
-    }
+    constexpr double largest = 20;
+    return (std::min)(m_largest_number,
+                      static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
   }
 
-  // A part of the error is constant, the rest grows with the square of the shift. Which part is
-  // best depends on whether the gauge has corners.
-  static double spread(const Gauge_shape& shape, const double epsilon)
+  // Computes, per corner, the largest logarithm of the ratio of distances of neighbors, and per
+  // face, the smallest cost.
+  void compute_steps(const Intrinsic_triangulation& triangulation, const double epsilon)
   {
-    double result = 0;
-    for(const double part : {0.15, 0.5})
-      result = (std::max)(result, (1 - part) * epsilon / shape.curvature(part * epsilon));
-    return result;
+    const auto& gauges = triangulation.gauges();
+    m_step.assign(triangulation.number_of_halfedges(), internal::Gauge_polygon::LARGEST_STEP);
+    m_smallest_cost.assign(gauges.number_of_faces(), infinity);
+    internal::Gauge_samples samples; // their memory is reused
+    internal::Gauge_polygon polygon;
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if(triangulation.is_open(h) && h == triangulation.first_of_face(h))
+      {
+        const double error = assign(polygon, samples, triangulation, h, epsilon);
+        const double smallest = polygon.smallest() / (1 + error);
+        m_smallest_cost[gauges.face(h)] = smallest > 0 ? smallest : infinity;
+        if(polygon.is_free())
+          continue;
+        if(!polygon.is_bounded())
+          give_up(triangulation.name_of_face(h) +
+                  " has directions that are free or forbidden, and others that are not");
+        for(const Index g : triangulation.halfedges_of_face(h))
+          m_step[g] =
+              polygon.is_bounded()
+                  ? polygon.step(gauges.side(g), -1 * gauges.side(previous(triangulation, g)),
+                                 (1 + epsilon) / (1 + error) - 1)
+                  : std::sqrt(epsilon);
+      }
+  }
+
+  // Assigns the gauge of the face to the left of `h`. Returns a bound of the relative error of the
+  // polygon: if the gauge has a formula, it is sampled here.
+  static double assign(internal::Gauge_polygon& polygon,
+                       internal::Gauge_samples& samples,
+                       const Intrinsic_triangulation& triangulation,
+                       const Index h,
+                       const double epsilon)
+  {
+    const auto& gauges = triangulation.gauges();
+    const Index face = gauges.face(h);
+    if(!gauges.has_formula(face))
+    {
+      polygon.assign(gauges, face);
+      return 0; // the graph has the costs of the polygon
+    }
+    std::array<internal::Plane_vector, 3> sides;
+    const auto halfedges = triangulation.halfedges_of_face(h);
+    std::transform(halfedges.begin(), halfedges.end(), sides.begin(),
+                   [&](const Index g) { return gauges.side(g); });
+    samples.sample(sides, SHARE_OF_SAMPLING * epsilon, gauges.formula(face));
+    polygon.assign(samples.hull());
+    return samples.hull().largest_error();
+  }
+
+  static Index previous(const Intrinsic_triangulation& triangulation, const Index h)
+  {
+    return triangulation.halfedges_of_face(h)[2];
   }
 
   void compute_starts(const Intrinsic_triangulation& triangulation, const double epsilon)
   {
-    const auto& gauges = triangulation.gauges();
     const Index number_of_vertices = triangulation.number_of_vertices();
     m_start.assign(number_of_vertices, 0);
     for(Index v = 0; v < number_of_vertices; ++v)
     {
-      // the latter two of costs that are not zero, and of those along the sides at the vertex
       double radius = infinity, smallest = infinity, largest = 0;
       for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
         if(triangulation.is_open(h))
         {
           radius = (std::min)(radius,
                               internal::Face_shape(triangulation, h).distance_to_opposite_edge());
-          const Index face = gauges.face(h), previous = triangulation.halfedges_of_face(h)[2];
-          const Gauge_shape shape(gauges, face);
-          if(shape.smallest() > 0)
-            smallest = (std::min)(smallest, shape.smallest());
-          for(const Index side : {h, previous})
-            for(const double sign : {1., -1.})
-            {
-              const double cost = gauges.cost(face, sign * gauges.side(side));
-              largest = cost < infinity ? (std::max)(largest, cost) : largest;
-            }
+          add_costs(triangulation, h, smallest, largest);
         }
       if(radius == 0)
         give_up("a face at vertex " + std::to_string(triangulation.index(v)) + " has no area");
@@ -253,37 +275,51 @@ private:
     }
   }
 
+  // Updates the smallest cost in the face to the left of `h` that is not zero, and the largest cost
+  // along its two sides at the source of `h`.
+  void add_costs(const Intrinsic_triangulation& triangulation,
+                 const Index h,
+                 double& smallest,
+                 double& largest) const
+  {
+    const auto& gauges = triangulation.gauges();
+    const Index face = gauges.face(h);
+    smallest = (std::min)(smallest, m_smallest_cost[face]);
+    for(const Index side : {h, previous(triangulation, h)})
+      for(const double sign : {1., -1.})
+      {
+        const double cost = gauges.cost(face, sign * gauges.side(side));
+        largest = cost < infinity ? (std::max)(largest, cost) : largest;
+      }
+  }
+
   // \pre The edge of `h` is not at the border, and longer than zero.
   internal::Geometric_progressions progressions(const Intrinsic_triangulation& triangulation,
                                                 const Index h) const
   {
     const Index opposite = triangulation.opposite(h);
-    double spread = 1, sine_at_source = 1, sine_at_target = 1;
+    double step_at_source = internal::Gauge_polygon::LARGEST_STEP, step_at_target = step_at_source;
     for(const Index side : {h, opposite})
       if(triangulation.is_open(side))
       {
-        const internal::Face_shape shape(triangulation, side);
-        double& first = side == h ? sine_at_source : sine_at_target;
-        double& second = side == h ? sine_at_target : sine_at_source;
-        first = (std::min)(first, shape.sine_of_corner());
-        second = (std::min)(second, shape.sine_of_next_corner());
-        spread = (std::min)(spread, m_spread[triangulation.gauges().face(side)]);
+        double& first = side == h ? step_at_source : step_at_target;
+        double& second = side == h ? step_at_target : step_at_source;
+        first = (std::min)(first, m_step[side]);
+        second = (std::min)(second, m_step[triangulation.next(side)]);
       }
     const double length = triangulation.length(h);
-    return {end(m_start[triangulation.target(opposite)] / length, sine_at_source, spread),
-            end(m_start[triangulation.target(h)] / length, sine_at_target, spread)};
+    return {end(m_start[triangulation.target(opposite)] / length, step_at_source),
+            end(m_start[triangulation.target(h)] / length, step_at_target)};
   }
 
-  static internal::Geometric_progressions::End
-  end(const double start, const double sine, const double spread)
+  // The progressions meet where the last steps of both are small enough for both.
+  static internal::Geometric_progressions::End end(const double start, const double step)
   {
     constexpr double largest_start = 0.49, smallest = 1e-12; // neither is zero
     internal::Geometric_progressions::End result;
     result.start = (std::clamp)(start, SMALLEST_START, largest_start);
-    result.sine = (std::max)(sine, smallest);
-    const double log_of_ratio = 2 * std::asinh(result.sine * std::sqrt(spread));
-    result.log_of_ratio =
-        (std::max)({log_of_ratio - ROUNDING_OF_LOGARITHM, log_of_ratio / 2, smallest});
+    result.log_of_ratio = (std::max)({step - ROUNDING_OF_LOGARITHM, step / 2, smallest});
+    result.sine = std::sinh(result.log_of_ratio / 2);
     return result;
   }
 
@@ -291,8 +327,9 @@ private:
   internal::Limit_of_points m_limit{MAXIMUM_NUMBER_OF_POINTS_PER_EDGE, false};
   std::size_t m_largest_number = 0; // of points on an edge: the limit, or less because of the total
   double m_bound = 0;
-  std::vector<double> m_start;  // of the progressions at a vertex: the distance from it
-  std::vector<double> m_spread; // per face
+  std::vector<double> m_start;         // of the progressions at a vertex: the distance from it
+  std::vector<double> m_step;          // per halfedge: the logarithm of the ratio, for its source
+  std::vector<double> m_smallest_cost; // per face, of directions that are not free
 };
 
 } // namespace CGAL::Approximate_geodesics

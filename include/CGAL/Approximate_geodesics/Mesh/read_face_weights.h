@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
@@ -125,11 +126,9 @@ private:
 // Throws if the cost of a path could overflow.
 inline void check_cost(const Face_gauges& gauges, const Intrinsic_triangulation& triangulation)
 {
-  std::vector<double> largest(gauges.number_of_faces(), 0);
+  std::vector<double> largest(gauges.number_of_faces());
   for(Index f = 0; f < gauges.number_of_faces(); ++f)
-    for(auto s = gauges.first_sector(f); s != gauges.beyond_sector(f); ++s)
-      if(s->is_finite())
-        largest[f] = (std::max)(largest[f], length(s->functional));
+    largest[f] = gauges.largest_cost(f);
   double sum = 0;
   for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
     if(!triangulation.is_border(h))
@@ -161,6 +160,7 @@ inline Index longest_side(Index h, const Intrinsic_triangulation& triangulation)
 
 // Reads the gauges of the faces of a mesh from a function of faces and directions. `halfedges` has
 // the order of the triangulation. The x axis of the plane of a face is along its longest side.
+// Where the function has no formula, it is sampled.
 template <typename TriangleMesh, typename Halfedges, typename VertexPointMap, typename Cost>
 Face_gauges gauges_of_faces(const TriangleMesh& tmesh,
                             const Halfedges& halfedges,
@@ -182,6 +182,8 @@ Face_gauges gauges_of_faces(const TriangleMesh& tmesh,
     const auto base = halfedges[first];
     const Face_frame frame(vector_along(base), vector_along(opposite(prev(base, tmesh), tmesh)));
     const auto directions = directions_of_sides(Face_layout(triangulation, first));
+    if(const Gauge_formula formula = formula_of(cost, face(base, tmesh), frame.x, frame.y))
+      return result.add(triangulation.halfedges_of_face(first), directions, formula);
     samples.sample(directions, tolerance, [&](const Plane_vector v) {
       const Space_vector d = frame(v);
       const double c = cost(face(base, tmesh), vector_3<Kernel>(d));

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Surface/internal/Gauge_formula.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
 
@@ -61,6 +62,15 @@ public:
   }
 
   std::size_t number_of_directions() const { return m_directions.size(); }
+
+  double largest_error() const
+  {
+    double result = 0;
+    for(const Direction& d : m_directions)
+      result = d.is_corner ? (std::max)(result, d.error()) : result;
+    return result;
+  }
+
   const Direction& operator[](const Id i) const { return m_directions[i]; }
 
   // Adds a direction between `i` and the next one, or the first direction. Takes constant time for
@@ -357,9 +367,9 @@ private:
 };
 
 /*
- * The costs of paths in faces that depend on the direction: for each face, a convex gauge whose
- * unit ball is a polygon, in a frame that is given by the directions of its sides. Costs are in
- * units of `unit()`.
+ * The costs of paths in faces that depend on the direction: for each face, a convex gauge in a
+ * frame that is given by the directions of its sides. It has a formula, or its unit ball is a
+ * polygon, with one sector per side. Costs are in units of `unit()`.
  */
 class Face_gauges
 {
@@ -393,9 +403,21 @@ public:
     return sectors() + m_first_sector[face + 1];
   }
 
+  bool has_formula(const Index face) const { return !m_formulas.empty() && m_formulas[face]; }
+  const Gauge_formula& formula(const Index face) const { return m_formulas[face]; }
+
   bool is_forbidden(const Index face) const
   {
-    return m_first_sector[face] == m_first_sector[face + 1];
+    return !has_formula(face) && m_first_sector[face] == m_first_sector[face + 1];
+  }
+
+  // Returns an upper bound of the finite costs of unit vectors.
+  double largest_cost(const Index face) const
+  {
+    double result = has_formula(face) ? m_formulas[face].largest() : 0;
+    for(const Sector* s = first_sector(face); s != beyond_sector(face); ++s)
+      result = s->is_finite() ? (std::max)(result, length(s->functional)) : result;
+    return result;
   }
 
   // Returns the gauge of a vector in the frame of the face.
@@ -403,6 +425,8 @@ public:
   {
     if(v.x == 0 && v.y == 0)
       return 0;
+    if(has_formula(face))
+      return m_formulas[face](v);
     if(is_forbidden(face))
       return infinity;
     const Sector* s = sector(face, v);
@@ -413,7 +437,8 @@ public:
 
   std::size_t memory() const
   {
-    return memory_of(m_sectors, m_side, m_first_sector, m_corner_of_halfedge, m_beyond_upper);
+    return memory_of(m_sectors, m_formulas, m_side, m_first_sector, m_corner_of_halfedge,
+                     m_beyond_upper);
   }
 
   const std::vector<Sector>& all_sectors() const { return m_sectors; }
@@ -433,13 +458,74 @@ public:
   template <typename Halfedges, typename Sides>
   void add(const Halfedges& halfedges, const Sides& sides, const Gauge_samples& samples)
   {
+    add_corners(halfedges, sides);
+    add_sectors(samples.hull());
+    m_first_sector.push_back(m_sectors.size());
+    const Sector* const first = first_sector(number_of_faces());
+    const Sector* const beyond = sectors() + m_sectors.size();
+    const Sector* const
+        lower = // not the first one, which may be to the right of itself by rounding
+        first == beyond ? beyond : std::find_if(first + 1, beyond, [&](const Sector& sector) {
+          return !is_ahead(*first, sector.direction);
+        });
+    m_beyond_upper.push_back(static_cast<Index>(lower - first));
+    if(!m_formulas.empty())
+      m_formulas.emplace_back();
+  }
+
+  // ... whose gauge has a formula.
+  template <typename Halfedges, typename Sides>
+  void add(const Halfedges& halfedges, const Sides& sides, const Gauge_formula& formula)
+  {
+    add_corners(halfedges, sides);
+    m_formulas.resize(number_of_faces());
+    m_formulas.push_back(formula);
+    m_first_sector.push_back(m_sectors.size());
+    m_beyond_upper.push_back(0);
+  }
+
+  // Chooses a power of two as unit, so that products with lengths neither overflow nor underflow.
+  void normalize(const double unit_of_lengths)
+  {
+    double largest = 0;
+    for(const Sector& s : m_sectors)
+      if(s.is_finite())
+        largest = (std::max)({largest, std::abs(s.functional.x), std::abs(s.functional.y)});
+    for(const Gauge_formula& formula : m_formulas)
+      largest = formula ? (std::max)(largest, formula.largest()) : largest;
+    if(largest == 0 || std::isinf(largest))
+      return;
+    constexpr int smallest_of_costs = -1000;
+    const int exponent =
+        (std::max)(std::ilogb(largest), smallest_of_costs - std::ilogb(unit_of_lengths));
+    m_unit = std::ldexp(1., exponent);
+    const double root = std::ldexp(1., -(exponent / 2)); // powers of two within the range of double
+    const double rest = std::ldexp(1., exponent / 2 - exponent);
+    for(Sector& s : m_sectors)
+      s.functional = rest * (root * s.functional);
+    for(Gauge_formula& formula : m_formulas)
+    {
+      formula.multiply(root);
+      formula.multiply(rest);
+    }
+  }
+
+private:
+  const Sector* sectors() const { return m_sectors.data(); }
+
+  template <typename Halfedges, typename Sides>
+  void add_corners(const Halfedges& halfedges, const Sides& sides)
+  {
     for(std::size_t i = 0; i < 3; ++i)
     {
       m_corner_of_halfedge[halfedges[i]] = static_cast<Index>(m_side.size());
       m_side.push_back(sides[i]);
     }
+  }
+
+  void add_sectors(const Gauge_hull& hull)
+  {
     constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-    const Gauge_hull& hull = samples.hull();
     Gauge_hull::Id i = 0;
     do
     {
@@ -452,38 +538,7 @@ public:
       }
       i = d.next;
     } while(i != 0);
-    m_first_sector.push_back(m_sectors.size());
-    const Sector* const first = first_sector(number_of_faces());
-    const Sector* const beyond = sectors() + m_sectors.size();
-    const Sector* const
-        lower = // not the first one, which may be to the right of itself by rounding
-        first == beyond ? beyond : std::find_if(first + 1, beyond, [&](const Sector& sector) {
-          return !is_ahead(*first, sector.direction);
-        });
-    m_beyond_upper.push_back(static_cast<Index>(lower - first));
   }
-
-  // Chooses a power of two as unit, so that products with lengths neither overflow nor underflow.
-  void normalize(const double unit_of_lengths)
-  {
-    double largest = 0;
-    for(const Sector& s : m_sectors)
-      if(s.is_finite())
-        largest = (std::max)({largest, std::abs(s.functional.x), std::abs(s.functional.y)});
-    if(largest == 0 || std::isinf(largest))
-      return;
-    constexpr int smallest_of_costs = -1000;
-    const int exponent =
-        (std::max)(std::ilogb(largest), smallest_of_costs - std::ilogb(unit_of_lengths));
-    m_unit = std::ldexp(1., exponent);
-    const double root = std::ldexp(1., -(exponent / 2)); // powers of two within the range of double
-    const double rest = std::ldexp(1., exponent / 2 - exponent);
-    for(Sector& s : m_sectors)
-      s.functional = rest * (root * s.functional);
-  }
-
-private:
-  const Sector* sectors() const { return m_sectors.data(); }
 
   // Returns whether a direction is in the half circle that begins with the first one of the face.
   static bool is_ahead(const Sector& first, const Plane_vector v)
@@ -525,6 +580,7 @@ private:
   std::vector<std::size_t> m_first_sector; // per face, and one beyond
   std::vector<Index> m_beyond_upper; // per face: number of sectors that start in the first half
   std::vector<Sector> m_sectors;
+  std::vector<Gauge_formula> m_formulas; // per face; empty if there is none
   double m_unit = 1;
   double m_sampling_error = 0;
 };

@@ -23,7 +23,7 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// Shape parameters of faces, vertex stars and gauges, which the placement of points depends on.
+// Shape parameters of faces and vertex stars, which the placement of points depends on.
 
 /*
  * The face to the left of a halfedge, and its corner at the source of the halfedge.
@@ -133,83 +133,6 @@ inline bool are_weights_uniform(const Intrinsic_triangulation& triangulation, co
       }
   return largest == 0 || smallest == largest;
 }
-
-/*
- * The properties of a gauge that the error of a path across its face depends on.
- */
-class Gauge_shape
-{
-public:
-  using Sector = Face_gauges::Sector;
-
-  Gauge_shape(const Face_gauges& gauges, const Index face)
-    : m_first(gauges.first_sector(face)), m_beyond(gauges.beyond_sector(face))
-  {
-    for(const Sector* s = m_first; s != m_beyond; ++s)
-    {
-      m_is_finite = m_is_finite && s->is_finite();
-      if(!s->is_finite())
-        continue;
-      for(const Plane_vector d : {s->direction, next(s)->direction})
-        m_smallest = (std::min)(m_smallest, (std::max)(dot(s->functional, d), 0.));
-      m_largest = (std::max)(m_largest, length(s->functional));
-    }
-  }
-
-  bool is_forbidden() const { return m_first == m_beyond; }
-  bool is_free() const { return !is_forbidden() && m_is_finite && m_largest == 0; }
-
-  // Returns whether no direction is free or forbidden, or all are.
-  bool is_bounded() const { return is_forbidden() || is_free() || (m_is_finite && m_smallest > 0); }
-
-  // Returns the cost of the cheapest direction, per unit of length.
-  double smallest() const { return m_smallest; }
-
-  // Returns a number Q such that for all vectors c, the gauge F(d + c) exceeds a linear function of
-  // c, which depends on d only, by at most
-  //   F(d) (r + Q |c|^2 / (2 |d|^2)).
-  // Sectors where F is zero or infinite are left out.
-  // \pre The face is neither free nor forbidden.
-  //
-  // From sector s to sector t, F(d + c) exceeds the functional of s by (t - s)(d + c), and the
-  // largest Q for that is |t - s|^2 / (2 F(d) (r F(d) - (t - s) d)), for |d| = 1. Both factors
-  // below are smallest at one of the ends of s.
-  double curvature(const double r) const
-  {
-    double result = 0;
-    for(const Sector* s = m_first; s != m_beyond; ++s)
-      if(s->is_finite())
-        result = (std::max)(result, curvature(*s, next(s)->direction, r));
-    return result;
-  }
-
-private:
-  const Sector* next(const Sector* const s) const { return s + 1 == m_beyond ? m_first : s + 1; }
-
-  double curvature(const Sector& s, const Plane_vector end, const double r) const
-  {
-    const double at_start = dot(s.functional, s.direction), at_end = dot(s.functional, end);
-    const double smallest = (std::min)(at_start, at_end);
-    if(!(smallest > 0))
-      return 0;
-    double result = 0;
-    for(const Sector* t = m_first; t != m_beyond; ++t)
-    {
-      const Plane_vector step = t->functional - s.functional;
-      const double gap = (std::min)((std::max)(-dot(step, s.direction), 0.) + r * at_start,
-                                    (std::max)(-dot(step, end), 0.) + r * at_end);
-      const double q = dot(step, step) / (2 * smallest * gap);
-      result = q > result ? q : result; // false for NaN
-    }
-    return result;
-  }
-
-  const Sector* m_first;
-  const Sector* m_beyond;
-  double m_smallest = infinity;
-  double m_largest = 0;
-  bool m_is_finite = true;
-};
 
 /*
  * The points of an edge of length 1 in two geometric progressions, one from either end, which start

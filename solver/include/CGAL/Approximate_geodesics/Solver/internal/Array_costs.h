@@ -30,14 +30,53 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL::Approximate_geodesics::internal {
 
 using Face_vector = Simple_cartesian<double>::Vector_3;
 
-// A type-erased cost function of a face index and a direction.
-using Cost_function = std::function<double(std::size_t, const Face_vector&)>;
+/*
+ * A type-erased cost function of a face index and a direction, which can be interrupted.
+ */
+class Cost_function
+{
+public:
+  template <typename F,
+            typename = std::enable_if_t<!std::is_same_v<std::decay_t<F>, Cost_function>>>
+  Cost_function(F f) // NOLINT(google-explicit-constructor)
+    : m_cost(f),
+      m_formula([f](const std::size_t face, const Space_vector& x, const Space_vector& y) {
+        return formula_of(f, face, x, y);
+      })
+  {
+  }
+
+  double operator()(const std::size_t face, const Face_vector& direction) const
+  {
+    count_call();
+    return m_cost(face, direction);
+  }
+
+  Gauge_formula formula(const std::size_t face, const Space_vector& x, const Space_vector& y) const
+  {
+    count_call();
+    return m_formula(face, x, y);
+  }
+
+private:
+  void count_call() const
+  {
+    constexpr std::size_t calls_between_looks = 1024;
+    if(++*m_calls % calls_between_looks == 0)
+      check_for_interruption();
+  }
+
+  std::function<double(std::size_t, const Face_vector&)> m_cost;
+  std::function<Gauge_formula(std::size_t, const Space_vector&, const Space_vector&)> m_formula;
+  std::shared_ptr<std::size_t> m_calls = std::make_shared<std::size_t>(0);
+};
 
 inline std::size_t numbers_per_face(const Solver_cost& cost)
 {
@@ -113,17 +152,11 @@ inline Cost_function ready_function(const Solver_cost& cost)
   reject("unknown cost model " + std::to_string(int(cost.model)));
 }
 
-// Returns an interruptible function, which refers to `cost`.
+// Returns a function that refers to `cost`.
 inline Cost_function cost_function(const Solver_cost& cost, const std::size_t number_of_faces)
 {
   check_numbers_of_faces(cost, number_of_faces);
-  const auto calls = std::make_shared<std::size_t>(0);
-  return [calls, f = ready_function(cost)](const std::size_t face, const auto& direction) {
-    constexpr std::size_t calls_between_looks = 1024;
-    if(++*calls % calls_between_looks == 0)
-      check_for_interruption();
-    return f(face, direction);
-  };
+  return ready_function(cost);
 }
 
 /*
