@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics {
 
@@ -132,6 +133,31 @@ public:
   {
     this->m_triangulation.set_weights(std::move(weights));
     this->summarize_arcs();
+    this->m_changes.add_unknown();
+  }
+
+  /*!
+   * changes the weights of some faces. The points stay where they are, and the bound is as above.
+   * Workspaces stay valid: `Surface_search::repair()` finds what is different, in time that depends
+   * on that, and any other run is as after building the graph.
+   *
+   * \warning No other thread may use the graph meanwhile.
+   *
+   * \throws std::invalid_argument as `Intrinsic_triangulation::set_weights()` does. Then no weight
+   *         has changed.
+   *
+   * Run time is linear in the number of changes. At the first call for a triangulation without
+   * weights, it is \cgalBigO{n}.
+   */
+  void set_weights(const std::vector<Weight_change>& changes)
+  {
+    using Index = Intrinsic_triangulation::Index;
+    this->m_changes.reserve(changes.size());
+    this->m_triangulation.set_weights(
+        changes, [this](const Index h, const double before, const double after) {
+          if(after != before)
+            this->add_change(this->groups().group_of_face(h), after < before);
+        });
   }
 
   /// @}

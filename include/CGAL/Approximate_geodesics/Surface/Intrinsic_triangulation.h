@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -42,6 +43,21 @@ struct Face_weights
 
   /// the unit, a power of two.
   double unit = 1;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsSurface
+ *
+ * A new weight of a face of an `Intrinsic_triangulation`.
+ */
+struct Weight_change
+{
+  /// a halfedge with the face to its left.
+  std::uint32_t halfedge;
+
+  /// what a path in the face costs per unit of length, in the unit of the mesh: not negative;
+  /// infinity if paths must not enter the face.
+  double weight;
 };
 
 namespace internal {
@@ -371,6 +387,41 @@ public:
     m_weight_unit = weights.unit;
   }
 
+  /*!
+   * changes the weights of some faces. The unit of weights stays the same, so a weight that is less
+   * than \f$10^{-307}\f$ of it is raised to that.
+   *
+   * \throws std::invalid_argument if a halfedge does not exist or is at the border, or if a weight
+   *         is negative, not a number, or so large that costs might overflow a `double`. Then no
+   *         weight has changed.
+   *
+   * Run time is linear in the number of changes. At the first call for a triangulation without
+   * weights, it is \cgalBigO{n}.
+   */
+  void set_weights(const std::vector<Weight_change>& changes)
+  {
+    set_weights(changes, [](Index /* halfedge */, double /* before */, double /* after */) {});
+  }
+
+#ifndef DOXYGEN_RUNNING
+  // Calls `f(halfedge, before, after)` for each change.
+  template <typename F>
+  void set_weights(const std::vector<Weight_change>& changes, F f)
+  {
+    for(const Weight_change& change : changes)
+      check(change);
+    if(!has_weights())
+      set_weights({weights_of_one(), 1});
+    for(const Weight_change& change : changes)
+    {
+      const double before = weight(change.halfedge), after = in_weight_unit(change.weight);
+      for(const Index h : halfedges_of_face(change.halfedge))
+        m_weight[h] = after;
+      f(change.halfedge, before, after);
+    }
+  }
+#endif
+
   /// returns whether weights are functions of the direction. `has_weights()` is `false` then.
   bool has_directional_costs() const { return !m_gauges.is_empty(); }
 
@@ -519,6 +570,37 @@ private:
   template <typename TriangleMesh, typename NamedParameters>
   friend class internal::Triangulation_builder;
   friend class internal::Retriangulation;
+
+  void check(const Weight_change& change) const
+  {
+    const Index h = change.halfedge;
+    if(h >= number_of_halfedges() || is_border(h))
+      internal::reject("a weight is given for the face to the left of halfedge " +
+                       std::to_string(h) + ", which does not exist");
+    if(!(change.weight >= 0))
+      internal::reject(name_of_face(h) + " gets weight " + internal::text_of(change.weight) +
+                       "; it must be a number that is not negative, or infinity");
+    // bounds the sum over all edges, whose lengths are at most 2^203 units
+    const double cost = in_weight_unit(change.weight) * 0x1p204 * number_of_halfedges();
+    const double largest = (std::max)(cost, cost * (m_unit * m_weight_unit));
+    if(std::isinf(largest) && !std::isinf(change.weight))
+      internal::reject(name_of_face(h) + " gets weight " + internal::text_of(change.weight) +
+                       ", which is too large beside the other weights and the lengths of the "
+                       "mesh. Use infinity for faces that paths must not enter.");
+  }
+
+  double in_weight_unit(const double weight) const
+  {
+    return weight > 0 ? (std::max)(weight / m_weight_unit, Face_weights::SMALLEST_WEIGHT) : 0;
+  }
+
+  std::vector<double> weights_of_one() const
+  {
+    std::vector<double> result(number_of_halfedges());
+    for(Index h = 0; h < number_of_halfedges(); ++h)
+      result[h] = weight(h);
+    return result;
+  }
 
   bool is_valid_halfedge(const Index h) const
   {
