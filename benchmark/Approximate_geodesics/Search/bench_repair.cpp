@@ -64,7 +64,8 @@ public:
     measure("1 % of the faces, one region, times 1.1", near(few), 1.1, table);
     measure("1 % of the faces, one region, times 4", near(few), 4, table);
     measure("1 % of the faces, one region, closed", near(few), closed, table);
-    measure("1 % of the faces, scattered, times 1.5", [=] { return scattered(few); }, 1.5, table);
+    measure(
+        "1 % of the faces, scattered, times 1.5", [=] { return scattered(few); }, 1.5, table);
     for(const std::size_t number : {2, 10, 100})
       measure_sources(number, table);
   }
@@ -228,10 +229,9 @@ int main(int argc, char* argv[])
     Table table = Repair_benchmark::empty_table();
     Mesh mesh = navigation_mesh(options.is_quick ? 8 : 26);
     const Face_weights weights = region_weights(mesh);
-    Repair_benchmark(
-        "navigation",
-        AG::Intrinsic_triangulation(mesh, CGAL::parameters::face_weight_map(weights)),
-        options.number_of_rounds)
+    Repair_benchmark("navigation",
+                     AG::Intrinsic_triangulation(mesh, CGAL::parameters::face_weight_map(weights)),
+                     options.number_of_rounds)
         .run(table);
     Repair_benchmark("terrain", Weighted_terrain(options).triangulation(), options.number_of_rounds)
         .run(table);

@@ -348,6 +348,31 @@ public:
     m_has_changed = true;
   }
 
+  /*!
+   * lifts barriers, or puts them back, as doors are opened and closed. The next query repairs the
+   * results of the last search, as after `set_weights()`.
+   *
+   * \tparam BarrierChanges a model of `ConstRange` of `std::pair`s of an `edge_descriptor` and
+   *         whether the edge is a barrier from now on. Only edges that were barriers when the graph
+   *         was built can change.
+   *
+   * \pre `Graph` has a member function `set_barriers()`, as `Steiner_graph` does.
+   *
+   * \throws std::invalid_argument if an edge was not a barrier; no barrier has changed then.
+   */
+  template <typename BarrierChanges>
+  void set_barriers(const BarrierChanges& changes)
+  {
+    constexpr double middle = 0.5;
+    std::vector<Barrier_change> result;
+    for(const auto& [edge, is_barrier] : changes)
+      result.push_back(
+          {m_translation.intrinsic_point(halfedge(edge, this->mesh()), middle).halfedge,
+           is_barrier});
+    m_graph.set_barriers(result);
+    m_has_changed = true;
+  }
+
   /// @}
 
   /// \name Distances

@@ -5,6 +5,7 @@
 
 #include "checks/expect_message.h"
 #include "meshes/steiner_meshes.h"
+#include "oracles/straight_lines.h"
 
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
@@ -37,25 +38,31 @@ public:
   Changing_graph(const Mesh& mesh, const Barriers& barriers, const Placement& placement, Random& r)
     : m_random(r),
       m_weights(random_weights(mesh, m_random, 0.1, 10, 0.05)),
-      m_graph(Triangulation(
-                  mesh, with_weights(m_weights).edge_is_constrained_map(barrier_map(barriers))),
+      m_graph(Triangulation(mesh,
+                            with_weights(m_weights).edge_is_constrained_map(barrier_map(barriers))),
               placement),
       m_repaired(m_graph),
       m_fresh(m_graph)
   {
     for(Index h = 0; h < surface().number_of_halfedges(); ++h)
+    {
       if(!surface().is_border(h))
         m_halfedges.push_back(h);
+      if(surface().is_barrier(h))
+        m_barriers.push_back(h);
+    }
     add_source();
   }
 
   void change()
   {
-    const std::size_t kind = m_random.below(6);
+    const std::size_t kind = m_random.below(8);
     if(kind == 0)
       add_source();
     else if(kind == 1 && m_sources.size() > 1)
       m_sources.erase(m_sources.begin() + std::ptrdiff_t(m_random.below(m_sources.size())));
+    else if(kind < 4 && !m_barriers.empty())
+      m_graph.set_barriers(random_barrier_changes(1 + m_random.below(3)));
     else
       m_graph.set_weights(random_changes(1 + m_random.below(3)));
   }
@@ -136,6 +143,14 @@ private:
     return result;
   }
 
+  std::vector<AG::Barrier_change> random_barrier_changes(const std::size_t number)
+  {
+    std::vector<AG::Barrier_change> result;
+    for(std::size_t i = 0; i < number; ++i)
+      result.push_back({m_barriers[m_random.below(m_barriers.size())], m_random.below(2) == 0});
+    return result;
+  }
+
   // Each node that was reached is in the order, and no other.
   void expect_order(const std::size_t number_reached) const
   {
@@ -156,6 +171,7 @@ private:
   Graph m_graph;
   AG::Surface_search<Graph> m_repaired, m_fresh;
   std::vector<Index> m_halfedges; // not at the border
+  std::vector<Index> m_barriers;
   std::vector<AG::Source_point> m_sources;
 };
 
@@ -193,17 +209,15 @@ void repair_generated_meshes(const std::size_t largest_mesh, const std::size_t n
     for(const double share : {0., 0.1})
     {
       for(const std::size_t number : {0u, 3u})
-        repair_after_changes(mesh, share, Fixed_number_of_points(number), number_of_changes, random);
+        repair_after_changes(mesh, share, Fixed_number_of_points(number), number_of_changes,
+                             random);
       if(have_faces_area(mesh))
         repair_after_changes(mesh, share, lenient_points(0.5), number_of_changes / 4, random);
     }
   });
 }
 
-TEST(Repaired_search, has_the_bits_of_a_fresh_one)
-{
-  repair_generated_meshes(1000, 20);
-}
+TEST(Repaired_search, has_the_bits_of_a_fresh_one) { repair_generated_meshes(1000, 20); }
 
 TEST(Repaired_search, has_the_bits_of_a_fresh_one_after_very_many_changes)
 {
@@ -221,8 +235,8 @@ TEST(Repaired_search, has_the_bits_of_a_fresh_one_where_many_paths_are_equal)
   const std::vector<AG::Seed> seeds = {{0}, {50}};
   for(int i = 0; i < 200; ++i)
   {
-    const auto h = static_cast<std::uint32_t>(
-        random.below(graph.triangulation().number_of_halfedges()));
+    const auto h =
+        static_cast<std::uint32_t>(random.below(graph.triangulation().number_of_halfedges()));
     if(graph.triangulation().is_border(h))
       continue;
     graph.set_weights({AG::Weight_change{h, double(1 + random.below(2))}});
@@ -317,6 +331,122 @@ TEST(Repaired_search, is_what_the_class_makes_after_changes)
   }
 }
 
+// ... up to rounding, as the points on the two sides of a barrier are counted from different ends.
+TEST(Lifted_barriers, give_the_same_as_a_graph_built_without_them)
+{
+  for_generated_meshes([](const Mesh& mesh, Random& random) {
+    if(mesh.num_faces() > 1000)
+      return;
+    using Placement = Fixed_number_of_points;
+    const Weights weights = random_weights(mesh, random, 0.1, 10, 0.05);
+    Barriers barriers = random_barriers(mesh, 0.3, random);
+    std::vector<Edge> edges;
+    for(const Edge e : mesh.edges())
+      if(barriers[e.idx()] && !mesh.is_border(e))
+        edges.push_back(e);
+    for(const std::size_t number : {0u, 1u, 4u, 20u})
+    {
+      const auto graph = [&] {
+        return Steiner_graph<Placement>(
+            Triangulation(mesh,
+                          with_weights(weights).edge_is_constrained_map(barrier_map(barriers))),
+            Placement(number));
+      };
+      AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Placement>> paths(mesh, graph());
+      const Vertex source = random_vertex(mesh, random);
+      paths.add_source_point(source);
+      const Barriers all = barriers;
+      for(int i = 0; i < 5; ++i)
+      {
+        std::vector<std::pair<Edge, bool>> changes;
+        for(const Edge e : edges)
+          if(random.below(2) == 0)
+          {
+            barriers[e.idx()] = !barriers[e.idx()];
+            changes.emplace_back(e, barriers[e.idx()]);
+          }
+        paths.set_barriers(changes);
+        AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Placement>> others(mesh, graph());
+        others.add_source_point(source);
+        for(const Vertex v : mesh.vertices())
+        {
+          const double expected = others.shortest_distance_to_source_points(v).first;
+          ASSERT_NEAR(paths.shortest_distance_to_source_points(v).first, expected,
+                      1e-13 * std::abs(expected))
+              << number << " points, change " << i;
+        }
+      }
+      barriers = all;
+    }
+  });
+}
+
+// Where points are for a bound, they are on barriers only on request.
+TEST(Lifted_barriers, keep_the_bound_if_it_is_wanted)
+{
+  const Mesh mesh = to_mesh(flat_grid(9, 7));
+  Barriers barriers(mesh.num_edges());
+  const auto is_on_wall = [&](const Vertex v) { return mesh.point(v).x() == 4; };
+  std::vector<std::pair<Edge, bool>> changes;
+  for(const Edge e : mesh.edges())
+    if(is_on_wall(mesh.vertex(e, 0)) && is_on_wall(mesh.vertex(e, 1)))
+    {
+      barriers[e.idx()] = true;
+      changes.emplace_back(e, false);
+    }
+  for(const bool may_change : {false, true})
+  {
+    AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<>> paths(
+        mesh, Steiner_graph<>(Triangulation(mesh, with_barriers(barriers)),
+                              Geometric_points(0.1, may_change)));
+    paths.add_source_point(Vertex(1));
+    EXPECT_EQ(paths.graph().epsilon(), 0.1);
+    EXPECT_LT(paths.shortest_distance_to_source_points(Vertex(8)).first, 0);
+    paths.set_barriers(changes);
+    EXPECT_EQ(paths.graph().epsilon(), may_change ? 0.1 : infinity);
+    for(const Vertex v : mesh.vertices())
+    {
+      const double exact = distance_in_space(mesh.point(Vertex(1)), mesh.point(v));
+      const double found = paths.shortest_distance_to_source_points(v).first;
+      EXPECT_GE(found, exact * (1 - 1e-12));
+      if(may_change)
+      {
+        EXPECT_LE(found, exact * 1.1);
+      }
+    }
+    for(auto& change : changes)
+      change.second = true;
+    paths.set_barriers(changes);
+    EXPECT_LT(paths.shortest_distance_to_source_points(Vertex(8)).first, 0);
+    for(auto& change : changes)
+      change.second = false;
+  }
+}
+
+TEST(Lifted_barriers, are_refused_if_they_were_none)
+{
+  const Mesh mesh = to_mesh(flat_grid(4, 4));
+  Barriers barriers(mesh.num_edges());
+  std::vector<std::pair<Edge, bool>> changes;
+  for(const Edge e : mesh.edges())
+    if(!mesh.is_border(e))
+    {
+      barriers[e.idx()] = changes.empty();
+      changes.emplace_back(e, false);
+    }
+  using Placement = Fixed_number_of_points;
+  AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Placement>> paths(
+      mesh, Steiner_graph<Placement>(Triangulation(mesh, with_barriers(barriers)), Placement(1)));
+  expect_message<std::invalid_argument>([&] { paths.set_barriers(changes); }, "barrier", "vert");
+  EXPECT_FALSE(paths.graph().triangulation().has_lifted_barriers());
+  Steiner_graph<Placement> graph = paths.graph();
+  expect_message<std::invalid_argument>(
+      [&] {
+        graph.set_barriers({AG::Barrier_change{1u << 20, false}});
+      },
+      "halfedge");
+}
+
 TEST(Changes_of_weights, are_refused_if_they_are_wrong)
 {
   const Mesh mesh = to_mesh(flat_grid(4, 4));
@@ -327,12 +457,22 @@ TEST(Changes_of_weights, are_refused_if_they_are_wrong)
   const Face f(2);
   for(const double weight : {-1., std::nan(""), 1e307})
     expect_message<std::invalid_argument>(
-        [&] { paths.set_weights(Changes{{Face(1), 5}, {f, weight}}); }, "weight", "the face with");
-  expect_message<std::invalid_argument>([&] { paths.set_weights(Changes{{Face(1234), 1}}); },
-                                        "face");
+        [&] {
+          paths.set_weights(Changes{{Face(1), 5}, {f, weight}});
+        },
+        "weight", "the face with");
+  expect_message<std::invalid_argument>(
+      [&] {
+        paths.set_weights(Changes{{Face(1234), 1}});
+      },
+      "face");
   EXPECT_FALSE(paths.graph().triangulation().has_weights());
   Steiner_graph<Placement> graph = paths.graph();
-  expect_message<std::invalid_argument>([&] { graph.set_weights({AG::Weight_change{1u << 20, 2}}); }, "halfedge");
+  expect_message<std::invalid_argument>(
+      [&] {
+        graph.set_weights({AG::Weight_change{1u << 20, 2}});
+      },
+      "halfedge");
   paths.set_weights(Changes{{f, 0}, {Face(1), 1e-300}, {Face(3), infinity}});
   paths.add_source_point(Vertex(0));
   EXPECT_GT(paths.shortest_distance_to_source_points(Vertex(15)).first, 0);

@@ -122,7 +122,7 @@ public:
    * replaces the weights by what `read_face_weights()` returns; the points stay where they are. If
    * weights around a vertex now differ that were all the same when the graph was built, or thin
    * faces are not forbidden any more, the bound gets worse, unless `Geometric_points` was
-   * constructed for weights that may differ: `epsilon()` returns the new one.
+   * constructed for weights that may change: `epsilon()` returns the new one.
    *
    * \warning No other thread may use the graph meanwhile, and existing workspaces for it become
    * invalid.
@@ -158,6 +158,27 @@ public:
           if(after != before)
             this->add_change(this->groups().group_of_face(h), after < before);
         });
+  }
+
+  /*!
+   * lifts barriers, or puts them back, as doors are opened and closed. Only edges that were
+   * barriers when the graph was built can change. Workspaces stay valid, as above. The bound stays
+   * the same if `Geometric_points` was constructed for barriers that may be lifted; other
+   * placements than that have points on barriers anyway.
+   *
+   * \warning No other thread may use the graph meanwhile.
+   *
+   * \throws std::invalid_argument as `Intrinsic_triangulation::set_barriers()` does. Then no
+   * barrier has changed.
+   *
+   * Run time is linear in the number of changes; at the first call, it is \cgalBigO{n}.
+   */
+  void set_barriers(const std::vector<Barrier_change>& changes)
+  {
+    this->m_changes.reserve(changes.size());
+    this->m_triangulation.set_barriers(changes);
+    for(const Barrier_change& change : changes)
+      this->add_change(this->groups().group_of_barrier(change.halfedge), !change.is_barrier);
   }
 
   /// @}

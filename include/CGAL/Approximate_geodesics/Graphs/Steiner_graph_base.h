@@ -89,6 +89,7 @@ private:
     } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
     // the side of a barrier that belongs to the sector
     expand_edge(m_triangulation.opposite(h), false, f);
+    m_nodes.for_each_joined_sector(m_triangulation, node, [&](const Node next) { f(next, 0.); });
   }
 
   template <typename F>
@@ -150,7 +151,13 @@ private:
       f(left.toward_target, left.cost_to_target);
 
     const Node origin = labels.predecessor(node);
-    if(origin == left.toward_source || origin == left.toward_target || origin == null_index)
+    const Node twin = m_triangulation.is_lifted(h)
+                          ? m_nodes.node_of_point(m_points.twin(m_triangulation, h, p))
+                          : null_index;
+    if(twin != null_index)
+      f(twin, 0.);
+    if(origin == twin || origin == left.toward_source || origin == left.toward_target ||
+       origin == null_index)
     {
       if(m_triangulation.is_open(h))
         m_costs.expand_face(left, m_triangulation.halfedges_of_face(h), labels, f);

@@ -60,6 +60,21 @@ struct Weight_change
   double weight;
 };
 
+/*!
+ * \ingroup PkgApproximateGeodesicsSurface
+ *
+ * Whether a barrier of an `Intrinsic_triangulation` is to be there or lifted, as a door that is
+ * closed or open.
+ */
+struct Barrier_change
+{
+  /// a halfedge of the edge.
+  std::uint32_t halfedge;
+
+  /// whether paths must not cross the edge.
+  bool is_barrier;
+};
+
 namespace internal {
 
 template <typename TriangleMesh, typename NamedParameters>
@@ -95,9 +110,9 @@ class Retriangulation;
  * supports them, and `Directional_graph` supports weights that are functions of the direction. The
  * others reject such a triangulation.
  *
- * After its construction an object of this class changes only by `set_weights()`, and may be used
- * by several threads. It takes about 91 bytes per vertex on a closed mesh, 48 more if there are
- * weights, and 36 per thin face.
+ * After its construction an object of this class changes only by `set_weights()` and
+ * `set_barriers()`, and may be used by several threads. It takes about 91 bytes per vertex on a
+ * closed mesh, 48 more if there are weights, and 36 per thin face.
  */
 class Intrinsic_triangulation
 {
@@ -238,8 +253,8 @@ public:
   std::size_t memory() const
   {
     return internal::memory_of(m_first_halfedge, m_target, m_vertex_of_index, m_index_of_vertex,
-                               m_length, m_weight, m_is_border, m_is_barrier, m_is_flipped,
-                               m_opposite_rank, m_thin_faces, m_gauges);
+                               m_length, m_weight, m_is_border, m_is_barrier, m_is_lifted,
+                               m_is_flipped, m_opposite_rank, m_thin_faces, m_gauges);
   }
 
   /// @}
@@ -432,14 +447,41 @@ public:
   /// returns whether any edge is a barrier.
   bool has_barriers() const { return !m_is_barrier.empty(); }
 
-  /// returns whether the edge of `h` is a barrier. Border edges are not: nothing crosses them
-  /// anyway.
+  /// returns whether the edge of `h` is a barrier, or is one that is lifted. Border edges are not:
+  /// nothing crosses them anyway.
   bool is_barrier(const Index h) const { return has_barriers() && m_is_barrier[h]; }
+
+  /// returns whether the edge of `h` is a barrier that is lifted: paths may cross it.
+  bool is_lifted(const Index h) const { return !m_is_lifted.empty() && m_is_lifted[h]; }
+
+  /// returns whether any barrier is lifted.
+  bool has_lifted_barriers() const
+  {
+    return std::find(m_is_lifted.begin(), m_is_lifted.end(), true) != m_is_lifted.end();
+  }
 
   /// returns whether paths may cross the edge of `h`.
   bool is_crossable(const Index h) const
   {
-    return !is_border(h) && !is_border(opposite(h)) && !is_barrier(h);
+    return !is_border(h) && !is_border(opposite(h)) && (!is_barrier(h) || is_lifted(h));
+  }
+
+  /*!
+   * lifts barriers, or puts them back. Only edges that were barriers at construction can change.
+   *
+   * \throws std::invalid_argument if a halfedge does not exist or is not on such an edge. Then no
+   *         barrier has changed.
+   *
+   * Run time is linear in the number of changes; at the first call, it is \cgalBigO{n}.
+   */
+  void set_barriers(const std::vector<Barrier_change>& changes)
+  {
+    for(const Barrier_change& change : changes)
+      check(change);
+    m_is_lifted.resize(m_is_barrier.size());
+    for(const Barrier_change& change : changes)
+      for(const Index h : {change.halfedge, opposite(change.halfedge)})
+        m_is_lifted[h] = !change.is_barrier;
   }
 
   /// @}
@@ -589,6 +631,19 @@ private:
                        "mesh. Use infinity for faces that paths must not enter.");
   }
 
+  void check(const Barrier_change& change) const
+  {
+    const Index h = change.halfedge;
+    if(h >= number_of_halfedges())
+      internal::reject("a barrier is to change at halfedge " + std::to_string(h) +
+                       ", which does not exist");
+    if(!is_barrier(h))
+      internal::reject("the edge between vertices " + std::to_string(index(source(h))) + " and " +
+                       std::to_string(index(target(h))) +
+                       " is to become a barrier or to be lifted; only those edges can that were "
+                       "barriers when the graph was built, and are not at the border");
+  }
+
   double in_weight_unit(const double weight) const
   {
     return weight > 0 ? (std::max)(weight / m_weight_unit, Face_weights::SMALLEST_WEIGHT) : 0;
@@ -624,6 +679,7 @@ private:
   internal::Face_gauges m_gauges;
   std::vector<double> m_weight;   // per halfedge, or empty
   std::vector<bool> m_is_barrier; // likewise
+  std::vector<bool> m_is_lifted;  // likewise
   std::vector<bool> m_is_flipped; // likewise
   std::vector<Index> m_vertex_of_index;
   std::vector<Index> m_index_of_vertex;

@@ -37,8 +37,8 @@ using Changes_of_arcs = decltype(std::declval<const Graph&>().arc_changes());
 // stored beside labels.
 template <typename Graph>
 constexpr bool is_repairable =
-    boost::is_detected_convertible_v<std::size_t, Number_of_groups, Graph> &&
-    std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
+    boost::is_detected_convertible_v<std::size_t, Number_of_groups, Graph>&&
+        std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
 
 // Returns how many changes of arcs there were.
 template <typename Graph>

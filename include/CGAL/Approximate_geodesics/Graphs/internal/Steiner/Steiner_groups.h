@@ -18,10 +18,11 @@ namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The groups of nodes within which the arcs of a Steiner graph run: the nodes at the border of a
- * face, those of an edge without faces, and a divided vertex with its sectors.
+ * face, those of an edge without faces, a divided vertex with its sectors, and the nodes on both
+ * sides of a barrier, which may be lifted.
  *
- * The group of a face or of an edge has the number of its smallest halfedge, those of vertices
- * follow.
+ * The group of a face or of an edge without faces has the number of its smallest halfedge; those of
+ * vertices follow, and then those of barriers.
  */
 class Steiner_groups : Steiner_view
 {
@@ -33,8 +34,15 @@ public:
 
   std::size_t number_of_groups() const
   {
-    return std::size_t(m_triangulation.number_of_halfedges()) +
-           (m_nodes.sectors().is_empty() ? 0 : m_triangulation.number_of_vertices());
+    return m_triangulation.has_barriers()
+               ? first_of_barriers() + m_triangulation.number_of_halfedges()
+               : m_triangulation.number_of_halfedges();
+  }
+
+  // The group of the barrier of `h`.
+  std::size_t group_of_barrier(const Index h) const
+  {
+    return first_of_barriers() + (std::min)(h, m_triangulation.opposite(h));
   }
 
   // The group of the face to the left of `h`.
@@ -48,6 +56,8 @@ public:
     {
       const Index h = m_points.halfedge(m_nodes.point(node));
       for_side(h, f);
+      if(m_triangulation.is_barrier(h))
+        f(group_of_barrier(h));
       const Index opposite = m_triangulation.opposite(h);
       if(m_points.edge(opposite) == m_points.edge(h) && !m_triangulation.is_border(opposite))
         f(group_of_face(opposite));
@@ -66,16 +76,22 @@ public:
   template <typename F>
   void for_each_node(const std::size_t group, F f) const
   {
-    const Index h = static_cast<Index>(group), beyond = m_triangulation.number_of_halfedges();
-    if(h >= beyond)
+    if(group >= first_of_barriers())
     {
-      f(h - beyond);
-      m_nodes.for_each_sector(h - beyond, f);
-    }
-    else if(m_triangulation.is_border(h))
+      const Index h = static_cast<Index>(group - first_of_barriers());
       for_each_node_of_edge(h, f);
+      for_each_node_of_edge(m_triangulation.opposite(h), f);
+    }
+    else if(group >= m_triangulation.number_of_halfedges())
+    {
+      const Node v = static_cast<Node>(group - m_triangulation.number_of_halfedges());
+      f(v);
+      m_nodes.for_each_sector(v, f);
+    }
+    else if(m_triangulation.is_border(static_cast<Index>(group)))
+      for_each_node_of_edge(static_cast<Index>(group), f);
     else
-      for(const Index side : m_triangulation.halfedges_of_face(h))
+      for(const Index side : m_triangulation.halfedges_of_face(static_cast<Index>(group)))
       {
         f(m_nodes.at_corner(m_triangulation.source(side), side));
         for_each_point(side, f);
@@ -83,6 +99,12 @@ public:
   }
 
 private:
+  std::size_t first_of_barriers() const
+  {
+    return std::size_t(m_triangulation.number_of_halfedges()) +
+           m_triangulation.number_of_vertices();
+  }
+
   std::size_t group_of_vertex(const Node v) const
   {
     return std::size_t(m_triangulation.number_of_halfedges()) + v;
@@ -106,11 +128,15 @@ private:
     const Node v = m_nodes.sectors().vertex(sector);
     f(group_of_vertex(v));
     Index h = m_nodes.sectors().first_halfedge(sector);
+    if(m_triangulation.is_barrier(h))
+      f(group_of_barrier(h));
     do
     {
       f(group_of_face(h));
       h = m_triangulation.counterclockwise(v, h);
     } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
+    if(m_triangulation.is_barrier(h))
+      f(group_of_barrier(h));
   }
 
   template <typename F>

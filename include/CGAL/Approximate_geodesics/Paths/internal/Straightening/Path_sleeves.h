@@ -82,7 +82,8 @@ private:
   // Whether a path that turns back here may do so to get to the other side of the barrier.
   bool turns_at_barrier(const Step& next) const
   {
-    return points.back().is_vertex() && m_triangulation.is_barrier(next.edge);
+    return points.back().is_vertex() && m_triangulation.is_barrier(next.edge) &&
+           !m_triangulation.is_lifted(next.edge);
   }
 
   Step step(const Intrinsic_point& p, const Intrinsic_point& q) const
