@@ -251,8 +251,9 @@ public:
    * does the same as `run(seeds)`, and takes the time that the difference from the last run is
    * worth: arcs of the graph may have changed since then, and seeds may have been added, removed or
    * moved. Only the distances of nodes that paths through changed arcs or from other seeds lead to
-   * are found anew. All distances are those of `run()`, to the last bit; of paths of the same
-   * length, it may find another one.
+   * are found anew. All distances are those of `run()`, to the last bit as far as they do not
+   * depend on the queue, see \ref AG_same_bits; of paths of the same length, it may find another
+   * one.
    *
    * The whole graph is searched if the last run ended early, had a heuristic or a maximum distance,
    * if most of the results change, or if `graph` has no groups, see `GeodesicGraph`.
