@@ -51,6 +51,9 @@ class Solver:
         hundred million.
     barriers : (k, 2) array of int, optional
         Edges that paths must not cross, by their two vertices.
+    may_change : bool
+        Whether the bound also holds after `set_weights` and `set_barriers`, which takes more
+        points. This is not saved.
     progress : callable, optional
         Called while the graph is built.
 
@@ -89,6 +92,7 @@ class Solver:
         accept_weaker_bound: bool = False,
         maximum_number_of_points: Optional[int] = None,
         barriers: Optional[npt.ArrayLike] = None,
+        may_change: bool = False,
         progress: Optional[Progress] = None,
     ) -> None:
         coordinates = _arrays.numbers(vertices, "vertices", (-1, 3))
@@ -107,6 +111,7 @@ class Solver:
             accept_weaker_bound,
             _limit_of_points(maximum_number_of_points),
             ends,
+            may_change,
             _number_of_threads(threads),
             _checked(progress),
         )
@@ -332,6 +337,47 @@ class Solver:
         return (points, length) if return_length else points
 
     # Lists of pairs
+
+    def set_weights(self, faces: npt.ArrayLike, weights: npt.ArrayLike) -> None:
+        """Change the weights of some faces.
+
+        If the next call of `distances` has most sources of the last one, it only finds those
+        distances anew that have changed, with the same result as a fresh search. No other thread
+        may use the solver meanwhile.
+
+        Parameters
+        ----------
+        faces : (k,) array of int
+            Faces.
+        weights : (k,) array of float
+            Their new weights: not negative; infinity forbids a face.
+
+        Raises
+        ------
+        ValueError
+            If the solver was made with neither face weights nor barriers, or a face or a weight
+            cannot be right; nothing has changed then.
+        """
+        numbers = _arrays.integers(faces, "faces", (-1,)).astype(np.int64, copy=False)
+        values = _arrays.numbers(weights, "weights", (len(numbers),))
+        self._solver.set_weights(np.ascontiguousarray(numbers), values)
+
+    def set_barriers(self, edges: npt.ArrayLike, closed: npt.ArrayLike) -> None:
+        """Lift barriers, or put them back, like doors that are opened and closed.
+
+        Only edges that were barriers when the solver was made can change. Searches are repaired as
+        after `set_weights`. `save` keeps those that are closed.
+
+        Parameters
+        ----------
+        edges : (k, 2) array of int
+            Edges, by their two vertices.
+        closed : bool or (k,) array of bool
+            Whether they are barriers from now on.
+        """
+        ends = _arrays.integers(edges, "edges", (-1, 2)).astype(np.int64, copy=False)
+        are_closed = np.ascontiguousarray(np.broadcast_to(np.asarray(closed, bool), len(ends)))
+        self._solver.set_barriers(np.ascontiguousarray(ends), are_closed)
 
     def pair_distances(
         self,

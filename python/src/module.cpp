@@ -53,6 +53,7 @@ std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
                                         const bool accept_weaker_bound,
                                         const std::size_t maximum_number_of_points,
                                         const std::optional<Numbers>& barriers,
+                                        const bool may_change,
                                         const std::size_t threads,
                                         const py::object& progress)
 {
@@ -69,6 +70,7 @@ std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
     options.barriers = barriers->data();
     options.number_of_barriers = static_cast<std::size_t>(barriers->shape(0));
   }
+  options.may_change = may_change;
   options.number_of_threads = threads;
   return run(progress, [&](const AG::Solver_watch& watch) {
     return std::make_unique<AG::Solver>(vertices.data(),
@@ -83,7 +85,18 @@ void add_constructor(py::class_<AG::Solver>& solver)
   solver.def(py::init(&make_solver<Integer>), py::arg("vertices").noconvert(),
              py::arg("faces").noconvert(), py::arg("epsilon"), py::arg("face_weights").noconvert(),
              py::arg("costs"), py::arg("accept_weaker_bound"), py::arg("maximum_number_of_points"),
-             py::arg("barriers").noconvert(), py::arg("threads"), py::arg("progress"));
+             py::arg("barriers").noconvert(), py::arg("may_change"), py::arg("threads"),
+             py::arg("progress"));
+}
+
+void set_weights(AG::Solver& solver, const Numbers& faces, const Array<double>& weights)
+{
+  solver.set_weights(faces.data(), weights.data(), static_cast<std::size_t>(faces.shape(0)));
+}
+
+void set_barriers(AG::Solver& solver, const Numbers& ends, const Array<bool>& is_barrier)
+{
+  solver.set_barriers(ends.data(), is_barrier.data(), static_cast<std::size_t>(ends.shape(0)));
 }
 
 py::tuple distances(const AG::Solver& solver,
@@ -333,6 +346,8 @@ PYBIND11_MODULE(_native, module)
       .def_static("from_bytes", &python::from_bytes)
       .def("save", &python::save)
       .def("to_bytes", &python::to_bytes)
+      .def("set_weights", &python::set_weights)
+      .def("set_barriers", &python::set_barriers)
       .def("distances", &python::distances)
       .def("path", &python::path)
       .def("pair_distances", &python::pair_distances)

@@ -283,3 +283,24 @@ def test_cost_functions_that_cannot_be_right():
     with pytest.raises(ValueError, match="face 128 has vertex 999"):
         ag.Solver(VERTICES, wrong, costs=lambda f, w: np.ones(len(f)))
     assert "with a cost function" in repr(ag.Solver(VERTICES, FACES, costs=lambda f, w: f + 1.0))
+
+
+def test_doors_and_weights_that_change():
+    wall = [(4 + 9 * y, 13 + 9 * y) for y in range(8)]
+    solver = ag.Solver(VERTICES, FACES, 0.1, barriers=wall, may_change=True)
+    assert np.isinf(solver.distances(0)[80])
+    solver.set_barriers(wall[7:], False)
+    open_door = solver.distances(0)
+    assert 8 * np.sqrt(2) <= open_door[80] < 8 * np.sqrt(2) * 1.1
+    solver.set_weights([3, 50], [2.5, np.inf])
+    weights = np.ones(SIZE)
+    weights[[3, 50]] = 2.5, np.inf
+    other = ag.Solver(VERTICES, FACES, 0.1, barriers=wall[:7], face_weights=weights)
+    np.testing.assert_allclose(solver.distances(0), other.distances(0), rtol=0.1)
+    assert solver.error_bound == pytest.approx(0.1)
+    solver.set_barriers(wall, np.ones(8, bool))
+    assert np.isinf(solver.distances(0)[80])
+    with pytest.raises(ValueError, match="barrier"):
+        solver.set_barriers([(0, 1)], False)
+    with pytest.raises(ValueError, match="without face weights"):
+        ag.Solver(VERTICES, FACES, 0.1).set_weights([3], [2])

@@ -113,4 +113,28 @@ public:
   bool is_parallel() const;
 
   /// @}
+
+  /// \name Optional, for Repairs
+  /// `Propagation::repair()` needs groups of nodes, such that the groups of a node contain the
+  /// other ends of all arcs that start from it, and of all that lead to it. A graph with a `Run` is
+  /// not repaired.
+  /// @{
+
+  /// returns the number of groups, which are numbered from `0` on.
+  std::size_t number_of_groups() const;
+
+  /// calls `f(group)` for groups of a node, and maybe several times: enough of them to contain the
+  /// ends of its arcs.
+  template <typename F>
+  void for_each_group(Node node, F f) const;
+
+  /// calls `f(node)` for the nodes of a group, and maybe several times.
+  template <typename F>
+  void for_each_node_of_group(std::size_t group, F f) const;
+
+  /// returns how arcs have changed since the graph was built. Without this member function, they
+  /// never change, and only other seeds are a reason for a repair.
+  const CGAL::Approximate_geodesics::Arc_changes& arc_changes() const;
+
+  /// @}
 };

@@ -121,5 +121,8 @@ public:
   /// `set_face_weights()` of the class needs it.
   void set_weights(CGAL::Approximate_geodesics::Face_weights weights);
 
+  /// changes the weights of some faces; `set_weights()` of the class needs it.
+  void set_weights(const std::vector<CGAL::Approximate_geodesics::Weight_change>& changes);
+
   /// @}
 };

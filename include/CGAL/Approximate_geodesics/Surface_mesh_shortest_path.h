@@ -23,6 +23,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for users of the class
 #include <CGAL/approximate_geodesic_pair_distances.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/iterator/transform_iterator.hpp>
 
@@ -267,11 +268,13 @@ public:
   /// \name Search
   /// @{
 
-  /// searches the graph if the sources have changed since the last search.
+  /// searches the graph if the sources or weights have changed since the last search. If few of
+  /// them have, the results of that are repaired, as `Propagation::repair()` says, and otherwise
+  /// found anew.
   void build_sequence_tree()
   {
     if(changed_since_last_build())
-      build_sequence_tree(parameters::default_values());
+      search_from_sources([this](auto sources) { m_search.search().repair(std::move(sources)); });
   }
 
   /*!
@@ -287,19 +290,10 @@ public:
     static_assert(!internal::ignores_any<NamedParameters, internal_np::maximum_distance_t,
                                          internal_np::targets_t, internal_np::visitor_t>,
                   "build_sequence_tree() reads maximum_distance, targets and visitor");
-    m_has_changed = true; // in case the run throws
-    m_source_points.clear();
-    std::vector<Source_point> sources;
-    for(auto it = source_points_begin(); it != source_points_end(); ++it)
-    {
-      sources.push_back(it.base()->source);
-      m_source_points.push_back(it);
-    }
-    m_search.run(std::move(sources), np);
-    m_has_changed = false;
+    search_from_sources([&](auto sources) { m_search.run(std::move(sources), np); });
   }
 
-  /// returns whether sources were added or removed since the last search, or there was no search.
+  /// returns whether sources or weights have changed since the last search, or there was none.
   bool changed_since_last_build() const { return m_has_changed; }
 
   /// removes all sources and results, and keeps the graph.
@@ -329,6 +323,55 @@ public:
     m_pair_search.reset();
     m_workspaces.clear();
     m_search.search().restart();
+  }
+
+  /*!
+   * changes the weights of some faces. The next query repairs the results of the last search, in
+   * time that depends on how much is different. No other thread may use the graph during this call;
+   * each `Surface_search` on it can be repaired, too.
+   *
+   * \tparam WeightChanges a model of `ConstRange` of `std::pair`s of a `face_descriptor` and its
+   *         new weight, which is as in the `face_weight_map` of the constructor of
+   *         `Intrinsic_triangulation`
+   *
+   * \pre `Graph` has a member function `set_weights()` for changes, as `Steiner_graph` does.
+   *
+   * \throws std::invalid_argument if a face is not a face of the mesh, or a weight is negative,
+   * NaN, or so large that costs might overflow a `double`; the weights are then unchanged.
+   */
+  template <typename WeightChanges>
+  void set_weights(const WeightChanges& changes)
+  {
+    std::vector<Weight_change> result;
+    for(const auto& change : changes)
+      result.push_back({m_translation.halfedge_of(change.first), CGAL::to_double(change.second)});
+    m_graph.set_weights(result);
+    m_has_changed = true;
+  }
+
+  /*!
+   * lifts barriers, or puts them back, as doors are opened and closed. The next query repairs the
+   * results of the last search, as after `set_weights()`.
+   *
+   * \tparam BarrierChanges a model of `ConstRange` of `std::pair`s of an `edge_descriptor` and
+   *         whether the edge is a barrier from now on. Only edges that were barriers when the graph
+   *         was built can change.
+   *
+   * \pre `Graph` has a member function `set_barriers()`, as `Steiner_graph` does.
+   *
+   * \throws std::invalid_argument if an edge was not a barrier; no barrier has changed then.
+   */
+  template <typename BarrierChanges>
+  void set_barriers(const BarrierChanges& changes)
+  {
+    constexpr double middle = 0.5;
+    std::vector<Barrier_change> result;
+    for(const auto& [edge, is_barrier] : changes)
+      result.push_back(
+          {m_translation.intrinsic_point(halfedge(edge, this->mesh()), middle).halfedge,
+           is_barrier});
+    m_graph.set_barriers(result);
+    m_has_changed = true;
   }
 
   /// @}
@@ -721,6 +764,22 @@ private:
     auto found = internal::find_pairs(m_graph, m_workspaces,
                                       internal::point_pairs(m_translation, pairs), np, find);
     return found ? *std::move(found) : typename decltype(found)::value_type();
+  }
+
+  // Calls `search(sources)`.
+  template <typename F>
+  void search_from_sources(const F& search)
+  {
+    m_has_changed = true; // in case it throws
+    m_source_points.clear();
+    std::vector<Source_point> sources;
+    for(auto it = source_points_begin(); it != source_points_end(); ++it)
+    {
+      sources.push_back(it.base()->source);
+      m_source_points.push_back(it);
+    }
+    search(std::move(sources));
+    m_has_changed = false;
   }
 
   Point_3 point_of(const Intrinsic_point& p) const

@@ -31,7 +31,8 @@ namespace CGAL::Approximate_geodesics {
  * else the sine is replaced by 1). The progression starts at a distance from the vertex that is
  * proportional to the radius of its star: the radius times about \f$\sqrt{\varepsilon / 2}\f$ if
  * all faces around it have the same weight, and else times about \f$\varepsilon / 6\f$. There are
- * no points on edges at the border, nor on barriers, since no cheapest path needs them. Section
+ * no points on edges at the border, nor on barriers, unless these may be lifted, since no cheapest
+ * path needs them. Section
  * \ref AG_geometric_points of the manual states the theorem, and the report \cgalCite{ag-report}
  * proves it.
  *
@@ -67,14 +68,14 @@ public:
    * places points for the bound `epsilon`.
    *
    * \param epsilon the bound
-   * \param weights_may_differ whether the bound also holds after `Steiner_graph::set_weights()`
-   *        around vertices where all weights are the same now
+   * \param may_change whether the bound also holds after `Steiner_graph::set_weights()` around
+   *        vertices where all weights are the same now, and after `Steiner_graph::set_barriers()`;
+   *        then there are points on barriers, too
    *
    * \throws std::invalid_argument if `epsilon` is not a finite number above `0`.
    */
-  explicit Geometric_points(const double epsilon = 0.1, const bool weights_may_differ = false)
-    : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon))),
-      m_weights_may_differ(weights_may_differ)
+  explicit Geometric_points(const double epsilon = 0.1, const bool may_change = false)
+    : m_epsilon(internal::checked_epsilon(parameters::epsilon(epsilon))), m_may_change(may_change)
   {
   }
 
@@ -105,9 +106,11 @@ public:
    *         not an integer above `0`.
    */
   template <typename T, typename Tag, typename Base>
-  explicit Geometric_points(const Named_function_parameters<T, Tag, Base>& np)
+  explicit Geometric_points(const Named_function_parameters<T, Tag, Base>& np,
+                            const bool may_change = false)
     : m_epsilon(internal::checked_epsilon(np)),
-      m_limit(internal::limit_of_points(np, MAXIMUM_NUMBER_OF_POINTS_PER_EDGE))
+      m_limit(internal::limit_of_points(np, MAXIMUM_NUMBER_OF_POINTS_PER_EDGE)),
+      m_may_change(may_change)
   {
   }
 
@@ -131,7 +134,7 @@ public:
     const Index number_of_vertices = triangulation.number_of_vertices();
     std::vector<bool> is_uniform(number_of_vertices);
     for(Index v = 0; v < number_of_vertices; ++v)
-      is_uniform[v] = !m_weights_may_differ && internal::are_weights_uniform(triangulation, v);
+      is_uniform[v] = !m_may_change && internal::are_weights_uniform(triangulation, v);
     const bool are_uniform =
         std::all_of(is_uniform.begin(), is_uniform.end(), [](const bool is) { return is; });
     m_epsilon_of_crossings = are_uniform ? m_epsilon : SHARE_OF_CROSSINGS * m_epsilon;
@@ -149,8 +152,8 @@ public:
     internal::Limit_of_points limit = m_limit;
     do
     {
-      m_progressions =
-          internal::Measured_progressions(triangulation, start, m_epsilon_of_crossings, limit);
+      m_progressions = internal::Measured_progressions(triangulation, start, m_epsilon_of_crossings,
+                                                       limit, m_may_change);
       limit.number /= 2;
     } while(limit.is_soft && limit.number > 0 &&
             internal::has_more_points(triangulation, *this, maximum_number_of_points));
@@ -159,7 +162,7 @@ public:
   /// returns the number of points on the edge of `h`.
   std::size_t number_of_points(const Intrinsic_triangulation& triangulation, const Index h) const
   {
-    return triangulation.is_crossable(h)
+    return has_points(triangulation, h)
                ? m_progressions.on_edge(triangulation, h).number_of_points()
                : 0;
   }
@@ -171,7 +174,7 @@ public:
              float* positions,
              std::size_t /* number_of_points */) const
   {
-    if(triangulation.is_crossable(h))
+    if(has_points(triangulation, h))
       m_progressions.on_edge(triangulation, h).place(positions);
   }
 
@@ -182,6 +185,8 @@ public:
     using internal::infinity;
     if(raised_weight(triangulation) != Intrinsic_triangulation::null_index)
       return infinity;
+    if(!m_may_change && triangulation.has_lifted_barriers())
+      return infinity; // there are no points on these
     double of_crossings = m_epsilon_of_crossings, of_vicinities = 0;
     for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     {
@@ -227,6 +232,11 @@ private:
     return Intrinsic_triangulation::null_index;
   }
 
+  bool has_points(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    return triangulation.is_crossable(h) || (m_may_change && triangulation.is_barrier(h));
+  }
+
   // Returns where progressions start, relative to the radius of the star.
   double relative_start(const bool is_uniform) const
   {
@@ -240,7 +250,7 @@ private:
 
   double m_epsilon;
   internal::Limit_of_points m_limit{MAXIMUM_NUMBER_OF_POINTS_PER_EDGE, false};
-  bool m_weights_may_differ = false;
+  bool m_may_change = false;
   double m_epsilon_of_crossings = 0; // for paths across faces, away from vertices
   internal::Measured_progressions m_progressions;
 };

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics {
 
@@ -121,7 +122,7 @@ public:
    * replaces the weights by what `read_face_weights()` returns; the points stay where they are. If
    * weights around a vertex now differ that were all the same when the graph was built, or thin
    * faces are not forbidden any more, the bound gets worse, unless `Geometric_points` was
-   * constructed for weights that may differ: `epsilon()` returns the new one.
+   * constructed for weights that may change: `epsilon()` returns the new one.
    *
    * \warning No other thread may use the graph meanwhile, and existing workspaces for it become
    * invalid.
@@ -132,6 +133,52 @@ public:
   {
     this->m_triangulation.set_weights(std::move(weights));
     this->summarize_arcs();
+    this->m_changes.add_unknown();
+  }
+
+  /*!
+   * changes the weights of some faces. The points stay where they are, and the bound is as above.
+   * Workspaces stay valid: `Surface_search::repair()` finds what is different, in time that depends
+   * on that, and any other run is as after building the graph.
+   *
+   * \warning No other thread may use the graph meanwhile.
+   *
+   * \throws std::invalid_argument as `Intrinsic_triangulation::set_weights()` does. Then no weight
+   *         has changed.
+   *
+   * Run time is linear in the number of changes. At the first call for a triangulation without
+   * weights, it is \cgalBigO{n}.
+   */
+  void set_weights(const std::vector<Weight_change>& changes)
+  {
+    using Index = Intrinsic_triangulation::Index;
+    this->m_changes.reserve(changes.size());
+    this->m_triangulation.set_weights(
+        changes, [this](const Index h, const double before, const double after) {
+          if(after != before)
+            this->add_change(this->groups().group_of_face(h), after < before);
+        });
+  }
+
+  /*!
+   * lifts barriers, or puts them back, as doors are opened and closed. Only edges that were
+   * barriers when the graph was built can change. Workspaces stay valid, as above. The bound stays
+   * the same if `Geometric_points` was constructed for barriers that may be lifted; other
+   * placements than that have points on barriers anyway.
+   *
+   * \warning No other thread may use the graph meanwhile.
+   *
+   * \throws std::invalid_argument as `Intrinsic_triangulation::set_barriers()` does. Then no
+   * barrier has changed.
+   *
+   * Run time is linear in the number of changes; at the first call, it is \cgalBigO{n}.
+   */
+  void set_barriers(const std::vector<Barrier_change>& changes)
+  {
+    this->m_changes.reserve(changes.size());
+    this->m_triangulation.set_barriers(changes);
+    for(const Barrier_change& change : changes)
+      this->add_change(this->groups().group_of_barrier(change.halfedge), !change.is_barrier);
   }
 
   /// @}

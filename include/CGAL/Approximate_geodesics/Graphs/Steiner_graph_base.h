@@ -8,7 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Arc_changes.h>
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_groups.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -87,6 +89,7 @@ private:
     } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
     // the side of a barrier that belongs to the sector
     expand_edge(m_triangulation.opposite(h), false, f);
+    m_nodes.for_each_joined_sector(m_triangulation, node, [&](const Node next) { f(next, 0.); });
   }
 
   template <typename F>
@@ -148,7 +151,13 @@ private:
       f(left.toward_target, left.cost_to_target);
 
     const Node origin = labels.predecessor(node);
-    if(origin == left.toward_source || origin == left.toward_target || origin == null_index)
+    const Node twin = m_triangulation.is_lifted(h)
+                          ? m_nodes.node_of_point(m_points.twin(m_triangulation, h, p))
+                          : null_index;
+    if(twin != null_index)
+      f(twin, 0.);
+    if(origin == twin || origin == left.toward_source || origin == left.toward_target ||
+       origin == null_index)
     {
       if(m_triangulation.is_open(h))
         m_costs.expand_face(left, m_triangulation.halfedges_of_face(h), labels, f);
@@ -413,10 +422,37 @@ public:
   /// prefetches the data from which the arcs of `node` are computed.
   void prefetch(const Node node) const { m_nodes.prefetch(m_triangulation, node); }
 
+  /// \name Groups of Nodes
+  /// A search that is repaired reads these, see `GeodesicGraph`. The nodes at the border of a face
+  /// are a group.
+  /// @{
+
+  /// returns the number of groups.
+  std::size_t number_of_groups() const { return groups().number_of_groups(); }
+
+  /// calls `f(group)` for the groups that a node is in, and maybe several times.
+  template <typename F>
+  void for_each_group(const Node node, F f) const
+  {
+    groups().for_each_group(node, f);
+  }
+
+  /// calls `f(node)` for the nodes of a group, and maybe several times.
+  template <typename F>
+  void for_each_node_of_group(const std::size_t group, F f) const
+  {
+    groups().for_each_node(group, f);
+  }
+
+  /// returns what has changed since the graph was built.
+  const Arc_changes& arc_changes() const { return m_changes; }
+
+  /// @}
+
   /// returns the number of bytes that the graph takes, its triangulation included.
   std::size_t memory() const
   {
-    return internal::memory_of(m_triangulation, m_placement, m_edges, m_nodes);
+    return internal::memory_of(m_triangulation, m_placement, m_edges, m_nodes, m_changes);
   }
 
   /// returns whether the triangulation is valid.
@@ -439,6 +475,13 @@ protected:
     summarize_arcs();
   }
 
+  // Must be called after the arcs of a group have become shorter or longer.
+  void add_change(const std::size_t group, const bool is_shorter)
+  {
+    constexpr std::size_t groups_per_change = 8; // more change results of most nodes
+    m_changes.add({group, is_shorter, !is_shorter}, number_of_groups() / groups_per_change);
+  }
+
   void summarize_arcs() { m_arc_lengths = arcs().along_edges(); }
 
   Intrinsic_triangulation m_triangulation;
@@ -446,7 +489,10 @@ protected:
   typename Costs::Edges m_edges;
   internal::Steiner_nodes m_nodes;
   Arc_lengths m_arc_lengths;
+  Arc_changes m_changes;
   bool m_is_backward; // whether distances are those to the sources of a search
+
+  internal::Steiner_groups groups() const { return {m_triangulation, m_nodes}; }
 
 private:
   Costs costs(const bool is_backward) const

@@ -292,8 +292,17 @@ public:
               const Vertex_positions& positions = Vertex_positions(),
               double maximum_distance = std::numeric_limits<double>::infinity());
 
-  /// must be called after the weights of the graph have changed. Results are forgotten. Run time is
-  /// \cgalBigO{n} for `n` nodes.
+  /*!
+   * does the same as `run(sources)`, and takes the time that the difference from the last run is
+   * worth: the graph may have changed by `set_weights(changes)` since then, and sources may have
+   * been added, removed or moved. See `Propagation::repair()`.
+   *
+   * \throws std::invalid_argument as `run()` does.
+   */
+  void repair(std::vector<Source_point> sources);
+
+  /// must be called after all weights of the graph have been exchanged. Results are forgotten. Run
+  /// time is \cgalBigO{n} for `n` nodes.
   void restart();
 
   /// enables or disables statistics for subsequent runs: see `search().statistics()`.
@@ -608,6 +617,21 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run(std::vector<Source_point> 
 }
 
 template <typename SurfaceGraph, typename PriorityQueue>
+void Surface_search<SurfaceGraph, PriorityQueue>::repair(std::vector<Source_point> sources)
+{
+  Points_by_face points = sorted(sources);
+  const Stop_rule stop;
+  Geodesic_visitor_base visitor;
+  run_and_adopt(std::move(sources), std::move(points), stop, stop.maximum_distance,
+                [&](const auto& seeds, const auto& rule, const auto& entries) {
+                  if(entries)
+                    m_search.run(seeds, rule, visitor, entries);
+                  else
+                    m_search.repair(seeds);
+                });
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
 void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& target,
                                                          std::vector<Source_point> sources,
                                                          const Vertex_positions& positions,
@@ -619,7 +643,9 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
       (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
   // Lines to a point that is not a vertex may be found from labels. All labels below its distance
   // must be final then, which A* does not guarantee.
-  const bool is_guided = positions.are_known() && (!Run::attaches_by_labels || target.is_vertex());
+  // Weights may be smaller than 1 since they have changed.
+  const bool is_guided = positions.are_known() && !m_graph->triangulation().has_weights() &&
+                         (!Run::attaches_by_labels || target.is_vertex());
   run_and_adopt(std::move(sources), std::move(points), {limit, {target}}, maximum_distance,
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
                   if(is_guided)

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Repair.h>
 
 #include <algorithm>
 #include <cmath>
@@ -275,7 +276,48 @@ public:
       enter_labels([&](const Node node, const double distance, const Node predecessor,
                        const bool is_open) { take_over(node, distance, predecessor, is_open); });
       propagate_all(Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic());
+      m_is_complete = false; // `repair()` would not know the seeds
     });
+  }
+
+  /*!
+   * does the same as `run(seeds)`, and takes the time that the difference from the last run is
+   * worth: arcs of the graph may have changed since then, and seeds may have been added, removed or
+   * moved. Only the distances of nodes that paths through changed arcs or from other seeds lead to
+   * are found anew. All distances are those of `run()`, to the last bit as far as they do not
+   * depend on the queue, see \ref AG_same_bits; of paths of the same length, it may find another
+   * one.
+   *
+   * The whole graph is searched if the last run ended early, had a heuristic or a maximum distance,
+   * if most of the results change, or if `graph` has no groups, see `GeodesicGraph`.
+   *
+   * \throws std::invalid_argument as `run()` does.
+   *
+   * Run time is \cgalBigO{m} in practice for `m` arcs of the nodes whose distances are found anew,
+   * and of the nodes that have arcs in common with them. At the first call, memory of a byte per
+   * group and a bit per node is allocated.
+   */
+  void repair(const std::vector<Seed>& seeds)
+  {
+    check(seeds, Stop_rule());
+    Geodesic_visitor_base visitor; // as in other runs, which are instantiated anyway
+    if constexpr(internal::is_repairable<Graph>)
+      if(can_be_repaired())
+      {
+        m_sources.forget(m_labels);
+        if(raise_labels(seeds))
+        {
+          m_seeds.clear();
+          search(seeds, Stop_rule(), visitor, internal::No_heuristic(), {},
+                 m_repair.border(*m_graph, m_labels));
+          m_repair.tidy(m_labels);
+          count_all();
+          m_repair.finish();
+          return;
+        }
+        m_repair.finish();
+      }
+    run(seeds, Stop_rule(), visitor);
   }
 
   /// enables or disables statistics for subsequent runs, which they slow down slightly.
@@ -350,7 +392,8 @@ public:
   /// returns the number of bytes that the workspace takes.
   std::size_t memory() const
   {
-    return internal::memory_of(m_run, m_labels, m_queue, m_sources, m_seeds, m_candidates);
+    return internal::memory_of(m_run, m_labels, m_queue, m_sources, m_seeds, m_candidates,
+                               m_repair);
   }
 
 private:
@@ -495,15 +538,54 @@ private:
     return (std::min)(m_limit, to_graph_unit(stop.maximum_distance));
   }
 
+  // Whether labels are those of all nodes, and the changes since the last run are known.
+  bool can_be_repaired() const
+  {
+    if constexpr(boost::is_detected_v<internal::Changes_of_arcs, Graph>)
+      return m_is_complete && m_graph->arc_changes().are_known_since(m_number_of_changes);
+    else
+      return m_is_complete;
+  }
+
+  // Raises the labels that changes of arcs and seeds make invalid. Returns false if these are so
+  // many that a search of the whole graph is faster.
+  bool raise_labels(std::vector<Seed> seeds)
+  {
+    try
+    {
+      m_repair.start(*m_graph);
+      for(Seed& seed : seeds)
+        seed.distance = to_graph_unit(seed.distance);
+      if(!m_repair.replace_seeds(m_seeds, std::move(seeds), *m_graph, m_labels))
+        return false;
+      if constexpr(boost::is_detected_v<internal::Changes_of_arcs, Graph>)
+        m_graph->arc_changes().for_each_since(m_number_of_changes, [this](const auto& change) {
+          m_repair.add(change, *m_graph, m_labels);
+        });
+      return m_repair.spread(*m_graph, m_labels);
+    }
+    catch(...)
+    {
+      forget_all();
+      throw;
+    }
+  }
+
+  // Nodes in `border` have labels, and are expanded with these, too.
   template <typename Visitor, typename Heuristic>
   void search(const std::vector<Seed>& seeds,
               const Stop_rule& stop,
               Visitor&& visitor,
               const Heuristic& heuristic,
-              const Find_entries& find_entries)
+              const Find_entries& find_entries,
+              const std::vector<Node>& border = {})
   {
     guard([&] {
       prepare();
+      m_is_complete = m_is_complete && !internal::is_heuristic<Heuristic> &&
+                      stop.maximum_distance == std::numeric_limits<double>::infinity();
+      for(const Node node : border)
+        m_queue.push(node, m_labels.distance(node));
       Start<Heuristic> start{*this, seeds, stop, heuristic};
       m_run.start(start);
       if(find_entries)
@@ -523,6 +605,7 @@ private:
               internal::Watch(m_labels, goal(stop, heuristic), visitor, m_graph->unit(), m_counts),
               heuristic);
     count_all();
+    m_is_complete = m_is_complete && !m_ended_early;
     m_sources.forget_all(); // a visitor may have queried them before they were final
   }
 
@@ -536,12 +619,19 @@ private:
     }
     catch(...)
     {
-      m_sources.forget_all();
-      m_labels.forget_all();
-      m_run.forget_all();
-      m_seeds.clear();
+      forget_all();
       throw;
     }
+  }
+
+  void forget_all()
+  {
+    m_sources.forget_all();
+    m_labels.forget_all();
+    m_run.forget_all();
+    m_repair.forget();
+    m_seeds.clear();
+    m_is_complete = true; // nothing is reached, from no seeds
   }
 
   void prepare()
@@ -549,6 +639,7 @@ private:
     m_queue.clear();
     m_statistics = Propagation_statistics();
     m_ended_early = false;
+    m_number_of_changes = internal::number_of_changes(*m_graph);
     m_limit = std::numeric_limits<double>::infinity();
   }
 
@@ -617,6 +708,7 @@ private:
     m_run.forget(m_labels.order());
     m_labels.forget();
     m_seeds.clear();
+    m_is_complete = true;
   }
 
   double to_graph_unit(const double distance) const { return distance / m_graph->unit(); }
@@ -636,6 +728,9 @@ private:
   Propagation_statistics m_statistics;
   bool m_counts = false;
   bool m_ended_early = false;
+  internal::Repair_of<Graph> m_repair;
+  bool m_is_complete = true;           // whether all nodes have labels that can be reached
+  std::size_t m_number_of_changes = 0; // of arcs, before the last run
   double m_limit = std::numeric_limits<double>::infinity(); // of labels, in units of the graph
 };
 

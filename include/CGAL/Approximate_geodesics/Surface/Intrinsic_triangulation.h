@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -42,6 +43,36 @@ struct Face_weights
 
   /// the unit, a power of two.
   double unit = 1;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsSurface
+ *
+ * A new weight of a face of an `Intrinsic_triangulation`.
+ */
+struct Weight_change
+{
+  /// a halfedge with the face to its left.
+  std::uint32_t halfedge;
+
+  /// what a path in the face costs per unit of length, in the unit of the mesh: not negative;
+  /// infinity if paths must not enter the face.
+  double weight;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsSurface
+ *
+ * Whether a barrier of an `Intrinsic_triangulation` is to be there or lifted, as a door that is
+ * closed or open.
+ */
+struct Barrier_change
+{
+  /// a halfedge of the edge.
+  std::uint32_t halfedge;
+
+  /// whether paths must not cross the edge.
+  bool is_barrier;
 };
 
 namespace internal {
@@ -79,9 +110,9 @@ class Retriangulation;
  * supports them, and `Directional_graph` supports weights that are functions of the direction. The
  * others reject such a triangulation.
  *
- * After its construction an object of this class changes only by `set_weights()`, and may be used
- * by several threads. It takes about 91 bytes per vertex on a closed mesh, 48 more if there are
- * weights, and 36 per thin face.
+ * After its construction an object of this class changes only by `set_weights()` and
+ * `set_barriers()`, and may be used by several threads. It takes about 91 bytes per vertex on a
+ * closed mesh, 48 more if there are weights, and 36 per thin face.
  */
 class Intrinsic_triangulation
 {
@@ -222,8 +253,8 @@ public:
   std::size_t memory() const
   {
     return internal::memory_of(m_first_halfedge, m_target, m_vertex_of_index, m_index_of_vertex,
-                               m_length, m_weight, m_is_border, m_is_barrier, m_is_flipped,
-                               m_opposite_rank, m_thin_faces, m_gauges);
+                               m_length, m_weight, m_is_border, m_is_barrier, m_is_lifted,
+                               m_is_flipped, m_opposite_rank, m_thin_faces, m_gauges);
   }
 
   /// @}
@@ -371,6 +402,41 @@ public:
     m_weight_unit = weights.unit;
   }
 
+  /*!
+   * changes the weights of some faces. The unit of weights stays the same, so a weight that is less
+   * than \f$10^{-307}\f$ of it is raised to that.
+   *
+   * \throws std::invalid_argument if a halfedge does not exist or is at the border, or if a weight
+   *         is negative, not a number, or so large that costs might overflow a `double`. Then no
+   *         weight has changed.
+   *
+   * Run time is linear in the number of changes. At the first call for a triangulation without
+   * weights, it is \cgalBigO{n}.
+   */
+  void set_weights(const std::vector<Weight_change>& changes)
+  {
+    set_weights(changes, [](Index /* halfedge */, double /* before */, double /* after */) {});
+  }
+
+#ifndef DOXYGEN_RUNNING
+  // Calls `f(halfedge, before, after)` for each change.
+  template <typename F>
+  void set_weights(const std::vector<Weight_change>& changes, F f)
+  {
+    for(const Weight_change& change : changes)
+      check(change);
+    if(!has_weights())
+      set_weights({weights_of_one(), 1});
+    for(const Weight_change& change : changes)
+    {
+      const double before = weight(change.halfedge), after = in_weight_unit(change.weight);
+      for(const Index h : halfedges_of_face(change.halfedge))
+        m_weight[h] = after;
+      f(change.halfedge, before, after);
+    }
+  }
+#endif
+
   /// returns whether weights are functions of the direction. `has_weights()` is `false` then.
   bool has_directional_costs() const { return !m_gauges.is_empty(); }
 
@@ -381,14 +447,41 @@ public:
   /// returns whether any edge is a barrier.
   bool has_barriers() const { return !m_is_barrier.empty(); }
 
-  /// returns whether the edge of `h` is a barrier. Border edges are not: nothing crosses them
-  /// anyway.
+  /// returns whether the edge of `h` is a barrier, or is one that is lifted. Border edges are not:
+  /// nothing crosses them anyway.
   bool is_barrier(const Index h) const { return has_barriers() && m_is_barrier[h]; }
+
+  /// returns whether the edge of `h` is a barrier that is lifted: paths may cross it.
+  bool is_lifted(const Index h) const { return !m_is_lifted.empty() && m_is_lifted[h]; }
+
+  /// returns whether any barrier is lifted.
+  bool has_lifted_barriers() const
+  {
+    return std::find(m_is_lifted.begin(), m_is_lifted.end(), true) != m_is_lifted.end();
+  }
 
   /// returns whether paths may cross the edge of `h`.
   bool is_crossable(const Index h) const
   {
-    return !is_border(h) && !is_border(opposite(h)) && !is_barrier(h);
+    return !is_border(h) && !is_border(opposite(h)) && (!is_barrier(h) || is_lifted(h));
+  }
+
+  /*!
+   * lifts barriers, or puts them back. Only edges that were barriers at construction can change.
+   *
+   * \throws std::invalid_argument if a halfedge does not exist or is not on such an edge. Then no
+   *         barrier has changed.
+   *
+   * Run time is linear in the number of changes; at the first call, it is \cgalBigO{n}.
+   */
+  void set_barriers(const std::vector<Barrier_change>& changes)
+  {
+    for(const Barrier_change& change : changes)
+      check(change);
+    m_is_lifted.resize(m_is_barrier.size());
+    for(const Barrier_change& change : changes)
+      for(const Index h : {change.halfedge, opposite(change.halfedge)})
+        m_is_lifted[h] = !change.is_barrier;
   }
 
   /// @}
@@ -520,6 +613,50 @@ private:
   friend class internal::Triangulation_builder;
   friend class internal::Retriangulation;
 
+  void check(const Weight_change& change) const
+  {
+    const Index h = change.halfedge;
+    if(h >= number_of_halfedges() || is_border(h))
+      internal::reject("a weight is given for the face to the left of halfedge " +
+                       std::to_string(h) + ", which does not exist");
+    if(!(change.weight >= 0))
+      internal::reject(name_of_face(h) + " gets weight " + internal::text_of(change.weight) +
+                       "; it must be a number that is not negative, or infinity");
+    // bounds the sum over all edges, whose lengths are at most 2^203 units
+    const double cost = in_weight_unit(change.weight) * 0x1p204 * number_of_halfedges();
+    const double largest = (std::max)(cost, cost * (m_unit * m_weight_unit));
+    if(std::isinf(largest) && !std::isinf(change.weight))
+      internal::reject(name_of_face(h) + " gets weight " + internal::text_of(change.weight) +
+                       ", which is too large beside the other weights and the lengths of the "
+                       "mesh. Use infinity for faces that paths must not enter.");
+  }
+
+  void check(const Barrier_change& change) const
+  {
+    const Index h = change.halfedge;
+    if(h >= number_of_halfedges())
+      internal::reject("a barrier is to change at halfedge " + std::to_string(h) +
+                       ", which does not exist");
+    if(!is_barrier(h))
+      internal::reject("the edge between vertices " + std::to_string(index(source(h))) + " and " +
+                       std::to_string(index(target(h))) +
+                       " is to become a barrier or to be lifted; only those edges can that were "
+                       "barriers when the graph was built, and are not at the border");
+  }
+
+  double in_weight_unit(const double weight) const
+  {
+    return weight > 0 ? (std::max)(weight / m_weight_unit, Face_weights::SMALLEST_WEIGHT) : 0;
+  }
+
+  std::vector<double> weights_of_one() const
+  {
+    std::vector<double> result(number_of_halfedges());
+    for(Index h = 0; h < number_of_halfedges(); ++h)
+      result[h] = weight(h);
+    return result;
+  }
+
   bool is_valid_halfedge(const Index h) const
   {
     if(target(h) >= number_of_vertices() || opposite(h) >= number_of_halfedges())
@@ -542,6 +679,7 @@ private:
   internal::Face_gauges m_gauges;
   std::vector<double> m_weight;   // per halfedge, or empty
   std::vector<bool> m_is_barrier; // likewise
+  std::vector<bool> m_is_lifted;  // likewise
   std::vector<bool> m_is_flipped; // likewise
   std::vector<Index> m_vertex_of_index;
   std::vector<Index> m_index_of_vertex;

@@ -235,6 +235,65 @@ public:
 
   /// @}
 
+  /*!
+   * \name Changes
+   * The next call of `find_distances()` repairs the results of the last one if most of its sources
+   * are the same. No other thread may use the solver during these calls.
+   * They throw `std::invalid_argument`, and change nothing, if the solver was made with neither
+   * face weights nor barriers.
+   */
+  /// @{
+
+  /*!
+   * changes the weights of some faces. `error_bound()` returns the bound that is left; it stays the
+   * same if the solver was made with `Solver_options::may_change`.
+   *
+   * \param faces the faces
+   * \param weights as many new weights: not negative; infinity makes a face impassable
+   * \param number their number
+   */
+  void set_weights(const std::int64_t* const faces,
+                   const double* const weights,
+                   const std::size_t number)
+  {
+    std::vector<Weight_change> changes;
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      check_element("change " + std::to_string(i), "that of face", faces[i], number_of_faces());
+      changes.push_back({m_translation->halfedge_of(face(faces[i])), weights[i]});
+    }
+    m_graph->set_weights(changes);
+    for(std::size_t i = 0; i < number; ++i)
+      m_costs.set_weight(face(faces[i]), weights[i]);
+  }
+
+  /*!
+   * lifts barriers, or puts them back, as doors are opened and closed. Only edges that were
+   * barriers at construction can change. `save()` writes those that are not lifted.
+   *
+   * \param ends the edges, two vertices each
+   * \param is_barrier for each of them, whether it is a barrier from now on
+   * \param number their number
+   */
+  void set_barriers(const std::int64_t* const ends,
+                    const bool* const is_barrier,
+                    const std::size_t number)
+  {
+    std::vector<Barrier_change> changes;
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      const auto p = Solver_point::on_edge(ends[2 * i], ends[2 * i + 1], 0.5);
+      changes.push_back({intrinsic_point(p, "barrier", i).halfedge, is_barrier[i]});
+    }
+    m_graph->set_barriers(changes);
+    for(std::size_t i = 0; i < number; ++i)
+      m_costs.set_barrier(
+          m_mesh.edge(m_mesh.halfedge(vertex(ends[2 * i]), vertex(ends[2 * i + 1]))),
+          is_barrier[i]);
+  }
+
+  /// @}
+
   /// \name Distances and Paths
   /// @{
 
@@ -502,7 +561,8 @@ private:
              const Solver_options& options,
              std::istream* const saved_graph)
   {
-    m_bound = {options.epsilon, options.accept_weaker_bound, options.maximum_number_of_points};
+    m_bound = {options.epsilon, options.accept_weaker_bound, options.maximum_number_of_points,
+               options.may_change};
     m_number_of_threads = options.number_of_threads;
     if(m_bound.epsilon && !(*m_bound.epsilon >= 0 && std::isfinite(*m_bound.epsilon)))
       internal::reject("epsilon is " + internal::text_of(*m_bound.epsilon) +
@@ -602,15 +662,32 @@ private:
     return result;
   }
 
+  static Mesh::Face_index face(const std::int64_t i)
+  {
+    return Mesh::Face_index(static_cast<Mesh::size_type>(i));
+  }
+  static Mesh::Vertex_index vertex(const std::int64_t i)
+  {
+    return Mesh::Vertex_index(static_cast<Mesh::size_type>(i));
+  }
+
+  static void check_element(const std::string& name,
+                            const std::string& what,
+                            const std::int64_t i,
+                            const std::size_t size)
+  {
+    if(static_cast<std::uint64_t>(i) >= size) // also negative ones
+      internal::reject(name + " is " + what + ' ' + std::to_string(i) +
+                       "; they are numbered from 0, and there are " + std::to_string(size));
+  }
+
   Intrinsic_point intrinsic_point(const Solver_point& p,
                                   const std::string& kind,
                                   const std::optional<std::size_t> number = std::nullopt) const
   {
     const std::string name = number ? kind + ' ' + std::to_string(*number) : kind;
     const auto check = [&](const std::string& what, const std::int64_t i, const std::size_t size) {
-      if(static_cast<std::uint64_t>(i) >= size) // also negative ones
-        internal::reject(name + " is " + what + ' ' + std::to_string(i) +
-                         "; they are numbered from 0, and there are " + std::to_string(size));
+      check_element(name, what, i, size);
       return static_cast<Mesh::size_type>(i);
     };
     if(p.kind == Solver_point::VERTEX)

@@ -191,6 +191,10 @@ struct Solver_options
   /// the number of barriers.
   std::size_t number_of_barriers = 0;
 
+  /// whether face weights and barriers may change: the bound then still holds afterwards, with more
+  /// points. This is not saved.
+  bool may_change = false;
+
   /// the number of threads for building the graph and computing matrices; `0` selects one per core.
   /// Without TBB, a single thread is used.
   std::size_t number_of_threads = 0;

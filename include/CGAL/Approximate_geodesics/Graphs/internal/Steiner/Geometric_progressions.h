@@ -231,11 +231,13 @@ public:
   Measured_progressions() = default;
 
   // The progressions at vertices start at the distances `start`. Throws std::length_error if a face
-  // needs too many points, and weaker bounds are not accepted.
+  // needs too many points, and weaker bounds are not accepted. Points are also on barriers if these
+  // may be lifted.
   Measured_progressions(const Intrinsic_triangulation& triangulation,
                         std::vector<double> start,
                         const double epsilon,
-                        const Limit_of_points& limit)
+                        const Limit_of_points& limit,
+                        const bool barriers_may_be_lifted)
     : m_start(std::move(start)),
       m_root(std::sqrt(epsilon)),
       m_number_if_given_up((std::clamp)(
@@ -246,7 +248,8 @@ public:
          Face_shape(triangulation, h).sine_of_corner() < SMALLEST_SINE)
         give_up(triangulation, h);
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-      if(h < triangulation.opposite(h) && triangulation.is_crossable(h))
+      if(h < triangulation.opposite(h) &&
+         (triangulation.is_crossable(h) || (barriers_may_be_lifted && triangulation.is_barrier(h))))
         keep_limit(triangulation, h, limit);
   }
 

@@ -51,9 +51,9 @@ bool has_more_points(const Intrinsic_triangulation& triangulation,
 {
   double sum = 0;
   for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-    if(h < triangulation.opposite(h) && triangulation.is_crossable(h) &&
-       triangulation.length(h) > 0)
-      sum += double(placement.number_of_points(triangulation, h));
+    if(h < triangulation.opposite(h) && triangulation.length(h) > 0)
+      sum += double(placement.number_of_points(triangulation, h)) *
+             (triangulation.is_barrier(h) ? 2 : 1);
   return sum > double(limit);
 }
 
@@ -65,8 +65,8 @@ using Accepts_weaker_bound = decltype(std::declval<const Placement&>().accepts_w
  * edge have consecutive numbers, from the source of one of its halfedges, called the first one, to
  * its target.
  *
- * A barrier counts as two edges, one for each side, with points of their own. Therefore edges have
- * numbers that are private to this class.
+ * A barrier counts as two edges, one for each side, with points of their own, in the same places.
+ * Therefore edges have numbers that are private to this class.
  *
  * A position is a part of the edge, measured from the nearer end, so that points very close to an
  * end can be told apart: from 0 to 1/2, it is the part between the first end and the point; below
@@ -96,7 +96,9 @@ public:
     {
       m_position.resize(number_of_points());
       for_each_first_halfedge([&](const Index h, const Index e) {
-        if(number_of_points(e) > 0)
+        if(is_second_side(triangulation, h))
+          copy_positions(triangulation.opposite(h), e);
+        else if(number_of_points(e) > 0)
           placement.place(triangulation, h, m_position.data() + first_point(e),
                           number_of_points(e));
       });
@@ -132,6 +134,13 @@ public:
 
   // Returns the first halfedge of the edge of a point.
   Index halfedge(const Index p) const { return m_halfedge[p]; }
+
+  // Returns the point in the place of `p` on the other side of a barrier, of which `h` is the first
+  // halfedge on this side.
+  Index twin(const Intrinsic_triangulation& triangulation, const Index h, const Index p) const
+  {
+    return beyond_point(edge(triangulation.opposite(h))) - 1 - (p - first_point(edge(h)));
+  }
 
   // Return the part of the edge `e` between its first end and its point `p`, and the rest of it.
   double part_before(const Index e, const Index p) const
@@ -201,7 +210,9 @@ private:
     std::size_t most = 0;
     for_each_first_halfedge([&](const Index h, const Index e) {
       const std::size_t number_on_edge =
-          triangulation.length(h) > 0 ? placement.number_of_points(triangulation, h) : 0;
+          is_second_side(triangulation, h) ? number_of_points(edge(triangulation.opposite(h)))
+          : triangulation.length(h) > 0    ? placement.number_of_points(triangulation, h)
+                                           : 0;
       number += double(number_on_edge);
       if(number_on_edge > most)
       {
@@ -212,6 +223,19 @@ private:
     });
     if(number > double((std::min)(limit, largest_number)))
       refuse_points(triangulation, placement, number, halfedge_with_most, most, limit);
+  }
+
+  // Whether `h` is at the side of a barrier that comes second.
+  static bool is_second_side(const Intrinsic_triangulation& triangulation, const Index h)
+  {
+    return triangulation.is_barrier(h) && triangulation.opposite(h) < h;
+  }
+
+  // Copies the positions from the side of `h` of a barrier to the other one, which is edge `e`.
+  void copy_positions(const Index h, const Index e)
+  {
+    for(Index i = 0; i < number_of_points(e); ++i)
+      m_position[beyond_point(e) - 1 - i] = -m_position[first_point(edge(h)) + i];
   }
 
   template <typename Placement>
@@ -402,6 +426,22 @@ public:
       f(node_of_sector(s));
   }
 
+  // Calls `f(node)` for the sectors that lifted barriers join to the one of `node`.
+  template <typename F>
+  void
+  for_each_joined_sector(const Intrinsic_triangulation& triangulation, const Node node, F f) const
+  {
+    const Node v = m_sectors.vertex(sector(node));
+    Index h = m_sectors.first_halfedge(sector(node));
+    if(triangulation.is_lifted(h))
+      f(at_corner(v, triangulation.clockwise(v, h)));
+    do
+      h = triangulation.counterclockwise(v, h);
+    while(!triangulation.is_border(h) && !triangulation.is_barrier(h));
+    if(triangulation.is_lifted(h))
+      f(at_corner(v, h));
+  }
+
   // Returns the node of the vertex `v` in the face to the left of `h`, which starts there.
   Node at_corner(const Node v, const Index h) const
   {
@@ -461,7 +501,7 @@ private:
   {
     std::size_t result = 0;
     m_points.for_each_first_halfedge([&](const Index h, const Index /* edge */) {
-      std::size_t degree = 4; // along the edge, and to the third vertices of both faces
+      std::size_t degree = 5; // along the edge, to its other side, and to two third vertices
       for(const Index side : {h, triangulation.opposite(h)})
         if(!triangulation.is_border(side))
           degree += number_of_opposite_points(triangulation, side) +

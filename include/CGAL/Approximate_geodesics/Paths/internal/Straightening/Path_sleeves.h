@@ -64,7 +64,8 @@ private:
       const Step next = step(points.back(), p);
       // a path that turns back at a barrier may do so to get to its other side
       if(steps.empty() || !is_along_same_edge(steps.back(), next) ||
-         (points.back().is_vertex() && m_triangulation.is_barrier(next.edge)))
+         (points.back().is_vertex() && m_triangulation.is_barrier(next.edge) &&
+          !m_triangulation.is_lifted(next.edge)))
       {
         steps.push_back(next);
         break;

@@ -202,6 +202,15 @@ public:
     }
   }
 
+  // Changes weights and barriers that the graph of the mesh has accepted.
+  void set_weight(const Face f, const double weight)
+  {
+    if(!m_weights)
+      m_weights = m_mesh.add_property_map<Face, double>("f:weight", 1).first;
+    (*m_weights)[f] = weight;
+  }
+  void set_barrier(const Edge e, const bool is_barrier) { m_is_barrier[e] = is_barrier; }
+
   void set_directional_cost(Solver_cost cost)
   {
     if(m_weights)

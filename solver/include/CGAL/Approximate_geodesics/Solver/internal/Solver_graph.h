@@ -118,6 +118,11 @@ public:
     return m_reversed == nullptr ? *this : *m_reversed;
   }
 
+  // Change weights and barriers. No other thread may use the graph meanwhile. Throw
+  // std::invalid_argument if the graph has none.
+  virtual void set_weights(const std::vector<Weight_change>& changes) = 0;
+  virtual void set_barriers(const std::vector<Barrier_change>& changes) = 0;
+
   // Writes the distance of each vertex, by its index in the mesh. Pointers that are not null also
   // receive the position of its nearest source, and the node of the vertex before it, or -1.
   virtual void find_distances(std::vector<Source_point> sources,

@@ -30,7 +30,10 @@
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/approximate_geodesic_pair_distances.h>
 
+#include <boost/type_traits/is_detected.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -93,6 +96,11 @@ private:
   std::optional<Placement> m_points;
 };
 
+// Whether the weights and barriers of a graph can change.
+template <typename Graph>
+using Set_barriers =
+    decltype(std::declval<Graph&>().set_barriers(std::declval<std::vector<Barrier_change>>()));
+
 /*
  * A graph with a pool of search workspaces.
  */
@@ -109,6 +117,16 @@ public:
 
   double error_bound() const override { return internal::error_bound(m_graph); }
 
+  void set_weights(const std::vector<Weight_change>& changes) override
+  {
+    change([&](auto& graph) { graph.set_weights(changes); });
+  }
+
+  void set_barriers(const std::vector<Barrier_change>& changes) override
+  {
+    change([&](auto& graph) { graph.set_barriers(changes); });
+  }
+
   void find_distances(std::vector<Source_point> sources,
                       const double maximum_distance,
                       double* const distances,
@@ -118,7 +136,10 @@ public:
   {
     const auto search = m_workspaces.borrow();
     visitor.set_progress(0, m_graph.number_of_nodes());
-    search->run(std::move(sources), {maximum_distance, {}});
+    if(m_has_changed && std::isinf(maximum_distance))
+      search->repair(std::move(sources));
+    else
+      search->run(std::move(sources), {maximum_distance, {}});
     visitor.finish();
     const auto& labels = search->search();
     for(Index i = 0; i < triangulation().number_of_vertices(); ++i)
@@ -222,6 +243,19 @@ public:
   }
 
 private:
+  template <typename F>
+  void change([[maybe_unused]] const F& f)
+  {
+    if constexpr(boost::is_detected_v<Set_barriers, Graph>)
+    {
+      f(m_graph);
+      m_has_changed = true;
+    }
+    else
+      reject("the solver was made without face weights and barriers, or with directional costs; "
+             "then nothing of these can change");
+  }
+
   template <typename Find>
   auto find_all(const std::vector<Point_pair>& pairs,
                 const double maximum_distance,
@@ -268,6 +302,7 @@ private:
   }
 
   Graph m_graph;
+  bool m_has_changed = false;
   mutable Workspaces<Search> m_workspaces;
 };
 
@@ -283,19 +318,20 @@ struct Bound_of_graph
   std::optional<double> epsilon;
   bool accepts_weaker = false;
   std::size_t maximum_number_of_points = 0; // selects the default
+  bool may_change = false;                  // weights and barriers
 };
 
 // The Steiner points for a bound, or none.
-template <typename Placement>
-Optional_points<Placement> optional_points(const Bound_of_graph& bound)
+template <typename Placement, typename... Options>
+Optional_points<Placement> optional_points(const Bound_of_graph& bound, const Options... options)
 {
   if(!bound.epsilon)
     return Optional_points<Placement>(std::nullopt);
   if(*bound.epsilon == 0)
     reject("epsilon is 0, but there are no exact distances with face weights, directional costs or "
            "barriers; give a number above 0");
-  return Optional_points<Placement>(
-      Placement(parameters::epsilon(*bound.epsilon).accept_weaker_bound(bound.accepts_weaker)));
+  return Optional_points<Placement>(Placement(
+      parameters::epsilon(*bound.epsilon).accept_weaker_bound(bound.accepts_weaker), options...));
 }
 
 // Returns the graph for a bound, or the edge graph if there is no bound. A saved graph is read.
@@ -313,9 +349,9 @@ inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation t
   if(triangulation.has_weights() || triangulation.has_barriers())
   {
     using Points = Optional_points<Geometric_points>;
-    return solver_graph(Steiner_graph<Points>(std::move(triangulation),
-                                              optional_points<Geometric_points>(bound),
-                                              bound.maximum_number_of_points));
+    return solver_graph(Steiner_graph<Points>(
+        std::move(triangulation), optional_points<Geometric_points>(bound, bound.may_change),
+        bound.maximum_number_of_points));
   }
   if(!bound.epsilon)
     return solver_graph(Edge_graph(std::move(triangulation)));

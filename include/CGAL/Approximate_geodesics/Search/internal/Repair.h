@@ -1,0 +1,278 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_REPAIR_H
+#define CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_REPAIR_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/Arc_changes.h>
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
+
+#include <boost/type_traits/is_detected.hpp>
+#include <boost/type_traits/is_detected_convertible.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+template <typename Graph>
+using Number_of_groups = decltype(std::declval<const Graph&>().number_of_groups());
+
+template <typename Graph>
+using Changes_of_arcs = decltype(std::declval<const Graph&>().arc_changes());
+
+// Whether the results of a search can be repaired: arcs run within groups of nodes, and no data is
+// stored beside labels.
+template <typename Graph>
+constexpr bool is_repairable =
+    boost::is_detected_convertible_v<std::size_t, Number_of_groups, Graph>&&
+        std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
+
+// Returns how many changes of arcs there were.
+template <typename Graph>
+std::size_t number_of_changes([[maybe_unused]] const Graph& graph)
+{
+  if constexpr(boost::is_detected_v<Changes_of_arcs, Graph>)
+    return graph.arc_changes().number();
+  else
+    return 0;
+}
+
+/*
+ * Prepares the labels of a search for another one, after arcs or seeds have changed.
+ *
+ * A label is kept if the path that it belongs to is not longer than before. Others are raised to
+ * infinity: those of the nodes where such a path takes a changed arc, or starts from a seed that is
+ * gone, and those of all nodes below them in the forest of predecessors. A child is in a group of
+ * its predecessor, so it is found there.
+ *
+ * Then the labels that are left are upper bounds of the distances, as they are lengths of paths,
+ * and only the arcs of some nodes can lower a label: of those that are in a group with a raised
+ * node, or in one with arcs that have become shorter. A search from these nodes ends with the
+ * smallest labels, whatever they were before.
+ */
+template <typename Graph>
+class Repair
+{
+  using Node = Labels::Node;
+  using Group = std::size_t;
+
+public:
+  // Memory is allocated at the first repair.
+  void start(const Graph& graph)
+  {
+    m_state.resize(graph.number_of_groups());
+    m_is_marked.resize(graph.number_of_nodes());
+  }
+
+  // Raises what a change makes invalid, and lists the nodes that have shorter arcs.
+  void add(const Arc_changes::Change& change, const Graph& graph, Labels& labels)
+  {
+    if(change.is_shorter)
+      touch(change.group);
+    if(!change.is_longer)
+      return;
+    m_nodes.clear();
+    graph.for_each_node_of_group(change.group, [&](const Node node) { mark(node); });
+    for(const Node node : m_nodes)
+      if(labels.is_reached(node))
+      {
+        const Node predecessor = labels.predecessor(node);
+        if(predecessor != Labels::null_node && m_is_marked[predecessor])
+          m_raised.push_back(node);
+      }
+    unmark();
+    for(; m_number_raised < m_raised.size(); ++m_number_raised)
+      raise(m_raised[m_number_raised], graph, labels);
+  }
+
+  // Raises the seeds of the last search that are not among the new ones. Both have their distances
+  // in units of the graph. Returns false if most are gone, so that a repair is not worthwhile.
+  bool replace_seeds(const std::vector<Seed>& before,
+                     std::vector<Seed> now,
+                     const Graph& graph,
+                     Labels& labels)
+  {
+    std::sort(now.begin(), now.end(), [](const Seed& a, const Seed& b) {
+      return std::make_pair(a.node, a.distance) < std::make_pair(b.node, b.distance);
+    });
+    std::size_t number_of_roots = 0;
+    for(const Seed& seed : before)
+      if(is_root(seed.node, labels))
+      {
+        ++number_of_roots;
+        if(!is_at_least_as_near(now, seed.node, labels.distance(seed.node)))
+          m_raised.push_back(seed.node);
+      }
+    if(2 * (m_raised.size() - m_number_raised) > number_of_roots)
+      return false;
+    for(; m_number_raised < m_raised.size(); ++m_number_raised)
+      raise(m_raised[m_number_raised], graph, labels);
+    return true;
+  }
+
+  // Raises all nodes below those that were raised. Returns false if there are many, so that a
+  // repair is not worthwhile.
+  bool spread(const Graph& graph, Labels& labels)
+  {
+    const std::size_t most = labels.order().size() / LARGEST_PART;
+    for(std::size_t i = 0; i < m_waiting.size(); ++i)
+    {
+      m_state[m_waiting[i]] &= ~WAITS;
+      graph.for_each_node_of_group(m_waiting[i], [&](const Node node) {
+        if(labels.is_reached(node) && labels.predecessor(node) != Labels::null_node &&
+           !labels.is_reached(labels.predecessor(node)))
+        {
+          m_raised.push_back(node);
+          raise(node, graph, labels);
+        }
+      });
+      if(m_raised.size() > most)
+        return false;
+    }
+    return true;
+  }
+
+  // Returns the nodes with labels whose arcs can lower others.
+  const std::vector<Node>& border(const Graph& graph, const Labels& labels)
+  {
+    m_nodes.clear();
+    for(const Group group : m_touched)
+      graph.for_each_node_of_group(group, [&](const Node node) {
+        if(labels.is_reached(node))
+          mark(node);
+      });
+    unmark();
+    return m_nodes;
+  }
+
+  // Removes nodes from the order of the labels: those that are not reached any more, and, if it has
+  // grown long, repeated ones.
+  void tidy(Labels& labels)
+  {
+    const bool has_repeated = labels.order().size() > 2 * labels.number_of_nodes();
+    if(!has_repeated && std::all_of(m_raised.begin(), m_raised.end(),
+                                    [&](const Node node) { return labels.is_reached(node); }))
+      return;
+    m_nodes.clear();
+    auto& order = labels.order();
+    order.erase(std::remove_if(order.begin(), order.end(),
+                               [&](const Node node) {
+                                 return !labels.is_reached(node) || (has_repeated && !mark(node));
+                               }),
+                order.end());
+    unmark();
+  }
+
+  // Must be called at the end.
+  void finish()
+  {
+    for(const Group group : m_touched)
+      m_state[group] = 0;
+    m_touched.clear();
+    m_waiting.clear();
+    m_raised.clear();
+    m_number_raised = 0;
+  }
+
+  // Must be called after an exception.
+  void forget() { *this = Repair(); }
+
+  std::size_t memory() const
+  {
+    return memory_of(m_state, m_is_marked, m_touched, m_waiting, m_raised, m_nodes);
+  }
+
+private:
+  // A repair takes longer than a search if it raises more than about one in so many labels.
+  static constexpr std::size_t LARGEST_PART = 2;
+
+  static constexpr std::uint8_t IS_TOUCHED = 1, WAITS = 2; // states of groups
+
+  static bool is_root(const Node node, const Labels& labels)
+  {
+    return labels.is_reached(node) && labels.predecessor(node) == Labels::null_node;
+  }
+
+  // Whether seeds, which are sorted, are at `node` with at most this distance.
+  static bool
+  is_at_least_as_near(const std::vector<Seed>& seeds, const Node node, const double distance)
+  {
+    const auto seed =
+        std::lower_bound(seeds.begin(), seeds.end(), node,
+                         [](const Seed& s, const Node other) { return s.node < other; });
+    return seed != seeds.end() && seed->node == node && seed->distance <= distance;
+  }
+
+  void raise(const Node node, const Graph& graph, Labels& labels)
+  {
+    labels.discard(node);
+    graph.for_each_group(node, [this](const Group group) {
+      touch(group);
+      if((m_state[group] & WAITS) == 0)
+      {
+        m_state[group] |= WAITS;
+        m_waiting.push_back(group);
+      }
+    });
+  }
+
+  void touch(const Group group)
+  {
+    if(m_state[group] == 0)
+    {
+      m_state[group] = IS_TOUCHED;
+      m_touched.push_back(group);
+    }
+  }
+
+  // Lists a node. Returns whether it was not.
+  bool mark(const Node node)
+  {
+    if(m_is_marked[node])
+      return false;
+    m_is_marked[node] = true;
+    m_nodes.push_back(node);
+    return true;
+  }
+
+  void unmark()
+  {
+    for(const Node node : m_nodes)
+      m_is_marked[node] = false;
+  }
+
+  std::vector<std::uint8_t> m_state; // per group
+  std::vector<bool> m_is_marked;     // per node
+  std::vector<Group> m_touched;      // groups with raised nodes or shorter arcs
+  std::vector<Group> m_waiting;      // groups with raised nodes, for the children of these
+  std::vector<Node> m_raised;
+  std::size_t m_number_raised = 0; // of those in the list, by `add()` and `replace_seeds()`
+  std::vector<Node> m_nodes;       // those that are marked
+};
+
+// That of a graph whose searches are not repaired.
+struct No_repair
+{
+  static std::size_t memory() { return 0; }
+  void forget() {}
+};
+
+template <typename Graph>
+using Repair_of = std::conditional_t<is_repairable<Graph>, Repair<Graph>, No_repair>;
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_INTERNAL_REPAIR_H
