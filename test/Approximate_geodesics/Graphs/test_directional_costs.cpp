@@ -361,7 +361,7 @@ TEST(Directional_costs, have_the_bound_with_polyhedral_norms)
 
 // Each face has a gauge of another kind: with corners and flat pieces, narrow, smooth, or such that
 // one direction costs up to forty times as much as the opposite one.
-std::function<double(Face, const Vector&)> random_gauges(const Mesh& mesh, Random& random)
+std::function<double(Face, const Vector&)> mixed_gauges(const Mesh& mesh, Random& random)
 {
   std::vector<std::function<double(const Vector&)>> gauges;
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
@@ -399,7 +399,7 @@ TEST(Directional_costs, have_the_bound_with_random_gauges)
   for(const Soup& soup : {terrain(5, 4, random), flat_grid(4, 4), sphere(5, 4), fan(7, 1)})
   {
     const Mesh mesh = to_mesh(soup);
-    const auto cost = random_gauges(mesh, random);
+    const auto cost = mixed_gauges(mesh, random);
     const auto dense = dense_graph(mesh, cost, 60);
     const auto reference = distances(mesh, dense, Vertex(0));
     const auto reference_back = distances(mesh, dense.reversed(), Vertex(0));

@@ -32,7 +32,7 @@ using AG::internal::Space_vector;
 
 using Gauge = std::function<double(const Plane_vector&)>;
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double straight_angle = 3.14159265358979323846;
 
 Plane_vector unit_vector(const double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -55,7 +55,7 @@ struct Sampled_polygon
   Gauge_polygon polygon;
 };
 
-Gauge in_plane(const Half_planes& norm, const double stretch = 1)
+Gauge stretched_norm(const Half_planes& norm, const double stretch = 1)
 {
   return [=](const Plane_vector v) { return norm.cost(Vector(stretch * v.x, v.y, 0)); };
 }
@@ -65,24 +65,26 @@ Gauge in_plane(const Half_planes& norm, const double stretch = 1)
 std::vector<Gauge> random_gauges(Random& random)
 {
   const Half_planes norm = Half_planes::random(random, 3 + int(random.between(0, 6)));
-  const double angle = random.between(0, 2 * pi), size = random.between(0.3, 1.5);
+  const double angle = random.between(0, 2 * straight_angle), size = random.between(0.3, 1.5);
   const auto wind = [angle](const double drift) {
     const Wind result{drift * Vector(std::cos(angle), std::sin(angle), 0), 1};
     return [result](const Plane_vector v) { return result.cost(Vector(v.x, v.y, 0)); };
   };
-  return {in_plane(norm),
-          in_plane(norm, 20),
-          [=](const Plane_vector v) { return (std::max)(in_plane(norm)(v), size * length(v)); },
-          [=](const Plane_vector v) { return in_plane(norm)(v) + size * length(v); },
-          wind(0.5),
-          wind(0.98)};
+  return {
+      stretched_norm(norm),
+      stretched_norm(norm, 20),
+      [=](const Plane_vector v) { return (std::max)(stretched_norm(norm)(v), size * length(v)); },
+      [=](const Plane_vector v) { return stretched_norm(norm)(v) + size * length(v); },
+      wind(0.5),
+      wind(0.98)};
 }
 
 // A corner at the origin, whose sides have the directions `a` and `b`.
 struct Test_corner
 {
   explicit Test_corner(Random& random)
-    : Test_corner(random.between(0, 2 * pi), pi * std::pow(random.between(0.03, 0.99), 2))
+    : Test_corner(random.between(0, 2 * straight_angle),
+                  straight_angle * std::pow(random.between(0.03, 0.99), 2))
   {
   }
 
@@ -140,9 +142,9 @@ TEST(Gauge_steps, are_known_for_lengths)
     {
       SCOPED_TRACE(std::to_string(angle) + ", " + std::to_string(error));
       const Test_corner corner(0.3, angle);
-      const double turn = 2 * std::acos(1 / (1 + error)), middle = (pi - angle) / 2;
+      const double turn = 2 * std::acos(1 / (1 + error)), middle = (straight_angle - angle) / 2;
       const double step = sampled.polygon.step(corner.a, corner.b, error);
-      if(turn >= pi - angle)
+      if(turn >= straight_angle - angle)
       {
         EXPECT_EQ(Gauge_polygon::LARGEST_STEP, step);
         continue;
@@ -211,7 +213,7 @@ void expect_formula(const Cost& cost, const double slope, const double turn)
   double least = infinity;
   for(int i = 0; i < number; ++i)
   {
-    const Plane_vector v = 3 * unit_vector(2 * pi * i / number);
+    const Plane_vector v = 3 * unit_vector(2 * straight_angle * i / number);
     least = (std::min)(least, formula(v));
     EXPECT_LE(formula(v), (1 + 1e-9) * sampled.cost(v));
     EXPECT_GE(formula(v), (1 - 2 * tolerance) * sampled.cost(v));
@@ -248,7 +250,7 @@ TEST(Gauge_formulas, are_continuous)
     double last = formula(unit_vector(0));
     for(int i = 1; i <= 100000; ++i)
     {
-      const double next = formula(unit_vector(2 * pi * i / 100000));
+      const double next = formula(unit_vector(2 * straight_angle * i / 100000));
       ASSERT_NEAR(last, next, 1e-3 * last);
       last = next;
     }

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Gauge_polygon.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -208,6 +209,7 @@ private:
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(triangulation.is_open(h) && h == triangulation.first_of_face(h))
       {
+        internal::check_for_interruption();
         const double error = assign(polygon, samples, triangulation, h, epsilon);
         const double smallest = polygon.smallest() / (1 + error);
         m_smallest_cost[gauges.face(h)] = smallest > 0 ? smallest : infinity;

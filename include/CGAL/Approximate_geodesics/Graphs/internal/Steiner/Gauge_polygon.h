@@ -139,7 +139,7 @@ private:
     std::size_t i = sector(start);
     m_knots.clear();
     const auto add = [&](const Plane_vector d) {
-      m_knots.push_back({d, i, cross(a, d) / cross(b, d)});
+      m_knots.push_back({d, i, std::abs(cross(a, d) / cross(b, d))}); // signs may be rounded
     };
     Plane_vector d = start;
     for(std::size_t k = 0; k <= number; ++k, d = turned_left(d, turn))
