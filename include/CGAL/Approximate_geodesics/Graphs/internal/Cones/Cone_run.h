@@ -64,12 +64,6 @@ public:
 
   explicit Cone_run(const Graph& searched) : Base(searched) {}
 
-  template <typename Search>
-  void start(Search& /* search */)
-  {
-    m_is_expanded.resize(graph().number_of_nodes());
-  }
-
   // Several threads take part if there is enough to do for them.
   template <typename Labels, typename Candidates>
   void expand(const Node* const nodes,
@@ -78,6 +72,7 @@ public:
               Candidates& candidates)
   {
     constexpr std::size_t fewest_nodes = 64;
+    m_is_expanded.resize(graph().number_of_nodes());
     const std::size_t number_of_turns = (number + NODES_AT_A_TIME - 1) / NODES_AT_A_TIME;
     const auto expand_some = [&](const std::size_t i, Candidates& part) {
       boost::container::small_vector<Node, NODES_AT_A_TIME> together;
@@ -102,8 +97,18 @@ public:
       m_is_expanded[nodes[i]] = true;
   }
 
-  void discard(const Node node) { m_is_expanded[node] = false; }
-  void forget(const std::vector<Node>& nodes) { reset(m_is_expanded, nodes, false); }
+  void discard(const Node node)
+  {
+    if(!m_is_expanded.empty())
+      m_is_expanded[node] = false;
+  }
+
+  void forget(const std::vector<Node>& nodes)
+  {
+    if(!m_is_expanded.empty())
+      reset(m_is_expanded, nodes, false);
+  }
+
   void forget_all() { m_is_expanded.clear(); }
 
   // In a larger batch, more nodes get shorter paths from other nodes of the batch, and have to be
@@ -115,7 +120,7 @@ public:
 private:
   static constexpr std::size_t NODES_AT_A_TIME = 32;
 
-  std::vector<bool> m_is_expanded; // empty before the first run
+  std::vector<bool> m_is_expanded; // empty before the first expansion
 };
 
 } // namespace CGAL::Approximate_geodesics::internal
