@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How long it takes to repair a field of distances after weights, barriers or sources have changed,
+// How long it takes to repair a field of distances after weights or sources have changed,
 // beside computing a fresh one. See --help.
 
 #include "measuring/measure.h"
@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
@@ -223,22 +224,23 @@ private:
   std::mt19937_64 m_random{1};
 };
 
-int main(int argc, char* argv[])
+static void measure_repairs(const Options& options, const Report& report)
 {
-  const auto measure_repairs = [](const Options& options, const Report& report) {
+  const auto print = [&](const std::string& name, const AG::Intrinsic_triangulation& surface) {
     Table table = Repair_benchmark::empty_table();
-    Mesh mesh = navigation_mesh(options.is_quick ? 8 : 26);
-    const Face_weights weights = region_weights(mesh);
-    Repair_benchmark("navigation",
-                     AG::Intrinsic_triangulation(mesh, CGAL::parameters::face_weight_map(weights)),
-                     options.number_of_rounds)
-        .run(table);
-    Repair_benchmark("terrain", Weighted_terrain(options).triangulation(), options.number_of_rounds)
-        .run(table);
-    report.print("repair",
+    Repair_benchmark(name, surface, options.number_of_rounds).run(table);
+    report.print("repair_" + name,
                  "Repaired fields for epsilon 0.1, and fresh ones (" +
                      std::to_string(options.number_of_rounds) + " random changes and sources)",
                  table);
   };
-  return run_benchmark(argc, argv, "bench_repair", {{}, 41, ""}, measure_repairs);
+  Mesh mesh = navigation_mesh(options.is_quick ? 8 : 26);
+  print("navigation",
+        AG::Intrinsic_triangulation(mesh, CGAL::parameters::face_weight_map(region_weights(mesh))));
+  print("terrain", Weighted_terrain(options.is_quick ? 20 : 80).triangulation());
+}
+
+int main(int argc, char* argv[])
+{
+  return run_benchmark(argc, argv, "bench_repair", {{}, 11, ""}, measure_repairs);
 }

@@ -7,6 +7,8 @@
 #include "meshes/steiner_meshes.h"
 #include "oracles/straight_lines.h"
 
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
@@ -240,6 +242,28 @@ TEST(Repaired_search, has_the_bits_of_a_fresh_one_where_many_paths_are_equal)
     if(graph.triangulation().is_border(h))
       continue;
     graph.set_weights({AG::Weight_change{h, double(1 + random.below(2))}});
+    repaired.repair(seeds);
+    fresh.run(seeds);
+    for(std::uint32_t n = 0; n < graph.number_of_nodes(); ++n)
+      ASSERT_EQ(repaired.distance(n), fresh.distance(n)) << i;
+  }
+}
+
+TEST(Repaired_search, has_the_bits_of_a_fresh_one_where_costs_depend_on_the_direction)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(12, 9, random));
+  using Graph = AG::Directional_graph<Fixed_number_of_points>;
+  const Graph graph(Triangulation(mesh, CGAL::parameters::face_weight_map(
+                                            AG::directional_cost(AG::Hiking_time()))),
+                    Fixed_number_of_points(3));
+  AG::Propagation<Graph> repaired(graph), fresh(graph);
+  std::vector<AG::Seed> seeds;
+  for(int i = 0; i < 40; ++i)
+  {
+    if(seeds.size() > 5)
+      seeds.erase(seeds.begin());
+    seeds.push_back({static_cast<std::uint32_t>(random.below(mesh.num_vertices()))});
     repaired.repair(seeds);
     fresh.run(seeds);
     for(std::uint32_t n = 0; n < graph.number_of_nodes(); ++n)

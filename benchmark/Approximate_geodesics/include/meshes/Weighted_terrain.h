@@ -29,6 +29,13 @@ public:
   {
   }
 
+  explicit Weighted_terrain(const std::size_t side)
+    : m_mesh(terrain(side, 1, LARGEST_SHIFT)),
+      m_weights(terrain_weights(m_mesh, double(side))),
+      m_triangulation(m_mesh, CGAL::parameters::face_weight_map(m_weights))
+  {
+  }
+
   const Mesh& mesh() const { return m_mesh; }
   const Triangulation& triangulation() const { return m_triangulation; }
 
@@ -47,13 +54,6 @@ public:
   }
 
 private:
-  explicit Weighted_terrain(const std::size_t side)
-    : m_mesh(terrain(side, 1, LARGEST_SHIFT)),
-      m_weights(terrain_weights(m_mesh, double(side))),
-      m_triangulation(m_mesh, CGAL::parameters::face_weight_map(m_weights))
-  {
-  }
-
   bool is_in_lake(const Vertex v) const
   {
     const auto faces = m_mesh.faces_around_target(m_mesh.halfedge(v));

@@ -44,7 +44,7 @@ namespace CGAL::Approximate_geodesics {
  * divided by barriers into several sectors: no path leads through such a vertex from one sector
  * into another.
  *
- * An object of this class never changes after its construction, unless its weights are exchanged,
+ * An object of this class never changes after its construction, unless its weights or barriers do,
  * and may be used by several threads.
  *
  * \tparam Placement a model of `SteinerPointPlacement`
