@@ -614,6 +614,20 @@ TEST(Grid_costs, reject_bad_input)
       "cost of cell (2, 2)");
 }
 
+TEST(Grid_costs, have_rows_and_columns_of_any_number)
+{
+  for(const std::size_t n : {1u, 2u, 40u})
+    for(const bool is_row : {true, false})
+    {
+      const Grid_shape shape{is_row ? n : 1, is_row ? 1 : n, 2, 2, {}};
+      Cells h;
+      for(std::size_t i = 0; i < n; ++i)
+        h.push_back(i % 2 == 0 ? 0 : 1.5);
+      EXPECT_NEAR(costs_of_cells(shape, 3, Grid_cell{}, heights(h)).back(),
+                  3 * 2.5 * static_cast<double>(n - 1), 1e-9);
+    }
+}
+
 TEST(Grid_costs, survive_extreme_heights)
 {
   const Grid_shape shape{6, 5, 1e-3, 1e-3, {}};
@@ -624,6 +638,17 @@ TEST(Grid_costs, survive_extreme_heights)
     EXPECT_LT(cost, no_way);
   for(const double cost : costs_of_cells(
           shape, 1, Grid_cell{}, heights(h).face_weight_map(directional_cost(Hiking_time()))))
+    EXPECT_FALSE(std::isnan(cost));
+  const Grid_shape tiny{6, 5, 1e-120, 1e-120, {}};
+  const auto of_cells = directional_cost([](const Grid_cell&, const Grid_vector& d) {
+    EXPECT_FALSE(std::isnan(d.z()));
+    return 1;
+  });
+  for(const double cost :
+      costs_of_cells(tiny, 0, Grid_cell{}, heights(h).face_weight_map(of_cells)))
+    EXPECT_FALSE(std::isnan(cost));
+  for(const double cost : costs_of_cells(
+          tiny, 0, Grid_cell{}, heights(h).face_weight_map(directional_cost(Hiking_time()))))
     EXPECT_FALSE(std::isnan(cost));
   const Grid_shape all{2, 2, 1, 1, 7};
   const Cells none(4, 7);
