@@ -120,15 +120,15 @@ template <typename Cost>
 double cost_on_slope(const Cost& cost, const double rise, const double x, const double y)
 {
   const double run = std::hypot(x, y), height = rise * x;
-  if(run == 0)
-    return 0;
+  if(run == 0 || height == 0)
+    return run * cost(0);
   double result = no_way; // of the smallest cost of a zigzag
   for(int i = 1; i <= 4000; ++i)
   {
     const double s = height / run * i / 4000;
     result = (std::min)(result, run * height / run / s * std::sqrt(1 + s * s) * cost(s));
   }
-  return height == 0 ? run * cost(0) : result;
+  return result;
 }
 
 TEST(Grid_costs, are_times_of_hikers_on_planes)
