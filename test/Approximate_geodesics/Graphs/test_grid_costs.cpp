@@ -278,7 +278,7 @@ Cells random_heights(Random& random, const Grid_shape& shape)
   });
 }
 
-Cells random_barriers(Random& random, const Grid_shape& shape)
+Cells friction_with_barriers(Random& random, const Grid_shape& shape)
 {
   return values_of_cells(shape, [&](double, double) {
     return random.below(6) == 0 ? no_way : random.between(0.5, 2);
@@ -291,7 +291,7 @@ TEST(Grid_costs, are_there_what_they_are_back_from_the_other_end)
   const Grid_shape shape{17, 13, 1, 1.2, {}};
   for(int i = 0; i < 5; ++i)
   {
-    const Cells h = random_heights(random, shape), friction = random_barriers(random, shape);
+    const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
     const Grid_cell a = shape.cell(random.below(friction.size()));
     const auto cost = heights(h).face_weight_map(directional_cost(Hiking_time()));
     const Cells to_a = costs_of_cells(shape, friction, a, cost.direction_to_source(true));
@@ -332,7 +332,7 @@ TEST(Grid_costs, do_not_need_the_lines_that_are_left_out)
   const Grid_shape shape{19, 23, 1, 1.2, {}};
   for(int i = 0; i < 6; ++i)
   {
-    const Cells h = random_heights(random, shape), friction = random_barriers(random, shape);
+    const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
     const auto jump = [](const double s) { return s > 0.1 && s < 0.2 ? 3 : 1; }; // not convex
     const Graph_with_all_lines all(
         i % 2 == 0 ? Grid_graph(shape, friction, heights(h).face_weight_map(directional_cost(jump)))
@@ -359,7 +359,7 @@ TEST(Grid_costs, give_lower_bounds_and_paths)
   const Grid_shape shape{31, 29, 1, 1.2, {}};
   for(int i = 0; i < 6; ++i)
   {
-    const Cells h = random_heights(random, shape), friction = random_barriers(random, shape);
+    const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
     const auto cost = heights(h).face_weight_map(directional_cost(Hiking_time()));
     const Grid_graph graph(shape, friction, cost);
     const Grid_cell source = shape.cell(random.below(friction.size())),
@@ -446,7 +446,7 @@ TEST(Grid_costs, may_be_functions_of_cells_and_directions)
 {
   Random random(test_seed());
   const Grid_shape shape{21, 20, 1, 1, {}};
-  const Cells h = random_heights(random, shape), friction = random_barriers(random, shape);
+  const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
   const Hiking_time time;
   const auto with_cells = [&](const Grid_cell& cell, const Grid_vector& d) {
     EXPECT_NEAR(d * d, 1, 1e-12);
