@@ -120,15 +120,15 @@ template <typename Cost>
 double cost_on_slope(const Cost& cost, const double rise, const double x, const double y)
 {
   const double run = std::hypot(x, y), height = rise * x;
-  if(run == 0)
-    return 0;
+  if(run == 0 || height == 0)
+    return run * cost(0);
   double result = no_way; // of the smallest cost of a zigzag
   for(int i = 1; i <= 4000; ++i)
   {
     const double s = height / run * i / 4000;
     result = (std::min)(result, run * height / run / s * std::sqrt(1 + s * s) * cost(s));
   }
-  return height == 0 ? run * cost(0) : result;
+  return result;
 }
 
 TEST(Grid_costs, are_times_of_hikers_on_planes)
@@ -278,7 +278,7 @@ Cells random_heights(Random& random, const Grid_shape& shape)
   });
 }
 
-Cells random_barriers(Random& random, const Grid_shape& shape)
+Cells friction_with_barriers(Random& random, const Grid_shape& shape)
 {
   return values_of_cells(shape, [&](double, double) {
     return random.below(6) == 0 ? no_way : random.between(0.5, 2);
@@ -291,7 +291,7 @@ TEST(Grid_costs, are_there_what_they_are_back_from_the_other_end)
   const Grid_shape shape{17, 13, 1, 1.2, {}};
   for(int i = 0; i < 5; ++i)
   {
-    const Cells h = random_heights(random, shape), friction = random_barriers(random, shape);
+    const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
     const Grid_cell a = shape.cell(random.below(friction.size()));
     const auto cost = heights(h).face_weight_map(directional_cost(Hiking_time()));
     const Cells to_a = costs_of_cells(shape, friction, a, cost.direction_to_source(true));
@@ -332,7 +332,7 @@ TEST(Grid_costs, do_not_need_the_lines_that_are_left_out)
   const Grid_shape shape{19, 23, 1, 1.2, {}};
   for(int i = 0; i < 6; ++i)
   {
-    const Cells h = random_heights(random, shape), friction = random_barriers(random, shape);
+    const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
     const auto jump = [](const double s) { return s > 0.1 && s < 0.2 ? 3 : 1; }; // not convex
     const Graph_with_all_lines all(
         i % 2 == 0 ? Grid_graph(shape, friction, heights(h).face_weight_map(directional_cost(jump)))
@@ -359,7 +359,7 @@ TEST(Grid_costs, give_lower_bounds_and_paths)
   const Grid_shape shape{31, 29, 1, 1.2, {}};
   for(int i = 0; i < 6; ++i)
   {
-    const Cells h = random_heights(random, shape), friction = random_barriers(random, shape);
+    const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
     const auto cost = heights(h).face_weight_map(directional_cost(Hiking_time()));
     const Grid_graph graph(shape, friction, cost);
     const Grid_cell source = shape.cell(random.below(friction.size())),
@@ -446,7 +446,7 @@ TEST(Grid_costs, may_be_functions_of_cells_and_directions)
 {
   Random random(test_seed());
   const Grid_shape shape{21, 20, 1, 1, {}};
-  const Cells h = random_heights(random, shape), friction = random_barriers(random, shape);
+  const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
   const Hiking_time time;
   const auto with_cells = [&](const Grid_cell& cell, const Grid_vector& d) {
     EXPECT_NEAR(d * d, 1, 1e-12);
@@ -614,6 +614,20 @@ TEST(Grid_costs, reject_bad_input)
       "cost of cell (2, 2)");
 }
 
+TEST(Grid_costs, have_rows_and_columns_of_any_number)
+{
+  for(const std::size_t n : {1u, 2u, 40u})
+    for(const bool is_row : {true, false})
+    {
+      const Grid_shape shape{is_row ? n : 1, is_row ? 1 : n, 2, 2, {}};
+      Cells h;
+      for(std::size_t i = 0; i < n; ++i)
+        h.push_back(i % 2 == 0 ? 0 : 1.5);
+      EXPECT_NEAR(costs_of_cells(shape, 3, Grid_cell{}, heights(h)).back(),
+                  3 * 2.5 * static_cast<double>(n - 1), 1e-9);
+    }
+}
+
 TEST(Grid_costs, survive_extreme_heights)
 {
   const Grid_shape shape{6, 5, 1e-3, 1e-3, {}};
@@ -624,6 +638,17 @@ TEST(Grid_costs, survive_extreme_heights)
     EXPECT_LT(cost, no_way);
   for(const double cost : costs_of_cells(
           shape, 1, Grid_cell{}, heights(h).face_weight_map(directional_cost(Hiking_time()))))
+    EXPECT_FALSE(std::isnan(cost));
+  const Grid_shape tiny{6, 5, 1e-120, 1e-120, {}};
+  const auto of_cells = directional_cost([](const Grid_cell&, const Grid_vector& d) {
+    EXPECT_FALSE(std::isnan(d.z()));
+    return 1;
+  });
+  for(const double cost :
+      costs_of_cells(tiny, 0, Grid_cell{}, heights(h).face_weight_map(of_cells)))
+    EXPECT_FALSE(std::isnan(cost));
+  for(const double cost : costs_of_cells(
+          tiny, 0, Grid_cell{}, heights(h).face_weight_map(directional_cost(Hiking_time()))))
     EXPECT_FALSE(std::isnan(cost));
   const Grid_shape all{2, 2, 1, 1, 7};
   const Cells none(4, 7);

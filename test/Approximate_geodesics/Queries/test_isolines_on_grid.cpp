@@ -44,7 +44,7 @@ std::vector<double> values_at_centers(const Grid_shape& shape, const F& f)
   return result;
 }
 
-bool is_closed(const Grid_polyline& line)
+bool is_loop(const Grid_polyline& line)
 {
   return line.front().x == line.back().x && line.front().y == line.back().y;
 }
@@ -85,7 +85,7 @@ TEST(Isolines_on_grid, of_distances_are_circles)
   {
     const auto lines = lines_on_grid(shape, values, radius);
     ASSERT_EQ(lines.size(), 1u);
-    EXPECT_TRUE(is_closed(lines[0]));
+    EXPECT_TRUE(is_loop(lines[0]));
     EXPECT_NEAR(twice_area(lines[0]) / (2 * std::acos(-1.) * radius * radius), 1, 0.03);
   }
 }
@@ -107,7 +107,7 @@ TEST(Isolines_on_grid, separate_what_is_smaller)
     double area = 0;
     for(const Grid_polyline& line : lines)
     {
-      EXPECT_TRUE(is_closed(line));
+      EXPECT_TRUE(is_loop(line));
       area += twice_area(line);
     }
     EXPECT_GE(area, 0);

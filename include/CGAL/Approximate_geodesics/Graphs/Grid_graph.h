@@ -150,8 +150,8 @@ public:
     if constexpr(internal::is_given<NamedParameters, internal_np::epsilon_t>)
     {
       static_assert(!has_costs,
-                    "epsilon: there is no bound on heights, or with costs that depend on "
-                    "the direction; use Directional_graph on a mesh");
+                    "epsilon: there is no bound on heights, or with costs that depend on the "
+                    "direction; use Directional_graph on a mesh");
       if(m_metric.is_geographic())
         internal::reject(
             "there is an epsilon, and cells are in degrees; there is no bound for them");

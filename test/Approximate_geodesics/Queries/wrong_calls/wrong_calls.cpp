@@ -7,6 +7,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
@@ -210,4 +211,11 @@ void compute_matrices_wrongly(const Mesh& mesh, const AG::Edge_graph& graph)
 
   // rows must be a row sink, such as Dense_rows, or callable
   CGAL::approximate_geodesic_distance_matrix(graph, 3, std::vector<int>());
+
+  // epsilon: there is no bound on heights, or with costs that depend on the direction
+  AG::Grid_graph(AG::Grid_shape(), 1, parameters::heights(std::vector<double>()).epsilon(0.1));
+
+  // a cost function of the slope needs the named parameter heights
+  AG::Grid_graph(AG::Grid_shape(), 1,
+                 parameters::face_weight_map(AG::directional_cost(AG::Hiking_time())));
 }

@@ -137,10 +137,11 @@ private:
   // (p, q) and (p', q') and cells of the width r and the height 1, has one maximum.
   double angle(const Vector& first, const Vector& last) const
   {
-    const double best = std::sqrt(static_cast<double>(first.rows * last.rows) /
-                                  static_cast<double>(first.columns * last.columns));
-    const double ratio =
-        std::isnan(best) ? m_smallest_ratio : (std::clamp)(best, m_smallest_ratio, m_largest_ratio);
+    const auto rows = static_cast<double>(first.rows * last.rows),
+               columns = static_cast<double>(first.columns * last.columns);
+    const double ratio = columns > 0 ? (std::clamp)(std::sqrt(rows / columns), m_smallest_ratio,
+                                                    m_largest_ratio)
+                                     : m_largest_ratio; // or any, if the angle is right
     const auto from_row = [&](const Vector& v) {
       return std::atan2(static_cast<double>(v.rows), static_cast<double>(v.columns) * ratio);
     };

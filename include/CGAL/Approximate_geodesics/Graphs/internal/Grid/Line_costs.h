@@ -143,6 +143,8 @@ public:
       const double slope = (next - last_height) * piece.inverse / scale;
       last_height = next;
       const double stretch = scale * std::sqrt(1 + slope * slope);
+      if(!(stretch < infinity)) // there is no direction
+        return infinity;
       const Grid_vector ahead = direction(line, sides, slope);
       for(; i < piece.beyond_part; ++i)
         result += stretch * cost_of_part(lines.parts()[i], shape, from, ahead, friction);

@@ -126,9 +126,11 @@ private:
     const double last = costs.back();
     for(std::size_t i = 0; i < costs.size(); ++i)
     {
+      if(costs[i] == 0) // there is no ratio
+        continue;
       const double part = static_cast<double>(i + 1) / static_cast<double>(costs.size());
       const double error = std::abs((first + part * (last - first)) / costs[i] - 1);
-      if(error < infinity) // no ratio if a cost is infinite or 0
+      if(error < infinity) // nor if a cost is infinite
         m_error = (std::max)(m_error, error);
     }
   }
