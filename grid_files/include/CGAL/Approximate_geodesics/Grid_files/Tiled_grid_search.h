@@ -75,7 +75,7 @@ public:
    * prepares a search, or resumes one.
    *
    * \param columns,rows the size of the grid
-   * \param graph_of_window builds graphs
+   * \param graph_of_window builds graphs; it is referred to, not copied
    * \param sources the cells where paths start
    * \param tile_side the number of columns and rows of a tile, except for the last ones
    * \param folder where to keep labels; it is created if needed. An empty name stands for memory
