@@ -119,7 +119,9 @@ void expect_right_cells(const Mesh& mesh,
     if(std::isfinite(exact.smallest({f, {1, 0, 0}})))
       area += CGAL::Polygon_mesh_processing::face_area(f, mesh);
   if(area > 1e-280 && area < 1e280) // no underflow and overflow
+  {
     EXPECT_NEAR(total_area(cells), area, 1e-9 * area);
+  }
 }
 
 std::vector<Surface_point> random_sources(const Mesh& mesh, const std::size_t n, Random& random)
@@ -158,10 +160,10 @@ TEST(VoronoiBorders, of_two_points_of_a_plane_is_their_bisector)
     ASSERT_EQ(cells.borders.size(), 1u);
     EXPECT_EQ(cells.corners.size(), 2u);
     for(const auto& p : cells.borders[0].points)
-      EXPECT_NEAR(position(mesh, p).x(), x, 1e-12);
-    EXPECT_NEAR(length_of_border(mesh, cells.borders[0]), height, 1e-12);
+      EXPECT_NEAR(position(mesh, p).x(), x, 1e-9);
+    EXPECT_NEAR(length_of_border(mesh, cells.borders[0]), height, 1e-9);
     // the first cell is to the left
-    EXPECT_LT(position(mesh, cells.borders[0].points.front()).y(), 1e-12);
+    EXPECT_NEAR(position(mesh, cells.borders[0].points.front()).y(), 0, 1e-9);
     EXPECT_NEAR(cells.areas[0], x * height, 1e-9);
     EXPECT_NEAR(cells.areas[1], (width - x) * height, 1e-9);
     EXPECT_TRUE(cells.triangles().empty());
@@ -185,7 +187,7 @@ TEST(VoronoiBorders, of_points_with_initial_distances_is_a_hyperbola)
   {
     const Point p = position(mesh, cells.borders[0].points[i]);
     EXPECT_NEAR(1 + std::sqrt(CGAL::squared_distance(p, a)),
-                std::sqrt(CGAL::squared_distance(p, b)), 1e-12);
+                std::sqrt(CGAL::squared_distance(p, b)), 1e-9);
     if(i == 0)
       continue;
     const Point q = position(mesh, cells.borders[0].points[i - 1]);
@@ -292,7 +294,8 @@ TEST(VoronoiBorders, divide_sample_meshes)
   {
     SCOPED_TRACE(name);
     const Mesh mesh = sample_mesh(name);
-    Random random(test_seed());
+    const std::uint64_t seed = test_seed();
+    Random random(seed);
     for(const std::size_t n : {2, 10, 100})
     {
       const auto sources = random_sources(mesh, n, random);

@@ -38,7 +38,8 @@ public:
     Visitor visitor{{}, *this, source, m_labels.distance(v)};
     Sight_expansion<Visitor> expansion(m_run.tables(), visitor.label_of_tip, visitor);
     const auto on_corner = [&](const Index h, const Plane_vector right, const Plane_vector left) {
-      add({h, true, source, visitor.label_of_tip, {0, 0}, right, left});
+      if(m_run.tables().steps[h].has_face())
+        add({h, true, source, visitor.label_of_tip, {0, 0}, right, left});
     };
     const auto on_sight = [&](const Sight& sight, const Index left_end, const Index right_end) {
       expansion.look(sight, left_end, right_end);
@@ -58,7 +59,7 @@ public:
     const Lines_of_sight lines(m_triangulation, m_run.tables(), point);
     lines.for_each_side(
         [&](const Index side, const Face_point&, const Plane_vector start, const Plane_vector end) {
-          if(cross(start, end) > 0)
+          if(!point.is_on_edge_of(side, m_triangulation))
             add(from_tip_in_plane(side, source, true, label, start, end - start, start, end));
         });
     lines.for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {

@@ -30,6 +30,8 @@ struct Border_arc
 // A part of a side of a face where a window knows the smallest distance.
 struct Side_part
 {
+  static constexpr double SHORTEST = 1e-7; // parts of this size can be due to rounding
+
   Index halfedge;
   double begin, end; // from the source to the target of the halfedge, as parts of its length
   Plane_vector tip;  // in the frame of the halfedge
@@ -147,9 +149,10 @@ private:
     const double squared = dot(m_edges[side], m_edges[side]);
     const Plane_vector tip = w.tip - m_corners[side];
     const auto part = [&](const Plane_vector p) { return dot(tip + p, m_edges[side]) / squared; };
-    const Plane_vector x_axis = 1 / std::sqrt(squared) * m_edges[side];
-    m_side_parts.push_back(
-        {m_halfedges[side], part(begin), part(end), turned_right(tip, x_axis), w.source});
+    const double first = part(begin), last = part(end);
+    if(last - first > Side_part::SHORTEST)
+      m_side_parts.push_back({m_halfedges[side], first, last,
+                              turned_right(tip, 1 / std::sqrt(squared) * m_edges[side]), w.source});
   }
 
   // Both sides of an arc report it; one of them is enough. Only one side reports a ray.

@@ -69,7 +69,8 @@ private:
       if(labels.is_reached(v) && (run.arrival(v).is_none() || run.tables().bends.is_possible(v)))
         found.add_vertex(v, nodes.source(v));
     for(std::size_t i = 0; i < search.sources().size(); ++i)
-      if(const Source_point& s = search.sources()[i]; !s.point.is_vertex())
+      if(const Source_point& s = search.sources()[i];
+         !s.point.is_vertex() && search.nearest(s.point).source == i)
         found.add_point(s.point, s.distance / m_triangulation.unit(), i);
     m_windows = std::move(found).windows();
   }
