@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -69,7 +70,8 @@ public:
       const auto add = [&](const auto& point) { m_paths[source]->add_source_point(point); };
       add(m_sources[source]);
     }
-    return m_initial[source] + m_paths[source]->shortest_distance_to_source_points(p).first;
+    const double result = m_paths[source]->shortest_distance_to_source_points(p).first;
+    return result < 0 ? std::numeric_limits<double>::infinity() : m_initial[source] + result;
   }
 
   double smallest(const Face_location& p)

@@ -35,8 +35,18 @@ struct Side_part
   Index halfedge;
   double begin, end; // from the source to the target of the halfedge, as parts of its length
   Plane_vector tip;  // in the frame of the halfedge
+  double label;      // of the tip; infinite if there is no tip, as only one source reaches the face
   std::size_t source;
+
+  double distance(const double x) const { return label + length({x - tip.x, tip.y}); }
 };
+
+// Whether two distances are the same, up to rounding.
+inline bool are_equal(const double a, const double b)
+{
+  constexpr double rounding = 1e-8;
+  return std::abs(a - b) <= rounding * (a + b);
+}
 
 // Which borders are wanted.
 struct Cell_options
@@ -152,20 +162,26 @@ private:
     const double first = part(begin), last = part(end);
     if(last - first > Side_part::SHORTEST)
       m_side_parts.push_back({m_halfedges[side], first, last,
-                              turned_right(tip, 1 / std::sqrt(squared) * m_edges[side]), w.source});
+                              turned_right(tip, 1 / std::sqrt(squared) * m_edges[side]), w.label,
+                              w.source});
   }
 
-  // Both sides of an arc report it; one of them is enough. Only one side reports a ray.
+  // Both sides of an arc report it; one of them is enough. Only one side reports a ray; where it is
+  // no border, another window is between the two, and narrower than rounding errors.
   bool is_wanted(const Cell_piece& piece, const std::size_t number) const
   {
     const Placed_window &w = m_windows[number], &v = m_windows[piece.other];
-    if(piece.end == Cell_end::EQUAL_DISTANCE &&
-       (w.source > v.source || (w.source == v.source && number > piece.other)))
+    const Plane_vector middle = piece.curve.point(piece.range.middle()),
+                       from_other = middle + (w.tip - v.tip);
+    if(piece.end == Cell_end::EQUAL_DISTANCE)
+    {
+      if(w.source > v.source || (w.source == v.source && number > piece.other))
+        return false;
+    }
+    else if(!are_equal(w.label + length(middle), v.label + length(from_other)))
       return false;
-    if(w.source != v.source)
-      return true;
-    const Plane_vector middle = piece.curve.point(piece.range.middle());
-    return m_options.within_cells && differ_in_direction(middle, middle + (w.tip - v.tip));
+    return w.source != v.source ||
+           (m_options.within_cells && differ_in_direction(middle, from_other));
   }
 
   /*

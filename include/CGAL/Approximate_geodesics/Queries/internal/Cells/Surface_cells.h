@@ -114,7 +114,7 @@ private:
   std::vector<Side_part> parts(const Index side, const Index h) const
   {
     if(m_source_of_face[side] != NONE)
-      return {{h, 0, 1, {0, 0}, m_source_of_face[side]}};
+      return {{h, 0, 1, {0, 0}, infinity, m_source_of_face[side]}};
     const auto is_before = [](const Side_part& p, const Index i) { return p.halfedge < i; };
     std::vector<Side_part> result;
     for(auto it = std::lower_bound(m_parts.begin(), m_parts.end(), side, is_before);
@@ -124,7 +124,8 @@ private:
     {
       std::reverse(result.begin(), result.end());
       for(Side_part& p : result)
-        p = {h, 1 - p.end, 1 - p.begin, {m_triangulation.length(h) - p.tip.x, -p.tip.y}, p.source};
+        p = {h,       1 - p.end, 1 - p.begin, {m_triangulation.length(h) - p.tip.x, -p.tip.y},
+             p.label, p.source};
     }
     return result;
   }
@@ -148,9 +149,13 @@ private:
 
   bool is_border(const Side_part& p, const Side_part& q, const double part) const
   {
+    const double x = part * m_triangulation.length(p.halfedge);
+    const bool has_tips = p.label < infinity && q.label < infinity;
+    if(has_tips && !are_equal(p.distance(x), q.distance(x)))
+      return false;
     if(p.source != q.source)
       return true;
-    const Plane_vector point{part * m_triangulation.length(p.halfedge), 0};
+    const Plane_vector point{x, 0};
     return m_options.within_cells && differ_in_direction(point - p.tip, point - q.tip);
   }
 
