@@ -95,6 +95,8 @@ public:
     m_windows.clear();
     for(Iterator it = first; it != beyond; ++it)
       m_windows.push_back(placed(*it));
+    if(is_thin())
+      return fill(nearest_to_center());
     for(std::size_t i = 0; i < m_windows.size(); ++i)
       report(Window_cell(m_corners, m_windows, i), i);
   }
@@ -114,6 +116,36 @@ private:
             w.label,
             w.source,
             w.has_tip_in_face ? Placed_window::NO_SIDE : side};
+  }
+
+  // Whether the face is so thin that rounding errors across it would matter.
+  bool is_thin() const
+  {
+    constexpr double smallest_height = 1e-5; // over the longest side, as a part of it
+    const double squared = (std::max)(
+        {dot(m_edges[0], m_edges[0]), dot(m_edges[1], m_edges[1]), dot(m_edges[2], m_edges[2])});
+    return !(m_doubled_area > smallest_height * squared);
+  }
+
+  const Placed_window& nearest_to_center() const
+  {
+    const Plane_vector center = 1. / 3 * (m_corners[0] + m_corners[1] + m_corners[2]);
+    const auto distance = [&](const Placed_window& w) {
+      const Plane_vector way = center - w.tip;
+      const bool is_seen = cross(w.right, way) >= 0 && cross(way, w.left) >= 0;
+      return std::make_pair(!is_seen, w.label + length(way));
+    };
+    return *std::min_element(
+        m_windows.begin(), m_windows.end(),
+        [&](const Placed_window& w, const Placed_window& v) { return distance(w) < distance(v); });
+  }
+
+  // The whole face belongs to one window.
+  void fill(const Placed_window& w)
+  {
+    m_areas[w.source] += m_doubled_area / 2;
+    for(std::size_t i = 0; i < 3; ++i)
+      add_side_part(i, m_corners[i] - w.tip, m_corners[(i + 1) % 3] - w.tip, w);
   }
 
   void report(const Window_cell& cell, const std::size_t number)
@@ -148,7 +180,8 @@ private:
     double area = cross(p - q_in, q - p_in) / 2;
     if(piece.end == Cell_end::EQUAL_DISTANCE)
       area += Hyperbola(w, m_windows[piece.other]).area_beside_chord(p, q);
-    m_areas[w.source] += area;
+    if(std::isfinite(area))
+      m_areas[w.source] += area;
   }
 
   void add_side_part(const std::size_t side,
@@ -258,7 +291,11 @@ private:
       std::swap(arc.left, arc.right);
       std::reverse(arc.points.begin(), arc.points.end());
     }
-    m_arcs.push_back(std::move(arc));
+    const bool is_finite = std::all_of(arc.points.begin(), arc.points.end(), [](const auto& x) {
+      return std::isfinite(x[0] + x[1] + x[2]);
+    });
+    if(is_finite)
+      m_arcs.push_back(std::move(arc));
   }
 
   // Points on sides are exactly there.
