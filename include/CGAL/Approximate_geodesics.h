@@ -61,6 +61,7 @@
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>
 #include <CGAL/Approximate_geodesics/Queries/shorten_loop.h>
 #include <CGAL/Approximate_geodesics/Queries/trace_geodesic.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_borders.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>

@@ -71,7 +71,8 @@ struct Voronoi_corner
 template <typename TriangleMesh>
 struct Voronoi_cells
 {
-  /// the area of the cell of each source; `0` if no point is nearest to the source.
+  /// the area of the cell of each source; `0` if no point is nearest to the source, and infinity if
+  /// it exceeds the largest number.
   std::vector<double> areas;
 
   /// the borders, in no particular order.
@@ -181,9 +182,10 @@ Voronoi_cells<TriangleMesh> cells_of(const TriangleMesh& tmesh,
  * points of a region, as behind a saddle vertex that is at the same distance from both, one of them
  * gets the region. Of equal sources, the first one gets the cell.
  *
- * In each face, the cell of an unfolded source or saddle vertex is bounded by an envelope of conics
- * with a common focus. The faces are those of half-plane cuts by J. Xu, S. Xin and others
- * \cgalCite{xsctw-svgm-22}, from windows of exact distances.
+ * As in SurfaceVoronoi \cgalCite{xsctw-gvd-22}, each face is divided among the sources that reach
+ * it. Here, distances in it are exact: the cell of an unfolded source or saddle vertex is bounded
+ * by an envelope of conics with a common focus. Faces that are \f$10^5\f$ times longer than wide
+ * are not divided, as rounding would matter: borders may have gaps there.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, `Face_location`,

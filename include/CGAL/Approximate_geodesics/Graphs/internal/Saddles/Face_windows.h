@@ -38,7 +38,8 @@ public:
     Visitor visitor{{}, *this, source, m_labels.distance(v)};
     Sight_expansion<Visitor> expansion(m_run.tables(), visitor.label_of_tip, visitor);
     const auto on_corner = [&](const Index h, const Plane_vector right, const Plane_vector left) {
-      add({h, true, source, visitor.label_of_tip, {0, 0}, right, left});
+      if(m_run.tables().steps[h].has_face())
+        add({h, true, source, visitor.label_of_tip, {0, 0}, right, left});
     };
     const auto on_sight = [&](const Sight& sight, const Index left_end, const Index right_end) {
       expansion.look(sight, left_end, right_end);
@@ -56,10 +57,12 @@ public:
     Visitor visitor{{}, *this, source, label};
     Sight_expansion<Visitor> expansion(m_run.tables(), label, visitor);
     const Lines_of_sight lines(m_triangulation, m_run.tables(), point);
+    constexpr double smallest_height = 1e-10; // below that, rounding decides where a side is
     lines.for_each_side(
         [&](const Index side, const Face_point&, const Plane_vector start, const Plane_vector end) {
-          if(cross(start, end) > 0)
-            add(from_tip_in_plane(side, source, true, label, start, end - start, start, end));
+          const Plane_vector edge = end - start;
+          if(cross(start, end) > smallest_height * dot(edge, edge))
+            add(from_tip_in_plane(side, source, true, label, start, edge, start, end));
         });
     lines.for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
       expansion.look(sight, left_end, right_end);

@@ -199,6 +199,21 @@ private:
           follow(end);
   }
 
+  // Whether an arc in a face is far smaller than the face, and meets no other: between two narrow
+  // windows, there was one that is narrower than rounding errors.
+  bool is_stray(const std::size_t first, const std::size_t last) const
+  {
+    constexpr double several = 1000;
+    const auto is_alone = [&](const std::size_t end) {
+      const auto it = std::lower_bound(m_incidences.begin(), m_incidences.end(),
+                                       Incidence(m_nodes[end], 0, 0, 0));
+      return it + 1 == m_incidences.end() || std::get<0>(*(it + 1)) != m_nodes[end];
+    };
+    return first / 2 == last / 2 && is_alone(first) && is_alone(last) &&
+           length(m_ends[first].position - m_ends[last].position) <=
+               several * m_ends[first].tolerance;
+  }
+
   // Follows a polyline that begins with an end of an arc.
   void follow(const std::size_t first)
   {
@@ -210,6 +225,8 @@ private:
       append(end, border.points);
       last = end ^ 1;
     }
+    if(is_stray(first, last))
+      return;
     if(m_next[last] == NONE)
       border.corners = {corner(first), corner(last)};
     else

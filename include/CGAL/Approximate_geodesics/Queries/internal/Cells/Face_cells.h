@@ -30,11 +30,23 @@ struct Border_arc
 // A part of a side of a face where a window knows the smallest distance.
 struct Side_part
 {
+  static constexpr double SHORTEST = 1e-7; // parts of this size can be due to rounding
+
   Index halfedge;
   double begin, end; // from the source to the target of the halfedge, as parts of its length
   Plane_vector tip;  // in the frame of the halfedge
+  double label;      // of the tip; infinite if there is no tip, as only one source reaches the face
   std::size_t source;
+
+  double distance(const double x) const { return label + length({x - tip.x, tip.y}); }
 };
+
+// Whether two distances are the same, up to rounding.
+inline bool are_equal(const double a, const double b)
+{
+  constexpr double rounding = 1e-8;
+  return std::abs(a - b) <= rounding * (a + b);
+}
 
 // Which borders are wanted.
 struct Cell_options
@@ -83,6 +95,8 @@ public:
     m_windows.clear();
     for(Iterator it = first; it != beyond; ++it)
       m_windows.push_back(placed(*it));
+    if(is_thin())
+      return fill(nearest_to_center());
     for(std::size_t i = 0; i < m_windows.size(); ++i)
       report(Window_cell(m_corners, m_windows, i), i);
   }
@@ -102,6 +116,36 @@ private:
             w.label,
             w.source,
             w.has_tip_in_face ? Placed_window::NO_SIDE : side};
+  }
+
+  // Whether the face is so thin that rounding errors across it would matter.
+  bool is_thin() const
+  {
+    constexpr double smallest_height = 1e-5; // over the longest side, as a part of it
+    const double squared = (std::max)(
+        {dot(m_edges[0], m_edges[0]), dot(m_edges[1], m_edges[1]), dot(m_edges[2], m_edges[2])});
+    return !(m_doubled_area > smallest_height * squared);
+  }
+
+  const Placed_window& nearest_to_center() const
+  {
+    const Plane_vector center = 1. / 3 * (m_corners[0] + m_corners[1] + m_corners[2]);
+    const auto distance = [&](const Placed_window& w) {
+      const Plane_vector way = center - w.tip;
+      const bool is_seen = cross(w.right, way) >= 0 && cross(way, w.left) >= 0;
+      return std::make_pair(!is_seen, w.label + length(way));
+    };
+    return *std::min_element(
+        m_windows.begin(), m_windows.end(),
+        [&](const Placed_window& w, const Placed_window& v) { return distance(w) < distance(v); });
+  }
+
+  // The whole face belongs to one window.
+  void fill(const Placed_window& w)
+  {
+    m_areas[w.source] += m_doubled_area / 2;
+    for(std::size_t i = 0; i < 3; ++i)
+      add_side_part(i, m_corners[i] - w.tip, m_corners[(i + 1) % 3] - w.tip, w);
   }
 
   void report(const Window_cell& cell, const std::size_t number)
@@ -136,7 +180,8 @@ private:
     double area = cross(p - q_in, q - p_in) / 2;
     if(piece.end == Cell_end::EQUAL_DISTANCE)
       area += Hyperbola(w, m_windows[piece.other]).area_beside_chord(p, q);
-    m_areas[w.source] += area;
+    if(std::isfinite(area))
+      m_areas[w.source] += area;
   }
 
   void add_side_part(const std::size_t side,
@@ -147,22 +192,29 @@ private:
     const double squared = dot(m_edges[side], m_edges[side]);
     const Plane_vector tip = w.tip - m_corners[side];
     const auto part = [&](const Plane_vector p) { return dot(tip + p, m_edges[side]) / squared; };
-    const Plane_vector x_axis = 1 / std::sqrt(squared) * m_edges[side];
-    m_side_parts.push_back(
-        {m_halfedges[side], part(begin), part(end), turned_right(tip, x_axis), w.source});
+    const double first = part(begin), last = part(end);
+    if(last - first > Side_part::SHORTEST)
+      m_side_parts.push_back({m_halfedges[side], first, last,
+                              turned_right(tip, 1 / std::sqrt(squared) * m_edges[side]), w.label,
+                              w.source});
   }
 
-  // Both sides of an arc report it; one of them is enough. Only one side reports a ray.
+  // Both sides of an arc report it; one of them is enough. Only one side reports a ray; where it is
+  // no border, another window is between the two, and narrower than rounding errors.
   bool is_wanted(const Cell_piece& piece, const std::size_t number) const
   {
     const Placed_window &w = m_windows[number], &v = m_windows[piece.other];
-    if(piece.end == Cell_end::EQUAL_DISTANCE &&
-       (w.source > v.source || (w.source == v.source && number > piece.other)))
+    const Plane_vector middle = piece.curve.point(piece.range.middle()),
+                       from_other = middle + (w.tip - v.tip);
+    if(piece.end == Cell_end::EQUAL_DISTANCE)
+    {
+      if(w.source > v.source || (w.source == v.source && number > piece.other))
+        return false;
+    }
+    else if(!are_equal(w.label + length(middle), v.label + length(from_other)))
       return false;
-    if(w.source != v.source)
-      return true;
-    const Plane_vector middle = piece.curve.point(piece.range.middle());
-    return m_options.within_cells && differ_in_direction(middle, middle + (w.tip - v.tip));
+    return w.source != v.source ||
+           (m_options.within_cells && differ_in_direction(middle, from_other));
   }
 
   /*
@@ -239,7 +291,11 @@ private:
       std::swap(arc.left, arc.right);
       std::reverse(arc.points.begin(), arc.points.end());
     }
-    m_arcs.push_back(std::move(arc));
+    const bool is_finite = std::all_of(arc.points.begin(), arc.points.end(), [](const auto& x) {
+      return std::isfinite(x[0] + x[1] + x[2]);
+    });
+    if(is_finite)
+      m_arcs.push_back(std::move(arc));
   }
 
   // Points on sides are exactly there.

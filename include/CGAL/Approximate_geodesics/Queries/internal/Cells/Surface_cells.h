@@ -69,7 +69,8 @@ private:
       if(labels.is_reached(v) && (run.arrival(v).is_none() || run.tables().bends.is_possible(v)))
         found.add_vertex(v, nodes.source(v));
     for(std::size_t i = 0; i < search.sources().size(); ++i)
-      if(const Source_point& s = search.sources()[i]; !s.point.is_vertex())
+      if(const Source_point& s = search.sources()[i];
+         !s.point.is_vertex() && search.nearest(s.point).source == i)
         found.add_point(s.point, s.distance / m_triangulation.unit(), i);
     m_windows = std::move(found).windows();
   }
@@ -113,7 +114,7 @@ private:
   std::vector<Side_part> parts(const Index side, const Index h) const
   {
     if(m_source_of_face[side] != NONE)
-      return {{h, 0, 1, {0, 0}, m_source_of_face[side]}};
+      return {{h, 0, 1, {0, 0}, infinity, m_source_of_face[side]}};
     const auto is_before = [](const Side_part& p, const Index i) { return p.halfedge < i; };
     std::vector<Side_part> result;
     for(auto it = std::lower_bound(m_parts.begin(), m_parts.end(), side, is_before);
@@ -123,7 +124,8 @@ private:
     {
       std::reverse(result.begin(), result.end());
       for(Side_part& p : result)
-        p = {h, 1 - p.end, 1 - p.begin, {m_triangulation.length(h) - p.tip.x, -p.tip.y}, p.source};
+        p = {h,       1 - p.end, 1 - p.begin, {m_triangulation.length(h) - p.tip.x, -p.tip.y},
+             p.label, p.source};
     }
     return result;
   }
@@ -147,9 +149,13 @@ private:
 
   bool is_border(const Side_part& p, const Side_part& q, const double part) const
   {
+    const double x = part * m_triangulation.length(p.halfedge);
+    const bool has_tips = p.label < infinity && q.label < infinity;
+    if(has_tips && !are_equal(p.distance(x), q.distance(x)))
+      return false;
     if(p.source != q.source)
       return true;
-    const Plane_vector point{part * m_triangulation.length(p.halfedge), 0};
+    const Plane_vector point{x, 0};
     return m_options.within_cells && differ_in_direction(point - p.tip, point - q.tip);
   }
 

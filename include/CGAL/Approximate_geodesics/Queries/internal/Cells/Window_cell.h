@@ -131,7 +131,7 @@ private:
           return m_pieces.clear();
         m_entry = shifted;
       }
-      else if(distance > 0)
+      else if(distance > ROUNDING * size)
       {
         const Cell_piece piece{range(), static_cast<Cell_end>(i), shifted, 0};
         if(m_sides.empty())
