@@ -120,7 +120,8 @@ void shorten_loops_of_cut_graph(const Graph& graph, const Intrinsic_point& base,
     if(arc.lower_bound * triangulation.unit() < shortest.length)
     {
       Path loop = straightener.shortened_with_fixed_base({cut_graph.loop(arc), 0});
-      if(loop.length < shortest.length)
+      const bool is_point = loop.points.size() == 1; // of parallel edges, only the shortest counts
+      if(!is_point && loop.length < shortest.length)
         shortest = std::move(loop);
     }
 }
@@ -161,7 +162,8 @@ inline Path shortest_loop(const Saddle_vertex_graph& graph, const Intrinsic_poin
  * \param tmesh the triangle mesh; it is not changed
  * \param curve the closed curve: points of the surface, where each lies in a face or on an edge
  *        with the next one, and the last with the first; or halfedges, where each starts where the
- *        one before it ends. The first point may be repeated at the end.
+ *        one before it ends. The first point may be repeated at the end. Where several edges join
+ *        two vertices, the shortest one counts.
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among
  *           `vertex_point_map`, `edge_length_map`, `vertex_index_map`, `halfedge_index_map` and
  *           `geom_traits`, as for `approximate_geodesic_distances()`
