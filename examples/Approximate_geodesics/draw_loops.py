@@ -70,7 +70,7 @@ def main(mesh, folder=".", azimuth="20", elevation="35", up="y"):
     renderer.AddActor(loops_actor(start + "_free.polylines.txt", 0.004 * unit, RED))
     place_lights(renderer)
     place_camera(renderer, float(azimuth), float(elevation), up)
-    renderer.GetActiveCamera().Zoom(1.2)
+    renderer.GetActiveCamera().Zoom(1.05)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)

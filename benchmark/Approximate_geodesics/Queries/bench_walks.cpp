@@ -110,24 +110,26 @@ void measure_loops(const Mesh& mesh,
 {
   const auto sources = random_sources(mesh, rounds);
   const Length_of_edge length{mesh};
+  std::vector<std::vector<Mesh::Halfedge_index>> cycles(rounds);
   double of_cycles = 0, of_loops = 0, of_shortened = 0;
   Contest contest;
   contest.add([&](const auto round) {
     const CGAL::Surface_mesh_topology::Curves_on_surface_topology<Mesh> topology(mesh);
     const auto cycle = topology.compute_shortest_non_contractible_cycle_with_base_point(
         mesh.opposite(mesh.halfedge(sources[round])), length);
-    std::vector<Mesh::Halfedge_index> halfedges;
     for(std::size_t i = 0; i < cycle.length(); ++i)
-    {
-      halfedges.push_back(cycle.get_ith_real_dart(i));
-      of_cycles += length(halfedges.back());
-    }
-    of_shortened += AG::shorten_loop(mesh, halfedges).length;
+      cycles[round].push_back(cycle.get_ith_real_dart(i));
   });
   contest.add([&](const auto round) {
     of_loops += AG::shortest_loop_through(mesh, sources[round]).length;
   });
   contest.run(rounds);
+  for(const auto& cycle : cycles)
+  {
+    for(const Mesh::Halfedge_index h : cycle)
+      of_cycles += length(h);
+    of_shortened += AG::shorten_loop(mesh, cycle).length;
+  }
   table.add_row()
       .add(name)
       .add(double(mesh.number_of_vertices()), 0)

@@ -145,6 +145,35 @@ TEST(Loops, around_the_hole_of_a_torus_are_its_inner_polygon)
   }
 }
 
+// A surface of revolution around the z axis, of length 10, with rings of 24 vertices.
+template <typename F>
+Mesh tube(const std::size_t rings, F radius)
+{
+  Soup result = closed_rings(rings, 24, [&](const double i, const double j) {
+    const double part = i / static_cast<double>(rings - 1), r = radius(part);
+    return Point(r * std::cos(circle * j / 24), r * std::sin(circle * j / 24), 10 * part);
+  });
+  result.triangles.resize(2 * 24 * (rings - 1)); // open
+  return to_mesh(result);
+}
+
+// However little the radius changes, they get there.
+TEST(Loops, slide_to_the_narrowest_place)
+{
+  const auto length_from_wide_end = [](const auto& radius) {
+    const Mesh mesh = tube(101, radius);
+    std::vector<Vertex> ring;
+    for(Mesh::size_type v = 24; v < 48; ++v)
+      ring.push_back(Vertex(v));
+    return AG::shorten_loop(mesh, ring).length / (48 * std::sin(circle / 48));
+  };
+  EXPECT_NEAR(length_from_wide_end([](double z) { return 1 - 0.1 * z; }), 0.9, 1e-12);
+  EXPECT_NEAR(length_from_wide_end([](double z) { return 1 - 1e-5 * z; }), 1 - 1e-5, 1e-12);
+  EXPECT_NEAR(length_from_wide_end([](double z) { return 0.7 + std::pow(z - 0.5, 2); }), 0.7,
+              1e-12);
+  EXPECT_NEAR(length_from_wide_end([](double z) { return std::sqrt(1.01 - z * z); }), 0.1, 1e-12);
+}
+
 // It touches the corners of the hole.
 TEST(Loops, around_a_hole_end_at_the_border)
 {
@@ -287,7 +316,7 @@ TEST(Loops, are_never_longer_than_cycles_of_edges)
     };
     if(mesh.number_of_vertices() < 600) // it is quadratic
       check(halfedges_of(topology.compute_shortest_non_contractible_cycle(length)));
-    for(int i = 0; i < 3; ++i)
+    for(int i = 0; i < 2; ++i)
     {
       const Vertex v = random_vertex(mesh, random);
       const double cycle =
