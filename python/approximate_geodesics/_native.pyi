@@ -47,6 +47,35 @@ class Grid:
     @property
     def memory(self) -> int: ...
 
+class Walks:
+    def __init__(self, solver: Solver) -> None: ...
+    def trace(
+        self,
+        elements: _Integers,
+        coordinates: Optional[_Floats],
+        direction: _Floats,
+        length: float,
+    ) -> Tuple[_Floats, _Floats, float, bool]: ...
+    def logarithmic_map(self, elements: _Integers, coordinates: Optional[_Floats]) -> _Floats: ...
+    def transport(
+        self,
+        elements: _Integers,
+        coordinates: Optional[_Floats],
+        target_elements: _Integers,
+        target_coordinates: Optional[_Floats],
+        vector: _Floats,
+    ) -> _Floats: ...
+    def mean(
+        self, elements: _Integers, coordinates: Optional[_Floats], weights: _Floats
+    ) -> Tuple[Any, float, bool]: ...
+    def shorten_loop(
+        self, elements: _Integers, coordinates: Optional[_Floats]
+    ) -> Tuple[_Floats, float]: ...
+    def shortest_loop_through(
+        self, elements: _Integers, coordinates: Optional[_Floats]
+    ) -> Tuple[_Floats, float]: ...
+    def frames(self) -> Tuple[_Floats, _Floats, _Floats]: ...
+
 class Solver:
     def __init__(
         self,

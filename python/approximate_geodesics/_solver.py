@@ -686,6 +686,214 @@ class Solver:
             raise ValueError(f"level {wrong[0]} is {wanted[wrong[0]]}; it must be finite")
         return [self._solver.isolines(function, level) for level in wanted.tolist()]
 
+    # Straight walks
+
+    @overload
+    def trace(
+        self,
+        start: Any,
+        direction: npt.ArrayLike,
+        length: Optional[float] = None,
+        *,
+        return_end: Literal[False] = False,
+    ) -> _arrays.Floats: ...
+
+    @overload
+    def trace(
+        self,
+        start: Any,
+        direction: npt.ArrayLike,
+        length: Optional[float] = None,
+        *,
+        return_end: Literal[True],
+    ) -> tuple[_arrays.Floats, _arrays.Floats, float]: ...
+
+    def trace(
+        self,
+        start: Any,
+        direction: npt.ArrayLike,
+        length: Optional[float] = None,
+        *,
+        return_end: bool = False,
+    ) -> Any:
+        """A walk straight ahead on the surface: a straightest geodesic, the exponential map.
+
+        It leaves the same angle on both sides of a vertex, and ends at the border. Like all that is
+        below, it depends on the surface only: not on `epsilon`, costs or barriers.
+
+        Parameters
+        ----------
+        start : point
+        direction : (3,) or (2,) array of float
+            A vector in space, whose part along the surface counts, or one in the frame of the
+            point, as `logarithmic_map` returns it; not zero.
+        length : float, optional
+            By default, that of `direction`.
+        return_end : bool
+            Whether the direction at the end and the length are returned, too.
+
+        Returns
+        -------
+        (k, 3) array of float64
+            The start, where the walk crosses edges, and the end.
+        (3,) array of float64
+            The direction at the end, of length 1; zeros if the walk could not begin; if wanted.
+        float
+            The length: shorter than was asked for if the walk has ended at the border; if wanted.
+        """
+        vector = _vector(direction, "direction")
+        steps = float(np.linalg.norm(vector)) if length is None else _number(length, "length")
+        points, end, walked, _ = self._walks.trace(
+            *_arrays.one_point(start, "start"), vector, steps
+        )
+        return (points, end, walked) if return_end else points
+
+    def logarithmic_map(self, source: Any) -> _arrays.Floats:
+        """The direction and the length of an exact shortest path to each vertex, (n, 2) float64.
+
+        They are vectors in the frame of the source. At a vertex, `tangent_frames` tells its axes,
+        and angles around it are scaled to add up to a full turn. `trace` leads from such a vector
+        to the vertex, if the path passes no other one. Vertices that are not reached have an
+        infinite one.
+        """
+        return self._walks.logarithmic_map(*_arrays.one_point(source, "source"))
+
+    def parallel_transport(
+        self, source: Any, target: Any, vector: npt.ArrayLike
+    ) -> _arrays.Floats:
+        """A tangent vector at one point, carried to another along an exact shortest path.
+
+        The vector has three numbers, in space, or two, in the frame of the source; the result has
+        as many, in space or in the frame of the target. It keeps its angle to the path.
+        """
+        return self._walks.transport(
+            *_arrays.one_point(source, "source"),
+            *_arrays.one_point(target, "target"),
+            _vector(vector, "vector"),
+        )
+
+    @overload
+    def karcher_mean(
+        self,
+        points: Any,
+        weights: Optional[npt.ArrayLike] = None,
+        *,
+        return_deviation: Literal[False] = False,
+    ) -> Any: ...
+
+    @overload
+    def karcher_mean(
+        self,
+        points: Any,
+        weights: Optional[npt.ArrayLike] = None,
+        *,
+        return_deviation: Literal[True],
+    ) -> tuple[Any, float]: ...
+
+    def karcher_mean(
+        self,
+        points: Any,
+        weights: Optional[npt.ArrayLike] = None,
+        *,
+        return_deviation: bool = False,
+    ) -> Any:
+        """The point with the smallest mean of squared distances from points, in a neighborhood.
+
+        Parameters
+        ----------
+        points : points
+        weights : (k,) array of float, optional
+            Equal by default.
+        return_deviation : bool
+            Whether the square root of that mean is returned, too.
+
+        Returns
+        -------
+        point
+            As sources and targets can be.
+        float
+            The deviation; if wanted.
+        """
+        (elements, coordinates), _ = _arrays.points(points, "point")
+        shares = (
+            np.ones(len(elements))
+            if weights is None
+            else _arrays.numbers(weights, "weights", (len(elements),))
+        )
+        mean, deviation, _ = self._walks.mean(elements, coordinates, shares)
+        return (mean, deviation) if return_deviation else mean
+
+    def tangent_frames(self) -> tuple[_arrays.Floats, _arrays.Floats, _arrays.Floats]:
+        """Axes and normals at the vertices, (n, 3) float64 each: x axes, y axes, and normals."""
+        return self._walks.frames()
+
+    # Loops
+
+    @overload
+    def shorten_loop(
+        self, points: Any, *, return_length: Literal[False] = False
+    ) -> _arrays.Floats: ...
+
+    @overload
+    def shorten_loop(
+        self, points: Any, *, return_length: Literal[True]
+    ) -> tuple[_arrays.Floats, float]: ...
+
+    def shorten_loop(self, points: Any, *, return_length: bool = False) -> Any:
+        """A closed geodesic that a closed curve can be moved to on the surface.
+
+        Parameters
+        ----------
+        points : points
+            Those of the curve; the last one is joined with the first one. Where two that follow
+            each other have no face in common, a shortest path joins them.
+        return_length : bool
+            Whether its length is returned, too.
+
+        Returns
+        -------
+        (k, 3) array of float64
+            The loop; its last point is its first one. A single point if the curve contracts.
+        float
+            The length; if wanted.
+        """
+        (elements, coordinates), _ = _arrays.points(points, "point")
+        loop, length = self._walks.shorten_loop(elements, coordinates)
+        return (loop, length) if return_length else loop
+
+    @overload
+    def shortest_loop_through(
+        self, point: Any, *, return_length: Literal[False] = False
+    ) -> _arrays.Floats: ...
+
+    @overload
+    def shortest_loop_through(
+        self, point: Any, *, return_length: Literal[True]
+    ) -> tuple[_arrays.Floats, float]: ...
+
+    def shortest_loop_through(self, point: Any, *, return_length: bool = False) -> Any:
+        """A shortest loop through a point around a handle or a hole: one that does not contract.
+
+        Parameters
+        ----------
+        point : point
+        return_length : bool
+            Whether its length is returned, too.
+
+        Returns
+        -------
+        (k, 3) array of float64
+            The loop, from the point back to it; (0, 3) if all loops contract.
+        float
+            The length, or infinity; if wanted.
+        """
+        loop, length = self._walks.shortest_loop_through(*_arrays.one_point(point, "point"))
+        return (loop, length) if return_length else loop
+
+    @functools.cached_property
+    def _walks(self) -> _native.Walks:
+        return _native.Walks(self._solver)
+
     # Files
 
     def save(self, file: File) -> None:
@@ -779,7 +987,7 @@ class Solver:
 
     def _attributes(self) -> dict[str, Any]:
         """Those that a derived class has added."""
-        own = ("_solver", "_locator")
+        own = ("_solver", "_locator", "_walks")
         return {name: value for name, value in self.__dict__.items() if name not in own}
 
     def _values(self, values: npt.ArrayLike) -> _arrays.Floats:
@@ -836,6 +1044,11 @@ def _number(value: Any, name: str) -> float:
         return float(value)
     except (TypeError, ValueError):
         raise TypeError(f"{name} is {value!r}; it must be a number") from None
+
+
+def _vector(values: npt.ArrayLike, name: str) -> _arrays.Floats:
+    size = 2 if np.shape(values) == (2,) else 3  # in the frame of a point, or in space
+    return _arrays.numbers(values, name, (size,))
 
 
 def _bound(epsilon: Optional[float]) -> Optional[float]:

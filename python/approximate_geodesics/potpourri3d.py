@@ -5,7 +5,8 @@
 >>> distances = solver.compute_distance(7)
 
 There is no heat method behind them: distances are the lengths of paths on the surface, and have a
-bound. What only the heat method needs is accepted, and ignored. Loops, vector transport, signed
+bound. What only the heat method needs is accepted, and ignored. `MeshVectorHeatSolver` has the
+logarithmic map, which is exact, and tangent frames. Extension and transport of fields, signed
 distances and point clouds are not here.
 """
 
@@ -22,7 +23,9 @@ from ._solver import Solver
 
 __all__ = [
     "EdgeFlipGeodesicSolver",
+    "GeodesicTracer",
     "MeshHeatMethodDistanceSolver",
+    "MeshVectorHeatSolver",
     "compute_distance",
     "compute_distance_multisource",
     "read_mesh",
@@ -132,3 +135,89 @@ class EdgeFlipGeodesicSolver:
         if any(len(part) == 0 for part in parts):
             return np.empty((0, 3))
         return np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
+
+    def find_geodesic_loop(
+        self,
+        v_list: Sequence[int],
+        max_iterations: Optional[int] = None,
+        max_relative_length_decrease: Optional[float] = None,
+    ) -> _arrays.Floats:
+        """The points of a closed geodesic, (k, 3) float64, whose last one is the first one.
+
+        It is shortened from the closed curve of shortest paths between each vertex and the next,
+        and the last and the first. It passes none of the vertices in general. If the curve
+        contracts, it is a single point.
+        """
+        vertices = _arrays.integers(v_list, "v_list", (-1,))
+        if len(vertices) < 2:
+            raise ValueError(f"there are {len(vertices)} vertices; a loop has at least 2")
+        return self._solver.shorten_loop(vertices)
+
+
+class GeodesicTracer:
+    """Walks straight ahead on one mesh.
+
+    Parameters
+    ----------
+    V : (n, 3) array of float
+    F : (m, 3) array of int
+    t_coef
+        Ignored.
+    """
+
+    def __init__(self, V: npt.ArrayLike, F: npt.ArrayLike, t_coef: float = 1.0) -> None:
+        self._solver = Solver(V, F)
+
+    def trace_geodesic_from_vertex(
+        self, start_vert: int, direction_xyz: npt.ArrayLike, max_iterations: Optional[int] = None
+    ) -> _arrays.Floats:
+        """The points of a walk from a vertex, (k, 3) float64.
+
+        Its direction and its length are those of a vector in space. The direction is projected to
+        the faces at the vertex. `max_iterations` is ignored.
+        """
+        start = _arrays.integers([start_vert], "vertices", (1,))
+        return self._solver.trace(int(start[0]), _in_space(direction_xyz))
+
+    def trace_geodesic_from_face(
+        self,
+        start_face: int,
+        bary_coords: npt.ArrayLike,
+        direction_xyz: npt.ArrayLike,
+        max_iterations: Optional[int] = None,
+    ) -> _arrays.Floats:
+        """The points of a walk from barycentric coordinates in a face, (k, 3) float64."""
+        face = _arrays.integers([start_face], "faces", (1,))
+        coordinates = _arrays.numbers(bary_coords, "bary_coords", (3,))
+        return self._solver.trace((int(face[0]), coordinates), _in_space(direction_xyz))
+
+
+def _in_space(direction: npt.ArrayLike) -> _arrays.Floats:
+    return _arrays.numbers(direction, "direction_xyz", (3,))
+
+
+class MeshVectorHeatSolver:
+    """Tangent frames, and the logarithmic map, on one mesh.
+
+    Parameters
+    ----------
+    V : (n, 3) array of float
+    F : (m, 3) array of int
+    t_coef
+        Ignored.
+    """
+
+    def __init__(self, V: npt.ArrayLike, F: npt.ArrayLike, t_coef: float = 1.0) -> None:
+        self._solver = Solver(V, F)
+
+    def get_tangent_frames(self) -> tuple[_arrays.Floats, _arrays.Floats, _arrays.Floats]:
+        """The x axes, y axes and normals of the vertices, (n, 3) float64 each."""
+        return self._solver.tangent_frames()
+
+    def compute_log_map(self, v_ind: int, strategy: Optional[str] = None) -> _arrays.Floats:
+        """The logarithmic map of a vertex in its frame, (n, 2) float64.
+
+        It is exact, whatever the `strategy`.
+        """
+        source = _arrays.integers([v_ind], "vertices", (1,))
+        return self._solver.logarithmic_map(int(source[0]))

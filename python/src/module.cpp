@@ -12,6 +12,7 @@
 #include "locations.h"
 #include "matrices.h"
 #include "running.h"
+#include "walks.h"
 
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
 
@@ -338,6 +339,16 @@ PYBIND11_MODULE(_native, module)
       .def("locate", &python::Locator::locate);
 
   python::add_grid(module);
+
+  py::class_<python::Walks>(module, "Walks")
+      .def(py::init<const Solver&>(), py::keep_alive<1, 2>())
+      .def("trace", &python::Walks::trace)
+      .def("logarithmic_map", &python::Walks::logarithmic_map)
+      .def("transport", &python::Walks::transport)
+      .def("mean", &python::Walks::mean)
+      .def("shorten_loop", &python::Walks::shorten_loop)
+      .def("shortest_loop_through", &python::Walks::shortest_loop_through)
+      .def("frames", &python::Walks::frames);
 
   py::class_<Solver> solver(module, "Solver");
   python::add_constructor<std::int32_t>(solver);

@@ -46,3 +46,15 @@ def grid(size):
     below = np.stack([corner, corner + 1, corner + size], axis=1)
     above = np.stack([corner + 1, corner + size + 1, corner + size], axis=1)
     return vertices, np.concatenate([below, above]).astype(np.int32)
+
+
+def torus(around, across):
+    """Around the z axis, of radii 3 and 1. Vertex `across * i` is on the outside of ring `i`."""
+    i, j = (k.ravel() for k in np.mgrid[:around, :across])
+    u, v = 2 * np.pi * i / around, 2 * np.pi * j / across
+    radius = 3 + np.cos(v)
+    vertices = np.stack([radius * np.cos(u), radius * np.sin(u), np.sin(v)], axis=1)
+    k, m = (i + 1) % around, (j + 1) % across
+    a, b, c, d = across * i + j, across * k + j, across * k + m, across * i + m
+    faces = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    return vertices, faces.astype(np.int32)

@@ -116,11 +116,12 @@ void shorten_loops_of_cut_graph(const Graph& graph, const Intrinsic_point& base,
 
   const Loop_straightener straightener(triangulation);
   const Cut_graph cut_graph(triangulation, base, std::move(distances));
-  for(const Cut_graph::Arc& arc : cut_graph.arcs())
-    if(arc.lower_bound * triangulation.unit() < shortest.length)
+  for(const Cut_graph::Link& link : cut_graph.links())
+    if(link.lower_bound * triangulation.unit() < shortest.length)
     {
-      Path loop = straightener.shortened_with_fixed_base({cut_graph.loop(arc), 0});
-      if(loop.length < shortest.length)
+      Path loop = straightener.shortened_with_fixed_base({cut_graph.loop(link), 0});
+      const bool is_point = loop.points.size() == 1; // of parallel edges, only the shortest counts
+      if(!is_point && loop.length < shortest.length)
         shortest = std::move(loop);
     }
 }
@@ -161,7 +162,8 @@ inline Path shortest_loop(const Saddle_vertex_graph& graph, const Intrinsic_poin
  * \param tmesh the triangle mesh; it is not changed
  * \param curve the closed curve: points of the surface, where each lies in a face or on an edge
  *        with the next one, and the last with the first; or halfedges, where each starts where the
- *        one before it ends. The first point may be repeated at the end.
+ *        one before it ends. The first point may be repeated at the end. Where several edges join
+ *        two vertices, the shortest one counts.
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among
  *           `vertex_point_map`, `edge_length_map`, `vertex_index_map`, `halfedge_index_map` and
  *           `geom_traits`, as for `approximate_geodesic_distances()`
@@ -205,15 +207,16 @@ Geodesic_loop<TriangleMesh> shorten_loop(const TriangleMesh& tmesh,
  * finds a shortest loop through a point that does not contract: around a handle, a hole, or the
  * border.
  *
- * Two searches from the point, one along edges and one that is exact, give a cut graph each: the
- * faces and edges where shortest paths from both sides meet. Each arc of it has a class of loops
- * through the point (Erickson and Har-Peled \cgalCite{eh-ocsd-04}). One loop of each class is made
- * locally shortest, with the point fixed, and the shortest of them is returned.
+ * Two searches from the point, one along edges and one that is exact, give a cut graph each
+ * (Erickson and Har-Peled \cgalCite{eh-ocsd-04}): the edges where shortest paths from two sides of
+ * a handle or a hole meet. Each of these edges makes a loop with the paths to its ends. The loops
+ * are made locally shortest, with the point fixed, except for those that a lower bound excludes,
+ * and the shortest of them is returned.
  *
  * It is never longer than the shortest loop along edges through a vertex, which
- * `Surface_mesh_topology::Curves_on_surface_topology` computes. It is the shortest loop of all if
- * no edge has two parts that are divided by a region of other points nearer to the point, which
- * happens on coarse meshes only.
+ * `Surface_mesh_topology::Curves_on_surface_topology` computes. In most cases, it is the shortest
+ * loop of all; this is not proved, as straightening may end at a local minimum, and edges of coarse
+ * meshes may miss a class of loops.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam Point `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, `Face_location`, or
@@ -232,9 +235,8 @@ Geodesic_loop<TriangleMesh> shorten_loop(const TriangleMesh& tmesh,
  * \throws std::invalid_argument as `approximate_geodesic_distances()` does.
  * \throws std::length_error if `tmesh` has too many halfedges for 32-bit indices.
  *
- * It takes an exact search, and the time to straighten a loop for each arc: there are less than
- * \f$6 g + 3 b\f$ of them on a surface with \f$g\f$ handles and \f$b\f$ boundary components; only
- * those are straightened that a lower bound on their lengths does not exclude.
+ * It takes two searches, and the time to straighten the loops: on usual meshes, there are
+ * \cgalBigO{\sqrt{n}} of them, each with \cgalBigO{\sqrt{n}} points.
  *
  * \sa `shorten_loop()`
  */

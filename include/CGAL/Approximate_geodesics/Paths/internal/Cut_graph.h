@@ -21,26 +21,24 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * Loops from a point that do not contract: one for each arc of a cut graph.
+ * Loops from a point that do not contract: one for each link of a cut graph.
  *
  * A tree of edges connects the point with all vertices that can be reached. Each other edge makes a
  * loop with the paths to its ends. These edges, as links between the faces on both sides, are the
  * cut graph: what it leaves of the surface is a disk. If one side of a link is a tree, the loop
- * contracts; such links are removed, leaf by leaf. Loops of links that follow each other without a
- * branch can be moved to each other (J. Erickson and S. Har-Peled, Optimally cutting a surface into
- * a disk). The border is a face that is never a leaf.
+ * contracts; such links are removed, leaf by leaf (J. Erickson and S. Har-Peled, Optimally cutting
+ * a surface into a disk). The border is a face that is never a leaf.
  */
 class Cut_graph
 {
 public:
   using Index = Intrinsic_triangulation::Index;
 
-  // An arc of the cut graph.
-  struct Arc
+  struct Link
   {
-    Index halfedge;     // that of the shortest loop
-    double length;      // of that loop, if the distances are those along the tree
-    double lower_bound; // on lengths of loops over the arc, if they are those on the surface
+    Index halfedge;     // across which the faces are linked
+    double length;      // of its loop, if the distances are those along the tree
+    double lower_bound; // on loops that cross the edge, if they are those on the surface
   };
 
   // `distances` are those of the vertices from `base`, and infinity if they are not reached.
@@ -56,19 +54,19 @@ public:
     grow_tree();
     make_links();
     remove_leaves();
-    find_arcs();
+    list_links();
   }
 
   // the one with the shortest loop first
-  const std::vector<Arc>& arcs() const { return m_arcs; }
+  const std::vector<Link>& links() const { return m_links; }
 
   // From the base back to it.
-  std::vector<Intrinsic_point> loop(const Arc& arc) const
+  std::vector<Intrinsic_point> loop(const Link& link) const
   {
     std::vector<Intrinsic_point> result;
-    append_path(m_triangulation.source(arc.halfedge), result);
+    append_path(m_triangulation.source(link.halfedge), result);
     std::reverse(result.begin(), result.end());
-    append_path(m_triangulation.target(arc.halfedge), result);
+    append_path(m_triangulation.target(link.halfedge), result);
     return result;
   }
 
@@ -192,52 +190,18 @@ private:
       }
   }
 
-  // ----- arcs
-
-  void find_arcs()
+  void list_links()
   {
-    std::vector<bool> is_visited(m_is_link.size(), false);
     for(Index h = 0; h < m_is_link.size(); ++h)
-      if(m_is_link[h] && !is_visited[h])
+      if(m_is_link[h] && h < m_triangulation.opposite(h))
       {
-        Arc arc{h, infinity, infinity};
-        is_visited[h] = is_visited[m_triangulation.opposite(h)] = true;
-        add_link(h, arc);
-        for(const Index end : {h, m_triangulation.opposite(h)})
-          for(Index link = next_link(end); link != null_index && !is_visited[link];
-              link = next_link(link))
-          {
-            is_visited[link] = is_visited[m_triangulation.opposite(link)] = true;
-            add_link(link, arc);
-          }
-        m_arcs.push_back(arc);
+        const double length = m_triangulation.length(h),
+                     ends = m_distance[m_triangulation.source(h)] +
+                            m_distance[m_triangulation.target(h)];
+        m_links.push_back({h, ends + length, ends - length});
       }
-    std::sort(m_arcs.begin(), m_arcs.end(),
-              [](const Arc& a, const Arc& b) { return a.length < b.length; });
-  }
-
-  void add_link(const Index h, Arc& arc) const
-  {
-    const double ends =
-        m_distance[m_triangulation.source(h)] + m_distance[m_triangulation.target(h)];
-    if(ends + m_triangulation.length(h) < arc.length)
-    {
-      arc.halfedge = h;
-      arc.length = ends + m_triangulation.length(h);
-    }
-    arc.lower_bound = (std::min)(arc.lower_bound, ends - m_triangulation.length(h));
-  }
-
-  // The other link of the face to the left of `h`, from the face behind it; `null_index` if the arc
-  // ends there.
-  Index next_link(const Index h) const
-  {
-    if(m_triangulation.is_border(h))
-      return null_index;
-    const auto sides = m_triangulation.halfedges_of_face(h);
-    if(m_is_link[sides[1]] == m_is_link[sides[2]])
-      return null_index;
-    return m_triangulation.opposite(m_is_link[sides[1]] ? sides[1] : sides[2]);
+    std::sort(m_links.begin(), m_links.end(),
+              [](const Link& a, const Link& b) { return a.length < b.length; });
   }
 
   const Intrinsic_triangulation& m_triangulation;
@@ -245,7 +209,7 @@ private:
   std::vector<double> m_distance; // by vertex
   std::vector<Index> m_to_parent; // by vertex: a halfedge that starts there
   std::vector<bool> m_is_link;    // by halfedge
-  std::vector<Arc> m_arcs;
+  std::vector<Link> m_links;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -225,6 +225,13 @@ public:
   /// \cgal.
   const Surface_mesh<Simple_cartesian<double>::Point_3>& mesh() const { return m_mesh; }
 
+  /// returns a point in terms of `mesh()`. Messages about invalid points begin with `role`.
+  Surface_point<Surface_mesh<Simple_cartesian<double>::Point_3>>
+  surface_point(const Solver_point& point, const std::string& role) const
+  {
+    return m_translation->surface_point(intrinsic_point(point, role));
+  }
+
   /// writes the vertices of the faces, three each.
   void write_corners(std::int64_t* corners) const
   {

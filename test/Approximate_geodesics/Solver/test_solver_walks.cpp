@@ -1,0 +1,145 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Solver/Solver_walks.h>
+
+#include "checks/expect_message.h"
+#include "meshes/surface_points.h"
+#include "paths/closed_curves.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+// Walks and loops of a solver are those of the functions.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+using namespace geodesics_test;
+using AG::Solver_point;
+using AG::Solver_walks;
+using AG::Tangent_vector;
+
+std::unique_ptr<AG::Solver> solver_of(const Soup& soup)
+{
+  std::vector<double> coordinates;
+  for(const Point& p : soup.points)
+    coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+  std::vector<std::int64_t> corners;
+  for(const auto& t : soup.triangles)
+    for(const std::size_t v : t)
+      corners.push_back(static_cast<std::int64_t>(v));
+  return std::make_unique<AG::Solver>(coordinates.data(), soup.points.size(), corners.data(),
+                                      soup.triangles.size());
+}
+
+TEST(SolverWalks, are_those_of_the_functions)
+{
+  const auto solver = solver_of(torus(24, 15, 3, 1));
+  const auto& mesh = solver->mesh();
+  const Solver_walks walks(*solver);
+  const Solver_point start = Solver_point::in_face(17, {0.2, 0.3, 0.5});
+  const AG::Face_location<Mesh> place(Face(17), {0.2, 0.3, 0.5});
+
+  const Solver_walks::Walk walk = walks.trace(start, Solver_walks::Vector{1, 2, 3}, 5);
+  const auto same = AG::trace_geodesic(mesh, place, Kernel::Vector_3(1, 2, 3), 5);
+  EXPECT_EQ(walk.coordinates.size(), 3 * same.points.size());
+  EXPECT_EQ(walk.length, 5);
+  EXPECT_FALSE(walk.meets_border);
+  EXPECT_NEAR(std::hypot(walk.direction[0], walk.direction[1], walk.direction[2]), 1, 1e-12);
+  EXPECT_EQ(walks.trace(start, Tangent_vector{1, 0}, 2).length, 2);
+
+  std::vector<double> logarithms(2 * mesh.number_of_vertices());
+  walks.find_logarithms(start, logarithms.data());
+  std::vector<Tangent_vector> vectors(mesh.number_of_vertices());
+  AG::logarithmic_map(
+      mesh, boost::make_iterator_property_map(vectors.begin(), get(boost::vertex_index, mesh)),
+      place);
+  for(std::size_t v = 0; v < vectors.size(); ++v)
+  {
+    EXPECT_EQ(logarithms[2 * v], vectors[v].x);
+    EXPECT_EQ(logarithms[2 * v + 1], vectors[v].y);
+  }
+}
+
+TEST(SolverWalks, transport_vectors_and_find_means_in_a_plane)
+{
+  const auto solver = solver_of(flat_grid(9, 7));
+  const Solver_walks walks(*solver);
+  const Solver_point p = Solver_point::at_vertex(10),
+                     q = Solver_point::in_face(40, {0.2, 0.3, 0.5});
+  const Tangent_vector v = walks.transport(p, q, Solver_walks::Vector{3, 4, 0});
+  const Solver_walks::Vector in_space = walks.vector_3(q, v);
+  EXPECT_NEAR(in_space[0], 3, 1e-12);
+  EXPECT_NEAR(in_space[1], 4, 1e-12);
+  EXPECT_NEAR(in_space[2], 0, 1e-12);
+
+  const std::vector<Solver_point> corners{Solver_point::at_vertex(0), Solver_point::at_vertex(8)};
+  const Solver_walks::Mean mean = walks.find_mean(corners, {1, 1});
+  EXPECT_TRUE(mean.has_converged);
+  EXPECT_NEAR(mean.deviation, 4, 1e-12);
+  const Solver_walks::Mean other = walks.find_mean(corners, {1, 3});
+  EXPECT_NEAR(other.deviation, std::sqrt(12.), 1e-12);
+}
+
+TEST(SolverWalks, give_orthonormal_frames)
+{
+  const auto solver = solver_of(torus(24, 15, 3, 1));
+  const Solver_walks walks(*solver);
+  const std::size_t size = 3 * solver->number_of_vertices();
+  std::vector<double> x(size), y(size), z(size);
+  walks.find_frames(x.data(), y.data(), z.data());
+  for(std::size_t i = 0; i < size; i += 3)
+  {
+    const Kernel::Vector_3 a(x[i], x[i + 1], x[i + 2]), b(y[i], y[i + 1], y[i + 2]),
+        c(z[i], z[i + 1], z[i + 2]);
+    EXPECT_NEAR(CGAL::scalar_product(CGAL::cross_product(a, b), c), 1, 1e-12);
+    EXPECT_NEAR(a.squared_length(), 1, 1e-12);
+    EXPECT_NEAR(b.squared_length(), 1, 1e-12);
+  }
+}
+
+TEST(SolverLoops, join_points_that_are_apart)
+{
+  const auto solver = solver_of(torus(24, 16, 3, 1));
+  const Solver_walks walks(*solver);
+  std::vector<Solver_point> points; // every other one on the outside
+  for(std::int64_t v = 0; v < 384; v += 32)
+    points.push_back(Solver_point::at_vertex(v));
+  const Solver_walks::Loop loop = walks.shorten_loop(points);
+  EXPECT_NEAR(loop.length, 96 * std::sin(4 * std::atan(1.) / 24), 1e-11); // the inner polygon
+  EXPECT_TRUE(std::equal(loop.coordinates.begin(), loop.coordinates.begin() + 3,
+                         loop.coordinates.end() - 3));
+  const Solver_walks::Loop through = walks.shortest_loop_through(points[0]);
+  EXPECT_LE(through.length, 32 * std::sin(4 * std::atan(1.) / 16) + 1e-12);
+  points.resize(1);
+  EXPECT_EQ(walks.shorten_loop(points).coordinates.size(), 3u);
+}
+
+TEST(SolverWalks, reject_bad_input)
+{
+  const auto solver = solver_of(flat_grid(4, 4));
+  const Solver_walks walks(*solver);
+  const auto expect = [](const auto& f, const char* const text) {
+    expect_message<std::invalid_argument>(f, text);
+  };
+  const Solver_point p = Solver_point::at_vertex(5), none = Solver_point::at_vertex(99);
+  expect([&] { walks.trace(none, Tangent_vector{1, 0}, 1); }, "start is vertex 99");
+  expect([&] { walks.trace(p, Tangent_vector{1, 0}, -1); }, "the length is -1");
+  expect([&] { walks.shorten_loop({}); }, "the loop has no points");
+  expect([&] { walks.shorten_loop({p, none}); }, "point 1 is vertex 99");
+  expect([&] { walks.find_mean({}, {}); }, "there are no points");
+  expect([&] { walks.find_mean({p}, {}); }, "there are 1 points, and 0 weights");
+  EXPECT_TRUE(std::isinf(walks.shortest_loop_through(p).length));
+}
+
+} // namespace
