@@ -60,7 +60,7 @@ inline Soup torus(const std::size_t around,
 // A tube around a trefoil.
 inline Soup torus_knot(const std::size_t around, const std::size_t across)
 {
-  using Vector = Kernel::Vector_3;
+  using Space_vector = Kernel::Vector_3;
   const double full = 8 * std::atan(1.);
   const auto center = [](const double u) {
     const double r = 2 + std::cos(3 * u);
@@ -69,10 +69,10 @@ inline Soup torus_knot(const std::size_t around, const std::size_t across)
   return closed_rings(around, across, [=](const double i, const double j) {
     const double u = full * i / static_cast<double>(around),
                  v = full * j / static_cast<double>(across);
-    const Vector along = center(u + 1e-3) - center(u - 1e-3);
-    Vector side = CGAL::cross_product(along, Vector(0, 0, 1));
+    const Space_vector along = center(u + 1e-3) - center(u - 1e-3);
+    Space_vector side = CGAL::cross_product(along, Space_vector(0, 0, 1));
     side = side / std::sqrt(side.squared_length());
-    Vector up = CGAL::cross_product(side, along);
+    Space_vector up = CGAL::cross_product(side, along);
     up = up / std::sqrt(up.squared_length());
     return center(u) + 0.3 * (std::cos(v) * side + std::sin(v) * up);
   });

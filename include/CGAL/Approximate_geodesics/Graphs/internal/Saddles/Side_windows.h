@@ -44,7 +44,7 @@ struct Face_window
     return 1 / length(ray) * ray;
   }
 
-  double distance(const double x) const { return label + length({x - tip.x, tip.y}); }
+  double distance(const double x) const { return label + length(Plane_vector{x - tip.x, tip.y}); }
 };
 
 /*

@@ -38,7 +38,7 @@ struct Side_part
   double label;      // of the tip; infinite if there is no tip, as only one source reaches the face
   std::size_t source;
 
-  double distance(const double x) const { return label + length({x - tip.x, tip.y}); }
+  double distance(const double x) const { return label + length(Plane_vector{x - tip.x, tip.y}); }
 };
 
 // Whether two distances are the same, up to rounding.
