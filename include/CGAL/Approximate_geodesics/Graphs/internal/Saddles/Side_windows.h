@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Focal_curve.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
 
-#include <boost/container/static_vector.hpp>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -159,7 +159,7 @@ private:
   {
     const Plane_vector focus = old.window.tip - window.tip;
     const double difference = window.label - old.window.label;
-    boost::container::static_vector<double, 4> ends{begin};
+    boost::container::small_vector<double, 4> ends{begin};
     if(std::abs(difference) < length(focus))
     {
       const Focal_curve side = Focal_curve::line(-1. * window.tip, {1, 0});
