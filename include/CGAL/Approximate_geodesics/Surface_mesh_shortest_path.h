@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/Source_curve.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
@@ -29,6 +30,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <list>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -76,7 +78,14 @@ class Surface_mesh_shortest_path : public Surface_locations<TriangleMesh>
   struct Listed_source
   {
     typename Locations::Face_location location;
-    Source_point source;
+    Source_point source; // a point of the curve if there is one
+    std::optional<Intrinsic_curve> curve = std::nullopt;
+
+    // The source as a curve, if need be.
+    Intrinsic_curve as_curve() const
+    {
+      return curve ? *curve : Intrinsic_curve{{{source.point}}, {}, source.distance};
+    }
   };
 
   struct Location_of_source
@@ -235,6 +244,28 @@ public:
     return result;
   }
 
+  /*!
+   * adds a curve as one source, and returns an iterator to it, which refers to its first point.
+   * Distances are those from the nearest point of the curve, and paths end there.
+   *
+   * \throws std::invalid_argument if the curve has no points, or one of them is not a point of the
+   *         surface, if two of them cannot be joined, or if the initial distance is invalid. The
+   * next search throws the same if costs depend on the direction.
+   */
+  Source_point_iterator add_source_curve(const Source_curve<Triangle_mesh>& curve,
+                                         const FT initial_distance = 0)
+  {
+    return add_curve(curve, initial_distance);
+  }
+
+  /// adds all points of a set of faces as one source, and returns an iterator to it, which refers
+  /// to a corner of one of the faces.
+  Source_point_iterator add_source_region(const Source_region<Triangle_mesh>& region,
+                                          const FT initial_distance = 0)
+  {
+    return add_curve(region, initial_distance);
+  }
+
   /// removes a source. \pre `it` is dereferenceable.
   void remove_source_point(const Source_point_iterator it)
   {
@@ -289,12 +320,20 @@ public:
     m_has_changed = true; // in case the run throws
     m_source_points.clear();
     std::vector<Source_point> sources;
+    std::vector<Intrinsic_curve> curves;
     for(auto it = source_points_begin(); it != source_points_end(); ++it)
     {
       sources.push_back(it.base()->source);
       m_source_points.push_back(it);
     }
-    m_search.run(std::move(sources), np);
+    if(std::none_of(m_sources.begin(), m_sources.end(), [](const auto& s) { return s.curve; }))
+      m_search.run(std::move(sources), np);
+    else
+    {
+      for(const Listed_source& source : m_sources)
+        curves.push_back(source.as_curve());
+      m_search.run(std::move(curves), np);
+    }
     m_has_changed = false;
   }
 
@@ -637,7 +676,24 @@ private:
     internal::check_initial_distance(initial_distance, m_sources.size());
     m_has_changed = true;
     return Source_point_iterator(
-        m_sources.insert(m_sources.end(), Listed_source{location, {p, initial_distance}}));
+        m_sources.insert(m_sources.end(), Listed_source{location, {p, initial_distance}, {}}));
+  }
+
+  template <typename Curve>
+  Source_point_iterator add_curve(const Curve& curve, const FT initial_distance)
+  {
+    internal::check_initial_distance(initial_distance, m_sources.size());
+    Intrinsic_curve read = internal::Curve_reader(m_graph, m_translation).read(curve);
+    read.distance = initial_distance;
+    const Intrinsic_point first =
+        read.polylines.empty()
+            ? Intrinsic_point::at_vertex(m_graph.triangulation().source(read.faces.front()))
+            : read.polylines.front().front();
+    m_has_changed = true;
+    return Source_point_iterator(m_sources.insert(
+        m_sources.end(), Listed_source{this->face_location(m_translation.surface_point(first)),
+                                       {first, initial_distance},
+                                       std::move(read)}));
   }
 
   Shortest_path_result shortest_distance(const Intrinsic_point& p)

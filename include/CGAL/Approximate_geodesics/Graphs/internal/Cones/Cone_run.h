@@ -62,7 +62,14 @@ class Cone_run : public Arc_run<Graph>
 public:
   using Node = Index;
 
-  explicit Cone_run(const Graph& searched) : Base(searched) {}
+  explicit Cone_run(const Graph& searched) : Base(searched), m_epsilon(searched.epsilon()) {}
+
+  template <typename Search>
+  void start(Search& search)
+  {
+    m_epsilon = search.starts_from_curves() ? graph().m_rules.epsilon_from_samples()
+                                            : graph().m_rules.epsilon;
+  }
 
   // Several threads take part if there is enough to do for them.
   template <typename Labels, typename Candidates>
@@ -126,7 +133,7 @@ private:
               candidates.make_room(1);
               candidates.append(true, node, labels.distance(node), target, length);
             });
-    graph().expand(together.data(), together.size(), labels, candidates);
+    graph().expand(together.data(), together.size(), m_epsilon, labels, candidates);
   }
 
   bool was_expanded(const Node node) const { return !m_is_expanded.empty() && m_is_expanded[node]; }
@@ -138,6 +145,7 @@ private:
     m_is_expanded[node] = true;
   }
 
+  double m_epsilon;
   std::vector<bool> m_is_expanded; // empty before the first expansion
 };
 

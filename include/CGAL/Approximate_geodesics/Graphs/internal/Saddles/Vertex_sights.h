@@ -312,7 +312,7 @@ public:
       }
       return;
     }
-    if(!m_bends.is_possible(v))
+    if(!m_bends.is_possible(v) || arrival.is_on_curve())
       return;
     const Bend_sectors sectors(m_triangulation, m_steps, v);
     const Boundary right = sectors.right_boundary(arrival), left = sectors.left_boundary(arrival);
@@ -330,7 +330,7 @@ public:
                      OnEdge on_edge,
                      OnSight on_sight) const
   {
-    if(arrival.is_unknown())
+    if(arrival.is_unknown() || arrival.is_on_curve() || arrival.is_none())
       return for_each(v, Arrival(), on_edge, on_sight);
     const Bend_sectors sectors(m_triangulation, m_steps, v);
     const Boundary right = sectors.right_of(arrival, angle);
@@ -340,15 +340,14 @@ public:
     open_sector(v, right, left, on_edge, on_sight);
   }
 
-private:
-  // Opens a sector from one boundary counterclockwise to the other, or to the border, or all around
-  // the vertex.
+  // The same for a sector, from one boundary counterclockwise to the other, or to the border, or
+  // all around the vertex.
   template <typename OnEdge, typename OnSight>
   void open_sector(const Index v,
                    const Boundary& right,
                    const Boundary& left,
-                   OnEdge& on_edge,
-                   OnSight& on_sight) const
+                   OnEdge&& on_edge,
+                   OnSight&& on_sight) const
   {
     Index h = right.halfedge;
     Plane_vector start = right.direction;
@@ -367,6 +366,7 @@ private:
     }
   }
 
+  // The first halfedge counterclockwise from the border.
   Index first_after_border(const Index v) const
   {
     Index h = m_triangulation.first_halfedge(v);
@@ -375,6 +375,7 @@ private:
     return m_triangulation.counterclockwise(v, h);
   }
 
+private:
   // Looks across the face to the left of `h`, between two directions; `h` is the x axis.
   template <typename OnSight>
   void open(const Index h,
