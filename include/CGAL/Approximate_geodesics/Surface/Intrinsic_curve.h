@@ -148,7 +148,9 @@ public:
   // Which part of the way along the segment is nearest to a point.
   double nearest_part(const Plane_vector x) const
   {
-    return m_length > 0 ? (std::clamp)(x.x / m_length, 0., 1.) : 0;
+    constexpr double rounding = 1e-14; // ends are vertices of the curve
+    const double t = m_length > 0 ? x.x / m_length : 0;
+    return t < rounding ? 0 : t > 1 - rounding ? 1 : t;
   }
 
 private:

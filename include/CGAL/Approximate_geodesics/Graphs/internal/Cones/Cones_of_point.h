@@ -131,7 +131,7 @@ public:
     if(!search.is_found()) // rounding has ended cones too early
       Cones_of_point(m_triangulation, m_rules.farther(1. / 64), m_point)
           .find_line(end, Leave_out_nothing_in_doubt(), search);
-    if(!(search.smallest_difference < infinity))
+    if(length > 0 && !(search.smallest_difference < infinity))
       reject("a line from a curve cannot be traced: faces along it are degenerate");
     return trace(search, f);
   }
