@@ -28,6 +28,7 @@ void write_distances(const TriangleMesh& tmesh,
     search.write_results(vertex_distance_map, np);
   };
   if constexpr(may_read_part<TriangleMesh, NamedParameters>() &&
+               !are_curves<TriangleMesh, Sources> &&
                is_given<NamedParameters, internal_np::maximum_distance_t> &&
                !is_given<NamedParameters, internal_np::targets_t>)
     if(const auto part = Part_to_read(tmesh, np).around(sources))
@@ -64,13 +65,15 @@ void write_distances(const TriangleMesh& tmesh,
  *         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a value type to
  *         which `double` is convertible
  * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
- *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`, or a
- *         model of `ConstRange` with one of these as value type
+ *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`,
+ *         `Approximate_geodesics::Source_curve`, `Approximate_geodesics::Source_region`, or a model
+ *         of `ConstRange` with one of these as value type
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
  * \param vertex_distance_map receives one distance per vertex
- * \param sources a point of the surface, or a range of such points; duplicates are allowed
+ * \param sources a point, a curve or a region of the surface, or a range of these; duplicates are
+ *        allowed
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
  *           listed below
  *
@@ -281,7 +284,8 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
   namespace AG = Approximate_geodesics;
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   constexpr bool is_map = AG::internal::takes_distances<VertexDistanceMap, vertex_descriptor>;
-  constexpr bool are_sources = AG::internal::is_source<TriangleMesh, Sources>;
+  constexpr bool are_sources = AG::internal::is_source<TriangleMesh, Sources> ||
+                               AG::internal::are_curves<TriangleMesh, Sources>;
   static_assert(
       is_map,
       "approximate_geodesic_distances(tmesh, vertex_distance_map, sources): distances are written "

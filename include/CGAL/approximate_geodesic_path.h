@@ -43,7 +43,7 @@ double write_path(const TriangleMesh& tmesh,
     }
     return distance;
   };
-  if constexpr(may_read_part<TriangleMesh, NamedParameters>())
+  if constexpr(may_read_part<TriangleMesh, NamedParameters>() && !are_curves<TriangleMesh, Source>)
   {
     const auto search_part = [&](const auto& part, const double limit) {
       std::optional<double> distance;
@@ -80,8 +80,9 @@ double write_path(const TriangleMesh& tmesh,
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam OutputIterator a model of `OutputIterator` that takes points of the vertex point map
  * \tparam Source `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
- *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`, or a
- *         model of `ConstRange` with one of these as value type
+ *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`,
+ *         `Approximate_geodesics::Source_curve`, `Approximate_geodesics::Source_region`, or a model
+ *         of `ConstRange` with one of these as value type
  * \tparam Target one of the first three types of `Source`
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
@@ -91,7 +92,7 @@ double write_path(const TriangleMesh& tmesh,
  *               none if there is no path
  * \param source the start of the path: a vertex, an `Approximate_geodesics::Face_location`, or an
  *               `Approximate_geodesics::Surface_point`; or a range of these, in which case the path
- *               starts at the source nearest to `target`
+ *               starts at the source nearest to `target`; or curves, at their nearest point
  * \param target the end of the path, a single point of these types
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `straighten`
  *           and, as for `approximate_geodesic_distances()`, `vertex_point_map`, which the points of
@@ -138,8 +139,10 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
-  constexpr bool are_ends = AG::internal::is_source<TriangleMesh, Source> &&
-                            AG::internal::is_surface_point<TriangleMesh, Target>;
+  constexpr bool are_ends =
+      (AG::internal::is_source<TriangleMesh, Source> ||
+       AG::internal::are_curves<TriangleMesh, Source>)&&AG::internal::is_surface_point<TriangleMesh,
+                                                                                       Target>;
   static_assert(are_ends,
                 "source, target: a vertex descriptor, Face_location, or Surface_point; or a range "
                 "of sources");

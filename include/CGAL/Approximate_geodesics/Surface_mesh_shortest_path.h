@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
+#include <CGAL/Approximate_geodesics/Mesh/Source_curve.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
@@ -31,6 +32,7 @@
 #include <cstddef>
 #include <list>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -78,7 +80,14 @@ class Surface_mesh_shortest_path : public Surface_locations<TriangleMesh>
   struct Listed_source
   {
     typename Locations::Face_location location;
-    Source_point source;
+    Source_point source; // a point of the curve if there is one
+    std::optional<Intrinsic_curve> curve = std::nullopt;
+
+    // The source as a curve, if need be.
+    Intrinsic_curve as_curve() const
+    {
+      return curve ? *curve : Intrinsic_curve{{{source.point}}, {}, source.distance};
+    }
   };
 
   struct Location_of_source
@@ -237,6 +246,28 @@ public:
     return result;
   }
 
+  /*!
+   * adds a curve as one source, and returns an iterator to it, which refers to its first point.
+   * Distances are those from the nearest point of the curve, and paths end there.
+   *
+   * \throws std::invalid_argument if the curve has no points, or one of them is not a point of the
+   *         surface, if two of them cannot be joined, or if the initial distance is invalid. The
+   * next search throws the same if costs depend on the direction.
+   */
+  Source_point_iterator add_source_curve(const Source_curve<Triangle_mesh>& curve,
+                                         const FT initial_distance = 0)
+  {
+    return add_curve(curve, initial_distance);
+  }
+
+  /// adds all points of a set of faces as one source, and returns an iterator to it, which refers
+  /// to a corner of one of the faces.
+  Source_point_iterator add_source_region(const Source_region<Triangle_mesh>& region,
+                                          const FT initial_distance = 0)
+  {
+    return add_curve(region, initial_distance);
+  }
+
   /// removes a source. \pre `it` is dereferenceable.
   void remove_source_point(const Source_point_iterator it)
   {
@@ -274,7 +305,8 @@ public:
   void build_sequence_tree()
   {
     if(changed_since_last_build())
-      search_from_sources([this](auto sources) { m_search.search().repair(std::move(sources)); });
+      search_from_sources(parameters::default_values(),
+                          [this](auto sources) { m_search.search().repair(std::move(sources)); });
   }
 
   /*!
@@ -290,7 +322,7 @@ public:
     static_assert(!internal::ignores_any<NamedParameters, internal_np::maximum_distance_t,
                                          internal_np::targets_t, internal_np::visitor_t>,
                   "build_sequence_tree() reads maximum_distance, targets and visitor");
-    search_from_sources([&](auto sources) { m_search.run(std::move(sources), np); });
+    search_from_sources(np, [&](auto sources) { m_search.run(std::move(sources), np); });
   }
 
   /// returns whether sources or weights have changed since the last search, or there was none.
@@ -688,7 +720,24 @@ private:
     internal::check_initial_distance(initial_distance, m_sources.size());
     m_has_changed = true;
     return Source_point_iterator(
-        m_sources.insert(m_sources.end(), Listed_source{location, {p, initial_distance}}));
+        m_sources.insert(m_sources.end(), Listed_source{location, {p, initial_distance}, {}}));
+  }
+
+  template <typename Curve>
+  Source_point_iterator add_curve(const Curve& curve, const FT initial_distance)
+  {
+    internal::check_initial_distance(initial_distance, m_sources.size());
+    Intrinsic_curve read = internal::Curve_reader(m_graph, m_translation).read(curve);
+    read.distance = initial_distance;
+    const Intrinsic_point first =
+        read.polylines.empty()
+            ? Intrinsic_point::at_vertex(m_graph.triangulation().source(read.faces.front()))
+            : read.polylines.front().front();
+    m_has_changed = true;
+    return Source_point_iterator(m_sources.insert(
+        m_sources.end(), Listed_source{this->face_location(m_translation.surface_point(first)),
+                                       {first, initial_distance},
+                                       std::move(read)}));
   }
 
   Shortest_path_result shortest_distance(const Intrinsic_point& p)
@@ -766,9 +815,9 @@ private:
     return found ? *std::move(found) : typename decltype(found)::value_type();
   }
 
-  // Calls `search(sources)`.
-  template <typename F>
-  void search_from_sources(const F& search)
+  // Calls `search(sources)`, or searches from curves if there are any.
+  template <typename NamedParameters, typename F>
+  void search_from_sources(const NamedParameters& np, const F& search)
   {
     m_has_changed = true; // in case it throws
     m_source_points.clear();
@@ -778,7 +827,15 @@ private:
       sources.push_back(it.base()->source);
       m_source_points.push_back(it);
     }
-    search(std::move(sources));
+    if(std::none_of(m_sources.begin(), m_sources.end(), [](const auto& s) { return s.curve; }))
+      search(std::move(sources));
+    else
+    {
+      std::vector<Intrinsic_curve> curves;
+      for(const Listed_source& source : m_sources)
+        curves.push_back(source.as_curve());
+      m_search.run(std::move(curves), np);
+    }
     m_has_changed = false;
   }
 

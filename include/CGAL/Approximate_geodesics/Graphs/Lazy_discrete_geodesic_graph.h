@@ -157,7 +157,7 @@ public:
     if(!advances_together())
       return find_arcs_in_turn(node, false, labels, f);
     Arc_function<F> arcs{f};
-    expand(&node, 1, labels, arcs);
+    expand(&node, 1, m_rules.epsilon, labels, arcs);
   }
 
   /*!
@@ -248,13 +248,16 @@ private:
 
   // Not inline, so that it is compiled once: another compilation may round differently.
   template <typename Labels, typename Arcs>
-  BOOST_NOINLINE void
-  expand(const Node* const nodes, const std::size_t number, const Labels& labels, Arcs& arcs) const
+  BOOST_NOINLINE void expand(const Node* const nodes,
+                             const std::size_t number,
+                             const double epsilon,
+                             const Labels& labels,
+                             Arcs& arcs) const
   {
     const Intrinsic_triangulation& t = m_triangulation.get();
     const auto expand_with = [&](const auto is_general) {
       using Front = internal::Cone_front<is_general, internal::Unfolding, Labels, Arcs>;
-      Front(t, m_unfolding, m_rules.epsilon, labels, arcs).expand(nodes, number);
+      Front(t, m_unfolding, epsilon, labels, arcs).expand(nodes, number);
     };
     if(internal::needs_general_front(t))
       expand_with(std::true_type());

@@ -262,6 +262,31 @@ public:
     }
   }
 
+  // Calls `f(node, cost, foot)` for the nodes of the faces that contain the segment to `end`, if
+  // they are nearest to a point inside it. Costs must not depend on the direction.
+  template <typename F, typename OnSample>
+  void for_each_node_beside(const Intrinsic_point& end, F f, OnSample /* on_sample */) const
+  {
+    for_each_segment(m_triangulation, m_point, end, [&](const Curve_segment& segment) {
+      const Index h = segment.from.halfedge;
+      if(!m_triangulation.is_open(h))
+        return;
+      const Segment_layout layout(m_triangulation, segment);
+      const auto offer = [&](const Node node, const Plane_vector position) {
+        if(const double t = layout.nearest_part(position); t > 0 && t < 1)
+          f(node, m_costs.across(h, {0, position.y}), segment.point(m_triangulation, t));
+      };
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const Index side = layout.halfedge(i);
+        offer(m_nodes.at_corner(m_triangulation.source(side), side), layout.corner(i));
+        for_each_node_on_edge(side, [&](const Node node, const double part) {
+          offer(node, layout.corner(i) + part * layout.edge(i, (i + 1) % 3));
+        });
+      }
+    });
+  }
+
 private:
   // Enumerates the lines to the corners of the face to the left of `h`, and to the nodes on those
   // of its sides that the point is not on.

@@ -189,6 +189,14 @@ public:
     return Intrinsic_point::in_face(first, weights[1], weights[2]);
   }
 
+  /// returns the first halfedge of the face `f`.
+  Index halfedge_of_face(const face_descriptor f) const
+  {
+    using internal::whole;
+    internal::checked_weights(f, std::array<double, 3>{1, 0, 0}, whole(*m_mesh));
+    return number(halfedge(f, *m_mesh));
+  }
+
   /// returns the point at a face location.
   template <typename FT>
   Intrinsic_point

@@ -11,9 +11,11 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Curve_sources.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -236,6 +238,9 @@ public:
     /// the length of the line from that node or source, in units of the graph.
     double last_length = 0;
 
+    /// where the path from the source starts: the source itself, or the nearest point of a curve.
+    Intrinsic_point start = Intrinsic_point::at_vertex(Intrinsic_triangulation::null_index);
+
     /// returns whether a source reaches the point.
     bool is_reached() const { return source != null_source; }
   };
@@ -279,6 +284,22 @@ public:
            Visitor&& visitor = Visitor());
 
   /*!
+   * does the same for curves and sets of faces, whose indices are those of the sources. Distances
+   * are those to the nearest point of a curve: exact in a `Saddle_vertex_graph`, and else with the
+   * bound that the graph has for points.
+   *
+   * \throws std::invalid_argument as `run()` does; if two consecutive points of a polyline are not
+   *         in the same face; if costs depend on the direction; or if `Graph` does not support
+   *         curves, as graphs of your own.
+   *
+   * Run time is that of `run()`, and for each point of a polyline that of attaching a few points.
+   */
+  template <typename Visitor = Geodesic_visitor_base>
+  void run_from_curves(std::vector<Intrinsic_curve> curves,
+                       const Stop_rule& stop = Stop_rule(),
+                       Visitor&& visitor = Visitor());
+
+  /*!
    * forgets the last run, and computes the distance from the nearest of the sources to `target`
    * only. Afterwards, only `target` may be queried.
    *
@@ -319,6 +340,14 @@ public:
   /// attaching the point to the graph otherwise.
   Answer nearest(const Intrinsic_point& point) const;
 
+  /// returns the index of the source nearest to a node, or `null_source` if it was not reached.
+  /// Like `Propagation::source()`, it fills a cache.
+  std::size_t source(const Node node) const
+  {
+    const std::size_t result = m_search.source(node);
+    return m_curves.is_empty() || result == null_source ? result : m_curves.foot(result).curve;
+  }
+
   /// returns the distance from the nearest source to `point`, in the unit of the mesh; infinity if
   /// unreachable.
   double distance(const Intrinsic_point& point) const { return nearest(point).distance; }
@@ -345,8 +374,11 @@ public:
     return distance <= m_maximum_distance && m_search.is_final(distance);
   }
 
-  /// returns the sources.
+  /// returns the sources; none if they are curves.
   const std::vector<Source_point>& sources() const { return m_sources; }
+
+  /// returns the sources that are curves.
+  const std::vector<Intrinsic_curve>& curves() const { return m_curves.curves(); }
 
   /// @}
 
@@ -429,6 +461,96 @@ private:
       };
   }
 
+  // The same for curves. The lines from each foot are those of one seed.
+  typename Search::Find_entries find_entries(internal::Curve_sources& curves,
+                                             const std::vector<typename Search::Seed>& seeds) const
+  {
+    return [&] {
+      std::vector<typename Search::Entry> result;
+      if constexpr(!Run::attaches_by_labels)
+        for(const auto& seed : seeds)
+          result.push_back({seed, {}});
+      else
+      {
+        curves.clear_feet();
+        const double unit = m_graph->unit();
+        for(std::size_t i = 0; i < curves.curves().size(); ++i)
+        {
+          const double distance = curves.curves()[i].distance;
+          m_search.graph_run().for_each_line_from_curve(
+              curves.curves()[i], distance / unit,
+              [&](const Node node, const double length, const typename Run::Payload& payload,
+                  const Intrinsic_point& foot) {
+                result.push_back(
+                    {{node, distance + length * unit, curves.add_foot(foot, i)}, payload});
+              });
+        }
+      }
+      return result;
+    };
+  }
+
+  std::vector<typename Search::Seed> seeds(internal::Curve_sources& curves) const
+  {
+    std::vector<typename Search::Seed> result;
+    for(std::size_t i = 0; i < curves.curves().size(); ++i)
+    {
+      const Intrinsic_curve& curve = curves.curves()[i];
+      internal::Curve_sources::for_each_line(
+          *m_graph, curve, [&](const Node node, const double length, const Intrinsic_point& foot) {
+            if(length < std::numeric_limits<double>::infinity())
+              result.push_back(
+                  {node, curve.distance + length * m_graph->unit(), curves.add_foot(foot, i)});
+          });
+    }
+    return result;
+  }
+
+  internal::Curve_sources checked(std::vector<Intrinsic_curve> curves) const
+  {
+    const Intrinsic_triangulation& triangulation = m_graph->triangulation();
+    if(triangulation.has_directional_costs())
+      internal::reject("Directional_graph: curves are no sources where costs depend on the "
+                       "direction");
+    for(std::size_t i = 0; i < curves.size(); ++i)
+    {
+      internal::check_initial_distance(curves[i].distance, i);
+      for(const auto& polyline : curves[i].polylines)
+        for(const Intrinsic_point& p : polyline)
+          check(p);
+      for(const auto h : curves[i].faces)
+        if(!(h < triangulation.number_of_halfedges()) || triangulation.is_border(h))
+          internal::reject("source " + std::to_string(i) + " has a face that does not exist");
+    }
+    return internal::Curve_sources(triangulation, std::move(curves));
+  }
+
+  // Considers the lines from curves in sight, and faces around the point.
+  void consider_curves(const Intrinsic_point& point, Answer& best) const
+  {
+    const std::size_t around = m_curves.curve_around(m_graph->triangulation(), point);
+    if(around != internal::null_index && curves()[around].distance < best.distance)
+      best = {curves()[around].distance, around, Search::null_node, 0, point};
+    if(point.is_vertex())
+      return;
+    if constexpr(internal::has_curves<Graph>)
+      internal::attach_target(*m_graph, point)
+          .for_each_point(m_curves.segments(),
+                          [&](const std::size_t i, const double length, const double t) {
+                            consider_segment(i, length, t, best);
+                          });
+  }
+
+  void
+  consider_segment(const std::size_t i, const double length, const double t, Answer& best) const
+  {
+    const internal::Curve_segment& segment = m_curves.segments()[i];
+    const double distance = curves()[segment.curve].distance + length * m_graph->unit();
+    if(distance < best.distance)
+      best = {distance, segment.curve, Search::null_node, length,
+              segment.point(m_graph->triangulation(), t)};
+  }
+
   // Considers lines from nodes and sources in other faces.
   void consider_lines([[maybe_unused]] const Intrinsic_point& point,
                       [[maybe_unused]] Answer& best) const
@@ -438,10 +560,19 @@ private:
       const double largest = (std::min)(best.distance, m_maximum_distance);
       if(point.is_vertex() || std::isinf(largest))
         return;
-      m_search.graph_run().for_each_line_to(
-          point, largest / m_graph->unit(), m_search.labels(), m_points,
-          [&](const Node node, const double length) { consider(node, length, best); },
-          [&](const std::size_t i, const double length) { consider(m_sources, i, length, best); });
+      const auto look = [&](const auto& points, const auto& on_point) {
+        m_search.graph_run().for_each_line_to(
+            point, largest / m_graph->unit(), m_search.labels(), points,
+            [&](const Node node, const double length) { consider(node, length, best); }, on_point);
+      };
+      if(m_curves.is_empty())
+        look(m_points, [&](const std::size_t i, const double length) {
+          consider(m_sources, i, length, best);
+        });
+      else
+        look(m_curves.segments(), [&](const std::size_t i, const double length, const double t) {
+          consider_segment(i, length, t, best);
+        });
     }
   }
 
@@ -468,6 +599,7 @@ private:
       throw;
     }
     m_sources = std::move(sources);
+    m_curves = internal::Curve_sources();
     m_points = std::move(points);
     m_maximum_distance = maximum_distance;
   }
@@ -475,6 +607,7 @@ private:
   void forget()
   {
     m_sources.clear();
+    m_curves = internal::Curve_sources();
     m_points = Points_by_face();
     m_maximum_distance = std::numeric_limits<double>::infinity();
   }
@@ -548,14 +681,15 @@ private:
   {
     const double distance = sources[i].distance + length * m_graph->unit();
     if(distance < best.distance)
-      best = {distance, i, Search::null_node, length};
+      best = {distance, i, Search::null_node, length, sources[i].point};
   }
 
   void consider(const Node node, const double length, Answer& best) const
   {
     const double distance = m_search.distance(node) + length * m_graph->unit();
     if(distance < best.distance)
-      best = {distance, null_source, node, length};
+      best = {distance, null_source, node, length,
+              Intrinsic_point::at_vertex(Intrinsic_triangulation::null_index)};
   }
 
   // Appends the line from the last point of the path to a node or point `to`, located at `end`.
@@ -575,7 +709,7 @@ private:
   // Appends the line from the node where the search has started to the source.
   void append_line_to_source(const Node first, const Source_point& source, Path& path) const
   {
-    if(source.point.is_vertex())
+    if(source.point.vertex == first)
       return;
     internal::append_backward(
         [&](auto f) {
@@ -589,7 +723,8 @@ private:
   const Graph* m_graph;
   Search m_search;
   std::vector<Source_point> m_sources;
-  Points_by_face m_points; // of the sources
+  Points_by_face m_points;          // of the sources
+  internal::Curve_sources m_curves; // sources of another kind; there are no others then
   double m_maximum_distance = std::numeric_limits<double>::infinity();
   mutable std::vector<Last_arc> m_lines; // of the last point that was attached
 };
@@ -620,15 +755,30 @@ template <typename SurfaceGraph, typename PriorityQueue>
 void Surface_search<SurfaceGraph, PriorityQueue>::repair(std::vector<Source_point> sources)
 {
   Points_by_face points = sorted(sources);
-  const Stop_rule stop;
   Geodesic_visitor_base visitor;
-  run_and_adopt(std::move(sources), std::move(points), stop, stop.maximum_distance,
+  run_and_adopt(std::move(sources), std::move(points), Stop_rule(), internal::infinity,
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
-                  if(entries)
-                    m_search.run(seeds, rule, visitor, entries);
-                  else
-                    m_search.repair(seeds);
+                  entries ? m_search.run(seeds, rule, visitor, entries) : m_search.repair(seeds);
                 });
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+template <typename Visitor>
+void Surface_search<SurfaceGraph, PriorityQueue>::run_from_curves(
+    std::vector<Intrinsic_curve> curves, const Stop_rule& stop, Visitor&& visitor)
+{
+  if constexpr(!internal::has_curves<Graph>)
+    internal::reject("this graph does not support curves as sources");
+  else
+  {
+    internal::Curve_sources sources = checked(std::move(curves));
+    run_and_adopt({}, {}, stop, stop.maximum_distance,
+                  [&](const auto&, const auto& rule, const auto&) {
+                    const auto seeds = this->seeds(sources);
+                    m_search.run(seeds, rule, visitor, find_entries(sources, seeds));
+                  });
+    m_curves = std::move(sources);
+  }
 }
 
 template <typename SurfaceGraph, typename PriorityQueue>
@@ -708,6 +858,8 @@ auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point&
 {
   check(point);
   Answer result = nearest_by_line(point, m_sources, m_points);
+  if(!m_curves.is_empty())
+    consider_curves(point, result);
   if(point.is_vertex())
     consider(point.vertex, 0, result);
   else
@@ -715,7 +867,12 @@ auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point&
       consider(node, length, result);
   consider_lines(point, result);
   if(result.node != Search::null_node)
-    result.source = m_search.source(result.node);
+  {
+    result.source = source(result.node);
+    const std::size_t number = m_search.source(result.node);
+    if(number != null_source)
+      result.start = m_curves.is_empty() ? m_sources[number].point : m_curves.foot(number).point;
+  }
   return is_known(result.distance) ? result : Answer();
 }
 
@@ -727,7 +884,10 @@ Path Surface_search<SurfaceGraph, PriorityQueue>::find_path(const Intrinsic_poin
   if(!answer.is_reached())
     return result;
   result.points.push_back(point);
-  const Source_point& source = m_sources[answer.source];
+  const Source_point source{answer.start, m_curves.is_empty() ? m_sources[answer.source].distance
+                                                              : curves()[answer.source].distance};
+  if(answer.node == Search::null_node && source.point.is_same(point, m_graph->triangulation()))
+    return result;
   if(answer.node == Search::null_node)
     append_line(point, source.point, source.point, answer, result);
   else

@@ -428,6 +428,10 @@ private:
     // The largest label of the search, in units of the graph.
     double limit() const { return search.largest_label(stop); }
 
+    // Whether seeds are found after the start, and are those of curves if lines are not found from
+    // labels.
+    bool starts_from_curves() const { return finds_entries && !Run::attaches_by_labels; }
+
     // A lower bound on the distance to the goal, valid during the search; empty without heuristic.
     std::function<double(Node)> heuristic() const
     {
@@ -473,6 +477,7 @@ private:
     const std::vector<Seed>& seeds;
     const Stop_rule& stop;
     const Heuristic& to_goal;
+    bool finds_entries;
   };
 
   // The interface for `finish()` of the graph's `Run`, when the queue is empty. If labels are
@@ -582,11 +587,11 @@ private:
   {
     guard([&] {
       prepare();
-      m_is_complete = m_is_complete && !internal::is_heuristic<Heuristic> &&
+      m_is_complete = m_is_complete && !internal::is_heuristic<Heuristic> && !find_entries &&
                       stop.maximum_distance == std::numeric_limits<double>::infinity();
       for(const Node node : border)
         m_queue.push(node, m_labels.distance(node));
-      Start<Heuristic> start{*this, seeds, stop, heuristic};
+      Start<Heuristic> start{*this, seeds, stop, heuristic, bool(find_entries)};
       m_run.start(start);
       if(find_entries)
         for(const Entry& entry : find_entries())

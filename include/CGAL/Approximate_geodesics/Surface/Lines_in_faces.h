@@ -8,9 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +54,26 @@ public:
     });
   }
 
+  // Calls `f(i, cost, t)` for the lines to the points of segments that are nearest, apart from the
+  // weights of faces, at the part `t` of the way along the segment.
+  template <typename F>
+  void for_each_point(const Segments_by_face& segments, F f) const
+  {
+    m_point.for_each_face(m_triangulation, [&](const Index h) {
+      segments.for_each_in_face(h, [&](const std::size_t i) {
+        const Curve_segment& segment = segments[i];
+        const Segment_layout layout(m_triangulation, segment);
+        for_each_face_point(
+            m_triangulation, m_point, segment.from.halfedge, [&](const Face_point& p) {
+              const double t = layout.nearest_part(
+                  layout.position(p.seen_from(m_triangulation, segment.from.halfedge)));
+              const auto f_at_t = [&](std::size_t, const double cost) { f(i, cost, t); };
+              for_each_line(h, segment.point(m_triangulation, t), i, f_at_t);
+            });
+      });
+    });
+  }
+
   // A line in a face crosses no edge.
   template <typename End, typename F>
   double for_each_crossing(const End& /* end */, const double cost, F /* f */) const
@@ -78,7 +96,7 @@ protected:
 private:
   // Reports the lines to `end` along an edge, and across the face to the left of `h`.
   template <typename F>
-  void for_each_line(const Index h, const Intrinsic_point& end, const std::size_t i, F& f) const
+  void for_each_line(const Index h, const Intrinsic_point& end, const std::size_t i, F&& f) const
   {
     if(m_point.is_same(end, m_triangulation))
     {
@@ -153,6 +171,28 @@ public:
       });
     });
   }
+
+#ifndef DOXYGEN_RUNNING
+  // Calls `f(v, cost, foot)` for the corners of the faces that contain the segment to `end`, if
+  // they are nearest to a point inside it.
+  template <typename F, typename OnSample>
+  void for_each_node_beside(const Intrinsic_point& end, F f, OnSample /* on_sample */) const
+  {
+    internal::for_each_segment(
+        m_triangulation, m_point, end, [&](const internal::Curve_segment& segment) {
+          const Index h = segment.from.halfedge;
+          if(!m_triangulation.is_open(h))
+            return;
+          const internal::Segment_layout layout(m_triangulation, segment);
+          for(std::size_t i = 0; i < 3; ++i)
+            if(const double t = layout.nearest_part(layout.corner(i)); t > 0 && t < 1)
+              f(layout.vertex(i),
+                m_costs.between(h, segment.face_point(t),
+                                internal::Face_point::at_source(layout.halfedge(i))),
+                segment.point(m_triangulation, t));
+        });
+  }
+#endif
 
 protected:
   /// returns the triangulation.

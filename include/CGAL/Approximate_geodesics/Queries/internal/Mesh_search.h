@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/curve_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 
 #include <algorithm>
@@ -89,17 +90,30 @@ public:
     return result;
   }
 
-  // Searches from a point of the surface, or from a range of points.
+  // Converts a curve or a region, or a range of them.
+  template <typename Curves>
+  std::vector<Intrinsic_curve> source_curves(const Curves& curves) const
+  {
+    return Curve_reader(m_search.graph(), m_translation).read_all(curves);
+  }
+
+  // Searches from a point of the surface or a curve, or from a range of points or curves.
   template <typename Sources, typename NamedParameters>
   void run_from(const Sources& sources, const NamedParameters& np)
   {
-    std::vector<Source_point> points = source_points(sources);
-    set_initial_distances(np, points);
-    run(std::move(points), np);
+    const auto run_from = [&](auto converted) {
+      set_initial_distances(np, converted);
+      run(std::move(converted), np);
+    };
+    if constexpr(are_curves<Triangle_mesh, Sources>)
+      run_from(source_curves(sources));
+    else
+      run_from(source_points(sources));
   }
 
-  template <typename NamedParameters>
-  void run(std::vector<Source_point> sources, const NamedParameters& np)
+  // Searches from points, or from curves.
+  template <typename Source, typename NamedParameters>
+  void run(std::vector<Source> sources, const NamedParameters& np)
   {
     run(std::move(sources), stop_rule(np), np);
   }
@@ -112,16 +126,15 @@ public:
               const Vertex_positions& positions,
               const NamedParameters& np)
   {
-    std::vector<Source_point> points = source_points(sources);
     const Intrinsic_point end = intrinsic_point(m_translation, target, "target");
     auto stop = stop_rule(np);
-    if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
-    {
-      stop.targets.push_back(end);
-      run(std::move(points), stop, np);
-    }
+    stop.targets.push_back(end);
+    if constexpr(are_curves<Triangle_mesh, Sources>)
+      run(source_curves(sources), stop, np);
+    else if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
+      run(source_points(sources), stop, np);
     else
-      m_search.run_to(end, std::move(points), positions, stop.maximum_distance);
+      m_search.run_to(end, source_points(sources), positions, stop.maximum_distance);
   }
 
   // Returns the positions of the vertices, if the point type belongs to a kernel.
@@ -164,7 +177,7 @@ public:
       predecessors.emplace(search);
     if constexpr(with_sources)
       for(const auto node : search.reached_nodes())
-        if(search.source(node) != Search::null_source)
+        if(m_search.source(node) != Search::null_source)
           break; // the first source that is found allocates memory for all
     put_for_all(distances, [&](auto /* vertex */, const auto node) {
       return node == Search::null_node ? infinity : search.distance(node);
@@ -175,7 +188,7 @@ public:
       using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
       put_for_all(map, [&](auto /* vertex */, const auto node) {
         return static_cast<Value>(node == Search::null_node ? Search::null_source
-                                                            : search.source(node));
+                                                            : m_search.source(node));
       });
     }
     if constexpr(with_predecessors)
@@ -203,19 +216,24 @@ private:
   }
 
   // Runs with the visitor of the named parameters, if any.
-  template <typename NamedParameters>
-  void run(std::vector<Source_point> sources, const Stop_rule& stop, const NamedParameters& np)
+  template <typename Source, typename NamedParameters>
+  void run(std::vector<Source> sources, const Stop_rule& stop, const NamedParameters& np)
   {
+    const auto search = [&](auto&& visitor) {
+      if constexpr(std::is_same_v<Source, Intrinsic_curve>)
+        m_search.run_from_curves(std::move(sources), stop, visitor);
+      else
+        m_search.run(std::move(sources), stop, visitor);
+    };
     if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
     {
       auto visitor = parameters::get_parameter(np, internal_np::visitor);
-      m_search.run(std::move(sources), stop,
-                   Vertex_visitor(std::ref(visitor).get(), m_translation));
+      search(Vertex_visitor(std::ref(visitor).get(), m_translation));
     }
     else
     {
       Geodesic_visitor_base visitor; // as in the compiled searches
-      m_search.run(std::move(sources), stop, visitor);
+      search(visitor);
     }
   }
 

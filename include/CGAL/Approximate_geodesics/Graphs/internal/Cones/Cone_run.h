@@ -62,7 +62,14 @@ class Cone_run : public Arc_run<Graph>
 public:
   using Node = Index;
 
-  explicit Cone_run(const Graph& searched) : Base(searched) {}
+  explicit Cone_run(const Graph& searched) : Base(searched), m_epsilon(searched.epsilon()) {}
+
+  template <typename Search>
+  void start(Search& search)
+  {
+    m_epsilon = search.starts_from_curves() ? graph().m_rules.epsilon_from_samples()
+                                            : graph().m_rules.epsilon;
+  }
 
   // Several threads take part if there is enough to do for them.
   template <typename Labels, typename Candidates>
@@ -86,7 +93,7 @@ public:
                 part.make_room(1);
                 part.append(true, node, labels.distance(node), target, length);
               });
-      graph().expand(together.data(), together.size(), labels, part);
+      graph().expand(together.data(), together.size(), m_epsilon, labels, part);
     };
     if(graph().is_parallel() && number >= fewest_nodes)
       candidates.append_in_parallel(graph().m_loop, number_of_turns, expand_some);
@@ -120,6 +127,7 @@ public:
 private:
   static constexpr std::size_t NODES_AT_A_TIME = 32;
 
+  double m_epsilon;
   std::vector<bool> m_is_expanded; // empty before the first expansion
 };
 

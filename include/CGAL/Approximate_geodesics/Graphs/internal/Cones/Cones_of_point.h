@@ -9,12 +9,15 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Strip_expansion.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -41,6 +44,9 @@ public:
   Cones_of_point(const Cones_of_point&) = delete; // it refers to a member
   Cones_of_point& operator=(const Cones_of_point&) = delete;
 
+  // Lines across faces make those from a vertex where a curve is straight superfluous.
+  static constexpr bool looks_across_edges = true;
+
   // Calls `f(v, length)` for the lines to vertices.
   template <typename F>
   void for_each_node(F f) const
@@ -53,15 +59,61 @@ public:
       });
   }
 
-  // Calls `f(i, length)` for the lines to given points.
-  template <typename F>
-  void for_each_point(const Points_by_face& points, F f) const
+  // The same for lines that may be of use to a search from a curve, to which the point belongs. The
+  // labels, in units of the graph, are upper bounds.
+  template <typename Labels, typename F>
+  void for_each_node(const Labels& labels, const double label, F f) const
+  {
+    m_lines.for_each_node(f);
+    if(m_point.is_vertex())
+      return;
+    for_each_view([&](const View& view) {
+      m_expansion.expand_through(
+          view, [&](const Straight_arc& arc) { f(arc.target, arc.length); },
+          Label_pruning<Leave_out_nothing, Labels>{
+              {}, m_triangulation, labels, label, 1 + m_rules.epsilon_from_samples()});
+    });
+  }
+
+  /*
+   * Calls `f(v, length, foot)` for vertices that are nearest to a point `foot` inside the segment
+   * to `end`, along parallel rays from there. `on_sample(p)` is called for points of the segment
+   * whose lines are needed, too: those where a strip of rays ends at a height that is far larger
+   * than its width. The way from `p` to all that lies behind is longer than the rays by a factor of
+   * at most `1 + Cone_rules::largest_error_of_samples()`.
+   */
+  template <typename F, typename OnSample>
+  void for_each_node_beside(const Intrinsic_point& end, F f, OnSample on_sample) const
+  {
+    m_lines.for_each_node_beside(end, f, on_sample);
+    for_each_segment(m_triangulation, m_point, end, [&](const Curve_segment& segment) {
+      for(const Curve_segment& s : {segment, Curve_segment{segment.to, segment.from}})
+      {
+        const Segment_layout layout(m_triangulation, s);
+        if(!(layout.length() > 0))
+          continue;
+        Strip_visitor<F, OnSample> visitor{
+            m_triangulation, f, on_sample, s, layout.length(), m_rules.slope_of_strips()};
+        const Face_steps_on_demand steps(m_triangulation);
+        Strip_expansion<Face_steps_on_demand, Strip_visitor<F, OnSample>>(m_triangulation, steps, 0,
+                                                                          visitor)
+            .look(layout, is_along_halfedge(s.from, s.to));
+      }
+    });
+  }
+
+  // Calls `f(i, length)` for the lines to given points, or `f(i, length, t)` for those to the
+  // nearest points of `Segments_by_face`.
+  template <typename Points, typename F>
+  void for_each_point(const Points& points, F f) const
   {
     if(points.is_empty() || m_point.is_vertex())
       return;
     m_lines.for_each_point(points, f);
     Window_tree tree;
-    const auto report = [&](const std::size_t i, const Straight_arc& line) { f(i, line.length); };
+    const auto report = [&](const std::size_t i, const Straight_arc& line, const auto... t) {
+      f(i, line.length, t...);
+    };
     for_each_view([&](const View& view) {
       expand_to_points(view, points, tree, Leave_out_nothing(), report);
     });
@@ -79,6 +131,8 @@ public:
     if(!search.is_found()) // rounding has ended cones too early
       Cones_of_point(m_triangulation, m_rules.farther(1. / 64), m_point)
           .find_line(end, Leave_out_nothing_in_doubt(), search);
+    if(length > 0 && !(search.smallest_difference < infinity))
+      reject("a line from a curve cannot be traced: faces along it are degenerate");
     return trace(search, f);
   }
 
@@ -159,6 +213,49 @@ public:
   }
 
 private:
+  // Follows strips until they are far higher than wide.
+  template <typename F, typename OnSample>
+  struct Strip_visitor
+  {
+    double bound(Index /* v */) const { return infinity; }
+
+    void on_vertex(const Index v,
+                   const double length,
+                   const double x,
+                   const Strip& /* strip */,
+                   const Plane_vector /* apex */,
+                   const Plane_vector /* left_edge */)
+    {
+      f(v, length, segment.point(triangulation, x / width));
+    }
+
+    bool ends(const Strip& strip)
+    {
+      const double height = strip.height(), begin = strip.begin / width, end = strip.end / width;
+      const double t = simplest_part(begin, end);
+      if(!(height > 0 && width * (std::max)(t - begin, end - t) <= slope * height))
+        return false;
+      on_sample(segment.point(triangulation, t));
+      return true;
+    }
+
+    // Samples are at few places, so that strips share them: at the ends of the segment, its middle,
+    // and so on.
+    static double simplest_part(const double begin, const double end)
+    {
+      for(double step = 1; step > 1e-6; step /= 2)
+        if(const double t = step * std::ceil(begin / step); t <= end)
+          return t;
+      return (begin + end) / 2;
+    }
+
+    const Intrinsic_triangulation& triangulation;
+    F& f;
+    OnSample& on_sample;
+    const Curve_segment& segment;
+    double width, slope;
+  };
+
   // Windows that a line with this direction and length may go through.
   struct Along_line : Leave_out_nothing_in_doubt
   {
@@ -193,7 +290,7 @@ private:
   }
 
   // Looks for points in the faces that cones cross.
-  template <typename Visitor, typename Report>
+  template <typename Visitor, typename Points, typename Report>
   struct Finding_points : Remembering<Visitor>
   {
     static constexpr bool wants_faces = true;
@@ -201,14 +298,23 @@ private:
     void on_face(const Cone& cone, const Plane_vector apex) const
     {
       const Window& w = cone.window;
-      points.for_each_in_face(w.halfedge, [&](const std::size_t i) {
-        for_each_face_point(triangulation, points[i], w.halfedge, [&](const Face_point& point) {
-          const Plane_vector position = point.seen_from(triangulation, w.halfedge)
-                                            .position({w.left_position, w.right_position, apex});
-          if(is_seen(position, cone))
-            report(i, Straight_arc{0, length(position), position, start, w.trail});
+      const auto consider = [&](const std::size_t i, const Plane_vector position, const auto... t) {
+        if(is_seen(position, cone))
+          report(i, Straight_arc{0, length(position), position, start, w.trail}, t...);
+      };
+      const std::array<Plane_vector, 3> corners{w.left_position, w.right_position, apex};
+      if constexpr(std::is_same_v<Points, Segments_by_face>)
+        points.for_each_nearest_in_face(
+            w.halfedge, corners,
+            [&](const std::size_t i, const double t, const Plane_vector position) {
+              consider(i, position, t);
+            });
+      else
+        points.for_each_in_face(w.halfedge, [&](const std::size_t i) {
+          for_each_face_point(triangulation, points[i], w.halfedge, [&](const Face_point& point) {
+            consider(i, point.seen_from(triangulation, w.halfedge).position(corners));
+          });
         });
-      });
     }
 
     static bool is_seen(const Plane_vector position, const Cone& cone)
@@ -219,21 +325,21 @@ private:
     }
 
     const Intrinsic_triangulation& triangulation;
-    const Points_by_face& points;
+    const Points& points;
     const Report& report;
     Index start;
   };
 
-  template <typename Visitor, typename Report>
+  template <typename Visitor, typename Points, typename Report>
   void expand_to_points(const View& view,
-                        const Points_by_face& points,
+                        const Points& points,
                         Window_tree& tree,
                         const Visitor& visitor,
                         const Report& report) const
   {
     m_expansion.expand_through(
         view, [](const Straight_arc&) {},
-        Finding_points<Visitor, Report>{
+        Finding_points<Visitor, Points, Report>{
             {visitor, tree}, m_triangulation, points, report, view.start});
   }
 

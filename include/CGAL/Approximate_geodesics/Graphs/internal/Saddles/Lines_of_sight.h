@@ -86,6 +86,38 @@ void for_each_position(const Intrinsic_triangulation& triangulation,
   });
 }
 
+// Calls `f(i, length)` for the points in the face ahead that the sight sees.
+template <typename F>
+void for_each_seen(const Intrinsic_triangulation& triangulation,
+                   const Points_by_face& points,
+                   const Sight& sight,
+                   const Plane_vector apex,
+                   F f)
+{
+  points.for_each_in_face(sight.halfedge, [&](const std::size_t i) {
+    for_each_position(triangulation, points[i], sight, apex,
+                      [&](Plane_vector /* position */, const double way) { f(i, way); });
+  });
+}
+
+// Calls `f(i, length, t)` for the segments there whose nearest point the sight sees, which is at
+// the part `t` of the way along the segment.
+template <typename F>
+void for_each_seen(const Intrinsic_triangulation& /* triangulation */,
+                   const Segments_by_face& segments,
+                   const Sight& sight,
+                   const Plane_vector apex,
+                   F f)
+{
+  segments.for_each_nearest_in_face(
+      sight.halfedge, {sight.left, sight.right, apex},
+      [&](const std::size_t i, const double t, const Plane_vector position) {
+        const Sight_path path = sight.path_to(position, length(position));
+        if(path.length < infinity)
+          f(i, path.length, t);
+      });
+}
+
 // Considers the lines to a given point, for a search. Sights are followed depth first, so the
 // halfedges on the way of a sight are the first `depth` of the recorded ones.
 template <typename Bound>
@@ -151,19 +183,21 @@ public:
 
   /*
    * Calls `on_node(v, length, arrival)` for lines to vertices, and `on_point(i, length)` for lines
-   * to `points`: for those of use to paths that start with the label `label` here, and that are no
-   * longer than `bound(v)` at each vertex `v` that they could be reached over.
+   * to `points`, or `on_point(i, length, t)` if they are `Segments_by_face`: for those of use to
+   * paths that start with the label `label` here, and that are no longer than `bound(v)` at each
+   * vertex `v` that they could be reached over.
    */
-  template <typename Bound, typename OnNode, typename OnPoint>
+  template <typename Bound, typename Points, typename OnNode, typename OnPoint>
   void for_each_line(const double label,
                      const Bound& bound,
-                     const Points_by_face& points,
+                     const Points& points,
                      OnNode on_node,
                      OnPoint on_point) const
   {
     for_each_corner(on_node);
     Lines_in_faces::for_each_point(points, on_point);
-    Visitor<Bound, OnNode, OnPoint> visitor{{}, triangulation(), bound, points, on_node, on_point};
+    Visitor<Bound, Points, OnNode, OnPoint> visitor{{},     triangulation(), bound,
+                                                    points, on_node,         on_point};
     Sight_expansion<decltype(visitor)> expansion(m_tables, label, visitor);
     for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
       expansion.look(sight, left_end, right_end);
@@ -331,7 +365,7 @@ private:
                                      [&](std::size_t, const double length) { consider(length); });
   }
 
-  template <typename Bound, typename OnNode, typename OnPoint>
+  template <typename Bound, typename Points, typename OnNode, typename OnPoint>
   struct Visitor : Sight_visitor_base
   {
     static constexpr bool wants_faces = true;
@@ -349,15 +383,12 @@ private:
 
     void on_face(const Sight& sight, const Plane_vector apex)
     {
-      points.for_each_in_face(sight.halfedge, [&](const std::size_t i) {
-        for_each_position(triangulation, points[i], sight, apex,
-                          [&](Plane_vector /* position */, const double way) { on_point(i, way); });
-      });
+      for_each_seen(triangulation, points, sight, apex, on_point);
     }
 
     const Intrinsic_triangulation& triangulation;
     const Bound& bounds;
-    const Points_by_face& points;
+    const Points& points;
     OnNode& on_node;
     OnPoint& on_point;
   };
@@ -378,6 +409,7 @@ private:
     return triangulation().index(p.is_vertex() ? p.vertex : triangulation().source(p.halfedge));
   }
 
+protected:
   // Reports the corners of the faces that contain the point. A corner at the same position has no
   // arrival, like a source.
   template <typename OnNode>

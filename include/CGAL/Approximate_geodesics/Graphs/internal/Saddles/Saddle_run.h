@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Deferred_sights.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_from_curve.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
 
 #include <algorithm>
@@ -206,13 +207,29 @@ public:
         [](std::size_t, double) {});
   }
 
+  // Calls `f(node, length, arrival, foot)` for the lines from a curve where the search starts, each
+  // from the point `foot` of the curve.
+  template <typename F>
+  void for_each_line_from_curve(const Intrinsic_curve& curve, const double label, F f) const
+  {
+    const auto bound = [&](const Node node) { return this->bound(node); };
+    const Lines_from_curve lines(graph().triangulation(), graph().m_tables);
+    for(const std::vector<Intrinsic_point>& polyline : curve.polylines)
+      lines.for_each_line(polyline, label, bound, f);
+    for(const Node h : curve.faces)
+      for(const Node side : graph().triangulation().halfedges_of_face(h))
+        f(graph().triangulation().target(side), 0., Arrival::on_curve(side),
+          Intrinsic_point::at_vertex(graph().triangulation().target(side)));
+  }
+
   // Calls `on_node(node, length)` and `on_point(i, length)` for the lines from nodes and from
-  // `points` to a point that is not a vertex: for those on paths not longer than `distance`.
-  template <typename Labels, typename OnNode, typename OnPoint>
+  // `points` to a point that is not a vertex: for those on paths not longer than `distance`. The
+  // points may be `Segments_by_face`: see `Lines_of_sight`.
+  template <typename Labels, typename Points, typename OnNode, typename OnPoint>
   void for_each_line_to(const Intrinsic_point& point,
                         const double distance,
                         const Labels& labels,
-                        const Points_by_face& points,
+                        const Points& points,
                         OnNode on_node,
                         OnPoint on_point) const
   {

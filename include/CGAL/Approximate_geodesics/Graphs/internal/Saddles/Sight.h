@@ -74,6 +74,7 @@ struct Arrival
 
   static constexpr float ALONG_HALFEDGE = -1;
   static constexpr float UNKNOWN = -2;
+  static constexpr float ON_CURVE = -3;
   static constexpr double ROUNDING = 1e-6; // of the angle
 
   static Arrival along(const Index halfedge) { return {halfedge, ALONG_HALFEDGE}; }
@@ -90,9 +91,13 @@ struct Arrival
 
   static Arrival in_unknown_direction(const Index halfedge) { return {halfedge, UNKNOWN}; }
 
+  // at a vertex of a curve where a search starts: the lines from there are known
+  static Arrival on_curve(const Index halfedge) { return {halfedge, ON_CURVE}; }
+
   // whether the vertex is where lines start from
   bool is_none() const { return halfedge == null_index; }
   bool is_unknown() const { return direction == UNKNOWN; }
+  bool is_on_curve() const { return direction == ON_CURVE; }
   bool has_direction() const { return direction >= 0; }
   bool is_along_halfedge() const { return direction == ALONG_HALFEDGE; }
 

@@ -324,14 +324,14 @@ public:
       }
       return;
     }
-    if(!m_bends.is_possible(v))
+    if(!m_bends.is_possible(v) || arrival.is_on_curve())
       return;
     const Bend_sectors sectors(m_triangulation, m_steps, v);
     const Boundary right = sectors.right_boundary(arrival), left = sectors.left_boundary(arrival);
     if(right.exists())
-      open_sector(v, right, left, on_edge, on_corner);
+      for_each_corner_of_sector(v, right, left, on_edge, on_corner);
     if(left.exists() && m_bends[v] == Bend_kind::BORDER)
-      open_sector(v, {first_after_border(v)}, left, on_edge, on_corner);
+      for_each_corner_of_sector(v, {first_after_border(v)}, left, on_edge, on_corner);
   }
 
   // The same in the opposite direction, back along the line, up to an angle.
@@ -342,28 +342,48 @@ public:
                      OnEdge on_edge,
                      OnSight on_sight) const
   {
-    if(arrival.is_unknown())
+    if(arrival.is_unknown() || arrival.is_on_curve() || arrival.is_none())
       return for_each(v, Arrival(), on_edge, on_sight);
     const Bend_sectors sectors(m_triangulation, m_steps, v);
     const Boundary right = sectors.right_of(arrival, angle);
     Boundary left = sectors.left_of(arrival, angle);
     if(left.halfedge == right.halfedge && cross(right.direction, left.direction) < 0)
       left = {}; // all around the vertex
-    open_sector(v, right, left, on_edge,
-                [&](const Index h, const Plane_vector right_end, const Plane_vector left_end) {
-                  open(h, right_end, left_end, on_sight);
-                });
+    open_sector(v, right, left, on_edge, on_sight);
   }
 
-private:
-  // Opens a sector from one boundary counterclockwise to the other, or to the border, or all around
-  // the vertex.
-  template <typename OnEdge, typename OnCorner>
+  // The same for a sector, from one boundary counterclockwise to the other, or to the border, or
+  // all around the vertex.
+  template <typename OnEdge, typename OnSight>
   void open_sector(const Index v,
                    const Boundary& right,
                    const Boundary& left,
                    OnEdge& on_edge,
-                   const OnCorner& on_corner) const
+                   OnSight& on_sight) const
+  {
+    for_each_corner_of_sector(
+        v, right, left, on_edge,
+        [&](const Index h, const Plane_vector right_end, const Plane_vector left_end) {
+          open(h, right_end, left_end, on_sight);
+        });
+  }
+
+  // The first halfedge counterclockwise from the border.
+  Index first_after_border(const Index v) const
+  {
+    Index h = m_triangulation.first_halfedge(v);
+    while(m_steps[h].has_face())
+      ++h;
+    return m_triangulation.counterclockwise(v, h);
+  }
+
+private:
+  template <typename OnEdge, typename OnCorner>
+  void for_each_corner_of_sector(const Index v,
+                                 const Boundary& right,
+                                 const Boundary& left,
+                                 OnEdge& on_edge,
+                                 const OnCorner& on_corner) const
   {
     Index h = right.halfedge;
     Plane_vector start = right.direction;
@@ -380,14 +400,6 @@ private:
       start = {1, 0};
       on_edge(h);
     }
-  }
-
-  Index first_after_border(const Index v) const
-  {
-    Index h = m_triangulation.first_halfedge(v);
-    while(m_steps[h].has_face())
-      ++h;
-    return m_triangulation.counterclockwise(v, h);
   }
 
   // Looks across the face to the left of `h`, between two directions; `h` is the x axis.

@@ -1,0 +1,233 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_CURVE_SOURCES_H
+#define CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_CURVE_SOURCES_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
+
+#include <boost/type_traits/is_detected.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+template <typename Graph>
+using Attachment_of =
+    decltype(std::declval<const Graph&>().attach(std::declval<Intrinsic_point>()));
+
+template <typename Graph>
+using Nodes_beside = decltype(std::declval<Attachment_of<Graph>>().for_each_node_beside(
+    std::declval<Intrinsic_point>(),
+    std::declval<void (*)(Index, double, Intrinsic_point)>(),
+    std::declval<void (*)(Intrinsic_point)>()));
+
+// Whether a graph can start at curves.
+template <typename Graph>
+constexpr bool has_curves = boost::is_detected_v<Nodes_beside, Graph>;
+
+template <typename Graph>
+using Looks_across_edges = std::bool_constant<Attachment_of<Graph>::looks_across_edges>;
+
+/*
+ * The curves where a search starts. Each path starts at a point of a curve, its foot; to the
+ * search, all feet are different sources.
+ */
+class Curve_sources
+{
+public:
+  struct Foot
+  {
+    Intrinsic_point point;
+    std::size_t curve;
+  };
+
+  Curve_sources() = default;
+
+  // Checks the curves, except for the validity of their points. The triangulation is referred to.
+  Curve_sources(const Intrinsic_triangulation& triangulation, std::vector<Intrinsic_curve> curves)
+    : m_curves(std::move(curves))
+  {
+    for(std::size_t i = 0; i < m_curves.size(); ++i)
+    {
+      for(auto& polyline : m_curves[i].polylines)
+        prepare(triangulation, i, polyline);
+      for(const Index h : m_curves[i].faces)
+        m_faces.emplace_back(triangulation.first_of_face(h), i);
+    }
+    std::sort(m_faces.begin(), m_faces.end());
+    m_segments = Segments_by_face(triangulation, m_curves);
+  }
+
+  bool is_empty() const { return m_curves.empty(); }
+  const std::vector<Intrinsic_curve>& curves() const { return m_curves; }
+  const Segments_by_face& segments() const { return m_segments; }
+  const Foot& foot(const std::size_t i) const { return m_feet[i]; }
+
+  // Adds a foot, and returns its number.
+  std::size_t add_foot(const Intrinsic_point& point, const std::size_t curve)
+  {
+    m_feet.push_back({point, curve});
+    return m_feet.size() - 1;
+  }
+
+  void clear_feet() { m_feet.clear(); }
+
+  // The nearest of the curves that have the point in one of their faces; null_index if there is
+  // none.
+  std::size_t curve_around(const Intrinsic_triangulation& triangulation,
+                           const Intrinsic_point& point) const
+  {
+    std::size_t result = null_index;
+    if(!m_faces.empty())
+      point.for_each_face(triangulation, [&](const Index h) {
+        const Index face = triangulation.first_of_face(h);
+        for(auto it = std::lower_bound(m_faces.begin(), m_faces.end(),
+                                       std::make_pair(face, std::size_t(0)));
+            it != m_faces.end() && it->first == face; ++it)
+          if(result == null_index || m_curves[it->second].distance < m_curves[result].distance)
+            result = it->second;
+      });
+    return result;
+  }
+
+  // Calls `f(node, length, foot)` for the lines from a curve to nodes of a graph.
+  template <typename Graph, typename F>
+  static void for_each_line(const Graph& graph, const Intrinsic_curve& curve, F f)
+  {
+    std::vector<Intrinsic_point> points = curve_points(graph, curve);
+    Known_labels labels(graph.number_of_nodes());
+    const auto report = [&](const Index node, const double length, const Intrinsic_point& foot) {
+      labels.lower(node, length);
+      f(node, length, foot);
+    };
+    for(const auto& polyline : curve.polylines)
+      for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
+        graph.attach(polyline[i])
+            .for_each_node_beside(polyline[i + 1], report,
+                                  [&](const Intrinsic_point& p) { points.push_back(p); });
+    remove_duplicates(points);
+    for(const Intrinsic_point& p : points)
+      if(p.is_vertex())
+        labels.lower(p.vertex, 0);
+    for(const Intrinsic_point& p : points)
+    {
+      const auto report_from = [&](const Index node, const double length) {
+        report(node, length, p);
+      };
+      if constexpr(boost::is_detected_v<Looks_across_edges, Graph>)
+        graph.attach(p).for_each_node(labels, 0., report_from);
+      else
+        graph.attach(p).for_each_node(report_from);
+    }
+  }
+
+private:
+  // Upper bounds of distances from a curve.
+  class Known_labels
+  {
+  public:
+    explicit Known_labels(const std::size_t number_of_nodes) : m_labels(number_of_nodes, infinity)
+    {
+    }
+
+    double distance(const Index node) const { return m_labels[node]; }
+
+    void lower(const Index node, const double label)
+    {
+      m_labels[node] = (std::min)(m_labels[node], label);
+    }
+
+  private:
+    std::vector<double> m_labels;
+  };
+
+  // The points of a curve where lines may start that make no right angle with it.
+  template <typename Graph>
+  static std::vector<Intrinsic_point> curve_points(const Graph& graph, const Intrinsic_curve& curve)
+  {
+    std::vector<Intrinsic_point> result;
+    for(const auto& points : curve.polylines)
+      for(std::size_t i = 0; i < points.size(); ++i)
+        if(!is_superfluous(graph, points, i))
+          result.push_back(points[i]);
+    for(const Index h : curve.faces)
+      for(const Index side : graph.triangulation().halfedges_of_face(h))
+        result.push_back(Intrinsic_point::at_vertex(graph.triangulation().target(side)));
+    return result;
+  }
+
+  static void prepare(const Intrinsic_triangulation& triangulation,
+                      const std::size_t curve,
+                      std::vector<Intrinsic_point>& points)
+  {
+    const auto name = [&] { return "curve " + std::to_string(curve) + ", counted from 0, "; };
+    if(points.empty())
+      reject(name() + "has a polyline without points");
+    std::vector<Intrinsic_point> result;
+    for(const Intrinsic_point& p : points)
+      if(const Intrinsic_point q = p.reduced(triangulation);
+         result.empty() || !q.is_same(result.back(), triangulation))
+      {
+        if(!result.empty() &&
+           !(shortest_segment(triangulation, result.back(), q).length < infinity))
+          reject(name() + "has two consecutive points that are not in the same face");
+        result.push_back(q);
+      }
+    points = std::move(result);
+  }
+
+  // Whether the lines from a vertex of a curve are needless, as the curve is straight there.
+  template <typename Graph>
+  static bool is_superfluous(const Graph& graph,
+                             const std::vector<Intrinsic_point>& points,
+                             const std::size_t i)
+  {
+    if constexpr(!boost::is_detected_v<Looks_across_edges, Graph>)
+      return false;
+    else
+    {
+      const std::size_t last = points.size() - 1;
+      const bool is_inside = i > 0 && i < last;
+      const bool is_joint =
+          i == 0 && last > 2 && points[0].is_same(points[last], graph.triangulation());
+      if(i == last && last > 2 && points[0].is_same(points[last], graph.triangulation()))
+        return true; // it is the first one
+      return (is_inside || is_joint) &&
+             is_straight(graph.triangulation(), points[is_joint ? last - 1 : i - 1], points[i],
+                         points[i + 1]);
+    }
+  }
+
+  static void remove_duplicates(std::vector<Intrinsic_point>& points)
+  {
+    const auto key = [](const Intrinsic_point& p) {
+      return std::make_tuple(p.vertex, p.halfedge, p.t, p.s);
+    };
+    std::sort(points.begin(), points.end(),
+              [&](const auto& p, const auto& q) { return key(p) < key(q); });
+    points.erase(std::unique(points.begin(), points.end(),
+                             [&](const auto& p, const auto& q) { return key(p) == key(q); }),
+                 points.end());
+  }
+
+  std::vector<Intrinsic_curve> m_curves;
+  Segments_by_face m_segments;
+  std::vector<std::pair<Index, std::size_t>> m_faces; // sorted; with their curves
+  std::vector<Foot> m_feet;
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_CURVE_SOURCES_H

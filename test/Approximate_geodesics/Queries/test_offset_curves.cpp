@@ -1,0 +1,177 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Queries/offset_curves.h>
+
+#include "checks/expect_message.h"
+#include "checks/test_random.h"
+#include "meshes/surface_points.h"
+#include "meshes/test_meshes.h"
+#include "oracles/test_oracles.h"
+
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/approximate_geodesic_path.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <vector>
+
+// Curves and regions of a mesh as sources, and curves at constant distance from them.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+namespace parameters = CGAL::parameters;
+using namespace geodesics_test;
+
+using Curve = AG::Source_curve<Mesh>;
+using Offset = AG::Offset_curve<Point>;
+
+// A plane, where the points of the segment from (5, 5) to (14, 8) are the source.
+class Offset_curves : public testing::Test
+{
+protected:
+  double distance(const Point& p) const
+  {
+    return std::sqrt(CGAL::squared_distance(p, Kernel::Segment_3(Point(5, 5, 0), Point(14, 8, 0))));
+  }
+
+  static Vertex at(const unsigned x, const unsigned y) { return Vertex(x + 20 * y); }
+
+  Mesh m_mesh = to_mesh(flat_grid(20, 14));
+  Curve m_curve{{at(5, 5), at(14, 8)}};
+};
+
+TEST_F(Offset_curves, have_the_distance_everywhere)
+{
+  for(const double step : {0.05, 0.3, 1.})
+  {
+    SCOPED_TRACE(step);
+    std::vector<Offset> curves;
+    AG::offset_curves(m_mesh, m_curve, std::vector<double>{step, 2 * step, 3 * step},
+                      std::back_inserter(curves));
+    ASSERT_EQ(curves.size(), 3u);
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const Offset& c = curves[i];
+      EXPECT_DOUBLE_EQ(c.distance, step * double(i + 1));
+      EXPECT_TRUE(c.is_closed);
+      double length = 0, area = 0;
+      for(std::size_t j = 0; j < c.points.size(); ++j)
+      {
+        const Point p = c.points[j], q = c.points[(j + 1) % c.points.size()];
+        EXPECT_NEAR(distance(p), c.distance, 0.01 * step);
+        EXPECT_NEAR(distance(CGAL::midpoint(p, q)), c.distance, 0.03 * step);
+        length += std::sqrt(CGAL::squared_distance(p, q));
+        area += (p.x() * q.y() - p.y() * q.x()) / 2;
+      }
+      const double pi = std::acos(-1.), straight = std::sqrt(90.);
+      EXPECT_NEAR(length, 2 * straight + 2 * pi * c.distance, 0.02 * length);
+      EXPECT_GT(area, 0); // the source is on the left
+      EXPECT_NEAR(area, 2 * straight * c.distance + pi * c.distance * c.distance, 0.02 * area);
+    }
+  }
+}
+
+TEST_F(Offset_curves, end_at_the_border)
+{
+  std::vector<Offset> curves;
+  AG::offset_curves(m_mesh, at(0, 0), 6.5, std::back_inserter(curves));
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_FALSE(curves[0].is_closed);
+  for(const Point& p : curves[0].points)
+    EXPECT_NEAR(std::hypot(p.x(), p.y()), 6.5, 0.065);
+}
+
+TEST_F(Offset_curves, of_nothing_are_none)
+{
+  std::vector<Offset> curves;
+  AG::offset_curves(m_mesh, m_curve, std::vector<double>{}, std::back_inserter(curves));
+  AG::offset_curves(m_mesh, m_curve, 1000, std::back_inserter(curves));
+  EXPECT_TRUE(curves.empty());
+}
+
+TEST_F(Offset_curves, are_refused_at_distances_that_are_none)
+{
+  std::vector<Offset> curves;
+  for(const double distance : {0., -1., infinity})
+    expect_message<std::invalid_argument>(
+        [&] { AG::offset_curves(m_mesh, m_curve, distance, std::back_inserter(curves)); },
+        "offset 0");
+}
+
+// ----- curves of a mesh
+
+TEST_F(Offset_curves, sources_have_distances_in_the_function)
+{
+  std::vector<double> distances(m_mesh.num_vertices());
+  const auto map =
+      boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, m_mesh));
+  CGAL::approximate_geodesic_distances(m_mesh, map, m_curve, parameters::epsilon(0));
+  for(const Vertex v : m_mesh.vertices())
+    EXPECT_NEAR(distances[v.idx()], distance(m_mesh.point(v)), 1e-9);
+  CGAL::approximate_geodesic_distances(m_mesh, map, std::vector<Curve>{m_curve, {{at(0, 0)}}},
+                                       parameters::epsilon(0.1));
+  for(const Vertex v : m_mesh.vertices())
+  {
+    const Point p = m_mesh.point(v);
+    const double d = (std::min)(distance(p), std::hypot(p.x(), p.y()));
+    EXPECT_GE(distances[v.idx()], d - 1e-9);
+    EXPECT_LE(distances[v.idx()], 1.1 * d + 1e-9);
+  }
+}
+
+TEST_F(Offset_curves, sources_have_paths_in_the_function)
+{
+  std::vector<Point> points;
+  const double length = CGAL::approximate_geodesic_path(m_mesh, std::back_inserter(points), m_curve,
+                                                        at(8, 12), parameters::epsilon(0));
+  EXPECT_NEAR(length, distance(Point(8, 12, 0)), 1e-9);
+  EXPECT_NEAR(distance(points.front()), 0, 1e-9);
+  EXPECT_EQ(points.back(), Point(8, 12, 0));
+}
+
+TEST_F(Offset_curves, sources_are_those_of_the_class_beside_points_and_regions)
+{
+  AG::Surface_mesh_shortest_path<Mesh, AG::Saddle_vertex_graph> paths(m_mesh);
+  const auto point = paths.add_source_point(at(0, 13));
+  const auto curve = paths.add_source_curve(m_curve);
+  const auto region = paths.add_source_region({{*m_mesh.faces_begin()}}); // (0, 0), (1, 0), (1, 1)
+  const auto nearest = [&](const unsigned x, const unsigned y) {
+    return paths.shortest_distance_to_source_points(at(x, y));
+  };
+  EXPECT_EQ(nearest(0, 12).second, point);
+  EXPECT_EQ(nearest(10, 10).second, curve);
+  EXPECT_NEAR(nearest(10, 10).first, distance(Point(10, 10, 0)), 1e-9);
+  EXPECT_EQ(nearest(1, 0).second, region);
+  EXPECT_NEAR(nearest(2, 0).first, 1, 1e-9);
+  paths.remove_source_point(curve);
+  EXPECT_EQ(nearest(8, 2).second, region);
+}
+
+TEST_F(Offset_curves, sources_that_are_none_are_refused)
+{
+  std::vector<double> distances(m_mesh.num_vertices());
+  const auto map =
+      boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, m_mesh));
+  const auto refuse = [&](const auto& sources, const char* const text) {
+    expect_message<std::invalid_argument>(
+        [&] { CGAL::approximate_geodesic_distances(m_mesh, map, sources); }, text);
+  };
+  refuse(Curve{}, "a curve has no points");
+  refuse(AG::Source_region<Mesh>{}, "a region has no faces");
+  refuse(Curve{{Vertex(9999)}}, "point of a curve 0");
+  m_mesh.add_vertex(Point(0, 0, 9));
+  distances.resize(m_mesh.num_vertices());
+  refuse(Curve{{at(0, 0), Vertex(280)}}, "no path joins points 0 and 1");
+}
+
+} // namespace

@@ -1,0 +1,147 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshes/hostile_meshes.h"
+#include "oracles/distances_to_curves.h"
+#include "oracles/test_oracles.h"
+
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Curves on meshes that are as bad as they get.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+namespace parameters = CGAL::parameters;
+using namespace geodesics_test;
+
+// A path may not be traced across nearly degenerate faces; the message says so.
+template <typename Search>
+void expect_path_or_message(const Search& search, const Intrinsic_point& p, const double small)
+{
+  try
+  {
+    const auto path = search.find_path(p);
+    const auto answer = search.nearest(p);
+    EXPECT_EQ(path.points.empty(), !answer.is_reached());
+    if(answer.is_reached())
+    {
+      EXPECT_NEAR(path.length, answer.distance, 1e-5 * answer.distance + small);
+      const auto& t = search.graph().triangulation();
+      EXPECT_TRUE(path.points.back().is_same(answer.start, t) ||
+                  AG::internal::shortest_segment(t, path.points.back(), answer.start).length *
+                          t.unit() <=
+                      small);
+    }
+  }
+  catch(const std::invalid_argument& e)
+  {
+    EXPECT_NE(std::string(e.what()).find("cannot be traced"), std::string::npos) << e.what();
+  }
+}
+
+// No vertex is farther from a curve than from a point of it, and none is nearer than the length of
+// the curve allows. `excess` is the part by which distances may be too long; in a graph without a
+// bound, the latter need not hold.
+template <typename Graph>
+void expect_properties(const Graph& graph, const double excess, Random& random)
+{
+  const AG::Intrinsic_triangulation& t = graph.triangulation();
+  Polyline_on_surface polyline;
+  try
+  {
+    polyline = random_polyline(graph, 3, random);
+  }
+  catch(const std::invalid_argument&) // a path that cannot be traced
+  {
+    polyline = {random_intrinsic_point(t, random)};
+  }
+  const double small =
+      1e-9 * graph.arc_lengths().longest * t.unit() + 8 * std::numeric_limits<double>::denorm_min();
+  const double length = AG::internal::length_of_segments(t, polyline) * t.unit();
+  AG::Surface_search<Graph> search(graph), from_point(graph);
+  search.run_from_curves({{{polyline}}});
+  const std::size_t step = 1 + polyline.size() / 4;
+  for(std::size_t i = 0; i < polyline.size(); i += step)
+  {
+    from_point.run({{polyline[i]}});
+    const unsigned beyond = (std::min)(t.number_of_vertices(), 500u);
+    for(unsigned v = 0; v < beyond; ++v)
+    {
+      const Intrinsic_point p = Intrinsic_point::at_vertex(v);
+      const double d = search.distance(p), other = from_point.distance(p);
+      ASSERT_FALSE(std::isnan(d));
+      EXPECT_EQ(std::isinf(d), std::isinf(other)) << v;
+      if(std::isinf(other))
+        continue;
+      EXPECT_LE(d, other * (1 + (excess < infinity ? excess : 1e-12)) + small) << v;
+      if(excess < infinity)
+        EXPECT_GE(d * (1 + excess) + length * (1 + excess) + small, other * (1 - 1e-6)) << v;
+    }
+  }
+  for(int i = 0; i < 4; ++i)
+    expect_path_or_message(search, random_intrinsic_point(t, random), small);
+  for(unsigned v = 0; v < t.number_of_vertices(); v += 1 + t.number_of_vertices() / 20)
+    expect_path_or_message(search, Intrinsic_point::at_vertex(v), small);
+}
+
+template <typename MakeGraph>
+void expect_properties_on_all_meshes(const double excess, const bool needs_faces, MakeGraph make)
+{
+  const std::uint64_t seed = test_seed();
+  for(const Hostile_mesh& hostile : accepted_meshes())
+  {
+    if(hostile.mesh.number_of_faces() == 0 ||
+       (needs_faces && !hostile.refusal_across_faces.empty()))
+      continue;
+    SCOPED_TRACE(hostile.name);
+    Random random(seed);
+    const auto graph = make(Triangulation(hostile.mesh));
+    for(int i = 0; i < 3; ++i)
+      expect_properties(graph, excess, random);
+  }
+}
+
+TEST(Hostile_meshes, curves_along_edges)
+{
+  expect_properties_on_all_meshes(infinity, false,
+                                  [](Triangulation t) { return AG::Edge_graph(std::move(t)); });
+}
+
+TEST(Hostile_meshes, curves_in_the_exact_graph)
+{
+  expect_properties_on_all_meshes(
+      1e-7, true, [](Triangulation t) { return AG::Saddle_vertex_graph(std::move(t)); });
+}
+
+TEST(Hostile_meshes, curves_in_lazy_graphs)
+{
+  expect_properties_on_all_meshes(0.3, true, [](Triangulation t) {
+    return AG::Lazy_discrete_geodesic_graph(std::move(t), parameters::epsilon(0.3));
+  });
+}
+
+TEST(Hostile_meshes, curves_in_graphs_that_are_built)
+{
+  expect_properties_on_all_meshes(0.3, true, [](Triangulation t) {
+    return AG::Discrete_geodesic_graph(std::move(t), parameters::epsilon(0.3));
+  });
+}
+
+} // namespace
