@@ -34,7 +34,7 @@ namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
 
-constexpr double exact = 1e-9;
+constexpr double ROUNDING = 1e-9;
 
 template <typename Graph>
 Surface_search<Graph> search_from(const Graph& graph, const Polyline_on_surface& polyline)
@@ -105,7 +105,7 @@ protected:
 
   static void expect_between(const double found, const double wanted, const double epsilon)
   {
-    EXPECT_GE(found, wanted * (1 - exact) - 1e-12);
+    EXPECT_GE(found, wanted * (1 - ROUNDING) - 1e-12);
     EXPECT_LE(found, wanted * (1 + epsilon) + 1e-12);
   }
 
@@ -124,7 +124,10 @@ protected:
   std::vector<Point> m_corners;
 };
 
-TEST_F(Curve_in_plane, has_exact_distances_in_the_exact_graph) { expect_distances(m_exact, exact); }
+TEST_F(Curve_in_plane, has_exact_distances_in_the_exact_graph)
+{
+  expect_distances(m_exact, ROUNDING);
+}
 
 TEST_F(Curve_in_plane, has_distances_within_the_bound_in_other_graphs)
 {
@@ -157,13 +160,13 @@ TEST(Curve_on_cone, has_exact_distances)
   const auto search = search_from(graph, circle);
   const double edge = std::sqrt(5.), side = 2 * std::sin(std::acos(-1.) / double(valence));
   const double height = std::sqrt(edge * edge - side * side / 4);
-  EXPECT_NEAR(search.distance(vertex_with_index(t, 0)), height / 2, exact);
+  EXPECT_NEAR(search.distance(vertex_with_index(t, 0)), height / 2, ROUNDING);
   for(std::size_t i = 1; i <= valence; ++i)
-    EXPECT_NEAR(search.distance(vertex_with_index(t, i)), edge / 2, exact);
+    EXPECT_NEAR(search.distance(vertex_with_index(t, i)), edge / 2, ROUNDING);
   for(AG::Intrinsic_point::Index h = 0; h < t.number_of_halfedges(); ++h)
     if(t.is_border(h)) // seen from the middle of a side of the base
     {
-      EXPECT_NEAR(search.distance(Intrinsic_point::on_edge(h, 0.5)), height / 2, exact);
+      EXPECT_NEAR(search.distance(Intrinsic_point::on_edge(h, 0.5)), height / 2, ROUNDING);
     }
 }
 
@@ -189,13 +192,14 @@ TEST(Curve_on_sphere, has_exact_distances_from_the_equator)
     sum += std::sqrt(CGAL::squared_distance(middle(j + 1), middle(j)));
     for(std::size_t i = 0; i < meridians; ++i)
     {
-      EXPECT_NEAR(search.distance(vertex_with_index(t, 2 + j * meridians + i)), sum, exact);
-      EXPECT_NEAR(search.distance(vertex_with_index(t, 2 + (8 - j) * meridians + i)), sum, exact);
+      EXPECT_NEAR(search.distance(vertex_with_index(t, 2 + j * meridians + i)), sum, ROUNDING);
+      EXPECT_NEAR(search.distance(vertex_with_index(t, 2 + (8 - j) * meridians + i)), sum,
+                  ROUNDING);
     }
   }
   sum += std::sqrt(CGAL::squared_distance(middle(0), Point(0, 0, 1)));
-  EXPECT_NEAR(search.distance(vertex_with_index(t, 0)), sum, exact);
-  EXPECT_NEAR(search.distance(vertex_with_index(t, 1)), sum, exact);
+  EXPECT_NEAR(search.distance(vertex_with_index(t, 0)), sum, ROUNDING);
+  EXPECT_NEAR(search.distance(vertex_with_index(t, 1)), sum, ROUNDING);
 }
 
 // ----- searches from points
@@ -266,7 +270,7 @@ TEST(Curve, sources_have_distances_within_the_bound)
         else
         {
           const double small = 1e-12 * graph.arc_lengths().longest * t.unit();
-          EXPECT_GE(found, d * (1 - exact) - small);
+          EXPECT_GE(found, d * (1 - ROUNDING) - small);
           EXPECT_LE(found, d * (1 + epsilon) + small);
         }
       }
@@ -353,7 +357,7 @@ TEST(Region, is_at_distance_zero_and_the_rest_as_far_as_from_its_border)
     const Point p = mesh.point(v);
     const double x = (std::max)({0., 3 - p.x(), p.x() - 7}),
                  y = (std::max)({0., 2 - p.y(), p.y() - 6});
-    EXPECT_NEAR(search.distance(vertex_with_index(t, v.idx())), std::hypot(x, y), exact);
+    EXPECT_NEAR(search.distance(vertex_with_index(t, v.idx())), std::hypot(x, y), ROUNDING);
   }
   for(const auto h : square.faces)
     EXPECT_EQ(search.distance(Intrinsic_point::in_face(h, 0.3, 0.2)), 0);
@@ -376,12 +380,12 @@ TEST(Curve, sources_are_numbered_and_have_initial_distances)
   {
     const double first = std::abs(double(x) - 2) + 4, second = std::abs(double(x) - 16);
     const auto answer = search.nearest(vertex_with_index(t, x + 40));
-    EXPECT_NEAR(answer.distance, (std::min)(first, second), exact);
+    EXPECT_NEAR(answer.distance, (std::min)(first, second), ROUNDING);
     EXPECT_EQ(answer.source, first <= second ? 0u : 1u);
     EXPECT_EQ(search.source(t.vertex(x + 40)), answer.source);
   }
   search.run({{vertex_with_index(t, 0)}}); // the curves are forgotten
-  EXPECT_NEAR(search.distance(vertex_with_index(t, 19)), 19, exact);
+  EXPECT_NEAR(search.distance(vertex_with_index(t, 19)), 19, ROUNDING);
   EXPECT_TRUE(search.curves().empty());
 }
 

@@ -88,20 +88,21 @@ double distance_to_polyline(const Search& search, const Polyline_on_surface& pol
   const auto at = [&](const std::size_t i, const double part) {
     return search.distance(point_between(t, polyline[i], polyline[i + 1], part));
   };
-  struct Sample
+  struct Sample_of_curve
   {
     double distance;
     std::size_t segment;
     double part;
   };
-  std::vector<Sample> samples;
+  std::vector<Sample_of_curve> samples;
   for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
     for(int k = 0; k <= parts; ++k)
       samples.push_back({at(i, double(k) / parts), i, double(k) / parts});
-  std::sort(samples.begin(), samples.end(),
-            [](const Sample& a, const Sample& b) { return a.distance < b.distance; });
+  std::sort(samples.begin(), samples.end(), [](const Sample_of_curve& a, const Sample_of_curve& b) {
+    return a.distance < b.distance;
+  });
   samples.resize((std::min)(samples.size(), std::size_t(4)));
-  for(const Sample& s : samples)
+  for(const Sample_of_curve& s : samples)
   {
     double low = (std::max)(0., s.part - 1. / parts), high = (std::min)(1., s.part + 1. / parts);
     for(int step = 0; step < 45; ++step)
