@@ -118,7 +118,7 @@ private:
 
   std::string file() const { return m_options.work_folder + "/costs"; }
   std::string lock_file() const { return m_options.work_folder + "/in_use"; }
-  std::size_t size_of_row() const { return m_frame.columns * sizeof(double); }
+  std::uint64_t size_of_row() const { return m_frame.columns * sizeof(double); }
 
   void read_cell_size()
   {

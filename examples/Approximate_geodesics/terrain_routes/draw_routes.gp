@@ -22,7 +22,7 @@ set ytics y_min, y_tics
 unset key
 set format cb '%g'
 set cblabel 'cost from the nearest source' offset 1.5
-set rmargin 15
+set rmargin 4
 set cbrange [0:(largest > 0 ? largest : 1)]
 set palette defined (0 '#2a4bec', 0.25 '#1ab8e6', 0.5 '#5cd15c', 0.75 '#ffd62e', 1 '#e6291f')
 x_step = (x_max - x_min) / columns

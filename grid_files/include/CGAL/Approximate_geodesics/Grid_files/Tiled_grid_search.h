@@ -75,7 +75,7 @@ public:
    * prepares a search, or resumes one.
    *
    * \param columns,rows the size of the grid
-   * \param graph_of_window builds graphs
+   * \param graph_of_window builds graphs; it is referred to, not copied
    * \param sources the cells where paths start
    * \param tile_side the number of columns and rows of a tile, except for the last ones
    * \param folder where to keep labels; it is created if needed. An empty name stands for memory
@@ -100,6 +100,7 @@ public:
     measure_places();
     m_tile_columns = (columns + m_side - 1) / m_side;
     m_smallest_open.resize(m_tile_columns * ((rows + m_side - 1) / m_side), internal::infinity);
+    m_has_labels.resize(number_of_tiles());
     m_labels.emplace(m_nodes, folder, task(sources, costs));
     if(m_labels->is_new())
     {
@@ -275,16 +276,21 @@ private:
     return static_cast<std::size_t>(tile - m_smallest_open.begin());
   }
 
+  // Those that have labels, none of which is open.
   std::size_t number_of_closed_tiles() const
   {
-    return static_cast<std::size_t>(
-        std::count(m_smallest_open.begin(), m_smallest_open.end(), internal::infinity));
+    std::size_t result = 0;
+    for(std::size_t i = 0; i < number_of_tiles(); ++i)
+      result += m_has_labels[i] && m_smallest_open[i] == internal::infinity ? 1 : 0;
+    return result;
   }
 
-  void note_open(const Grid_place& place, const double distance)
+  void note_label(const Grid_place& place, const double distance, const bool is_open)
   {
-    double& smallest = m_smallest_open[tile_of(place.column, place.row)];
-    smallest = (std::min)(smallest, distance);
+    const std::size_t tile = tile_of(place.column, place.row);
+    m_has_labels[tile] = true;
+    if(is_open)
+      m_smallest_open[tile] = (std::min)(m_smallest_open[tile], distance);
   }
 
   // After a stop of the machine, files may have new labels that are closed beside old ones.
@@ -295,10 +301,11 @@ private:
       const Rows rows = m_labels->rows(row, 1);
       rows.for_each_place(0, m_nodes.columns(), [&](const Grid_place& p) {
         internal::Kept_label& label = rows.label(p);
-        if(label.distance() < internal::infinity && !m_labels->is_intact())
+        if(label.distance() == internal::infinity)
+          return;
+        if(!m_labels->is_intact())
           label.open();
-        if(label.is_open())
-          note_open(p, label.distance());
+        note_label(p, label.distance(), label.is_open());
       });
     }
     m_labels->note_intact();
@@ -375,7 +382,7 @@ private:
       rows.predecessor(p).set(tile.place(search.predecessor(node)), p);
       std::atomic_signal_fence(std::memory_order_seq_cst);
       label.set_open(distance);
-      note_open(p, distance);
+      note_label(p, distance, true);
     });
   }
 
@@ -405,6 +412,7 @@ private:
   std::vector<Grid_point> m_positions; // of nodes, by slots
   std::size_t m_tile_columns = 0;
   std::vector<double> m_smallest_open; // by tiles
+  std::vector<bool> m_has_labels;      // by tiles
   std::optional<internal::Label_files> m_labels;
   std::size_t m_number_of_visits = 0;
 };

@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Work_folder.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -102,7 +103,7 @@ public:
     result.m_slots = m_nodes.number_of_slots();
     const auto part = [&](const Mapped_file& file, const std::size_t size_of_entry) {
       const std::size_t size = size_of_row * size_of_entry;
-      return file.part(first_row * size, number * size);
+      return file.part(static_cast<std::uint64_t>(first_row) * size, number * size);
     };
     result.m_labels = part(m_labels, sizeof(Kept_label));
     result.m_predecessors = part(m_predecessors, sizeof(Kept_predecessor));
@@ -114,9 +115,8 @@ public:
 private:
   Mapped_file open(const char* const name, const std::size_t size_of_entry) const
   {
-    return Mapped_file(m_folder.file(name),
-                       m_nodes.columns() * m_nodes.rows() * m_nodes.number_of_slots() *
-                           size_of_entry,
+    const std::uint64_t size_of_row = m_nodes.columns() * m_nodes.number_of_slots() * size_of_entry;
+    return Mapped_file(m_folder.file(name), size_of_row * m_nodes.rows(),
                        m_is_new ? Mapped_file::Mode::NEW : Mapped_file::Mode::EXISTING);
   }
 
