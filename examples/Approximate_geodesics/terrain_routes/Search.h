@@ -32,7 +32,8 @@ inline std::size_t side_of_tiles(const Costs& costs, const Options& options)
     return most;
   constexpr double number_of_corners = 4;
   const double nodes_of_cell =
-      static_cast<double>(costs.graph({0, 0, 1, 1}, false).number_of_nodes() - 1) / number_of_corners;
+      static_cast<double>(costs.graph({0, 0, 1, 1}, false).number_of_nodes() - 1) /
+      number_of_corners;
   const double size_of_cell =
       of_cell + (costs.has_heights() ? of_height : 0) + of_node * nodes_of_cell;
   const auto margins = static_cast<double>(2 * Grid_graph::largest_reach());

@@ -78,7 +78,8 @@ inline po::options_description describe_search(Options& options)
       "use no more memory than this, such as 500M or 2G; the rest is in --work-folder");
   add("work-folder,w", po::value(&options.work_folder)->value_name("DIR"),
       "where to keep what has been found, 20 bytes a cell, 8 more with two rasters, and more "
-      "with --epsilon. If the program is killed or interrupted, the same call goes on from there. At the end, its files go");
+      "with --epsilon. If the program is killed or interrupted, the same call goes on from there. "
+      "At the end, its files go");
   return result;
 }
 
@@ -126,7 +127,8 @@ inline void print_help(const po::options_description& description)
       << "Written are rasters in the format of RASTER or as GeoTIFF, and lines as GeoJSON, in the\n"
          "coordinates of the map:\n"
          "  NAME_cost.tif              the costs; no data or infinity where no path leads to,\n"
-         "  NAME_paths.geojson         for targets: the paths with their costs and lengths on the surface,\n"
+         "  NAME_paths.geojson         for targets: the paths with their costs and lengths on the "
+         "surface,\n"
          "and, if asked for,\n"
          "  NAME_back_links.tif        in degrees clockwise from the first row; no data at "
          "sources,\n"

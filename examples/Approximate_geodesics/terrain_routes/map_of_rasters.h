@@ -22,8 +22,8 @@ check_same_map(const std::string& file, const Raster_frame& heights, const Raste
     return std::to_string(frame.columns) + " columns and " + std::to_string(frame.rows) + " rows";
   };
   if(heights.columns != friction.columns || heights.rows != friction.rows)
-    reject_raster(file, "it has " + size(heights) + ", and the raster of friction has " +
-                            size(friction));
+    reject_raster(file,
+                  "it has " + size(heights) + ", and the raster of friction has " + size(friction));
   constexpr double rounding = 1e-3; // of a cell
   const auto differ = [&](const double a, const double b, const double step) {
     return !(std::abs(a - b) <= rounding * std::abs(step));

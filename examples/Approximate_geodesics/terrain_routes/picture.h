@@ -79,9 +79,8 @@ inline void write_grays(std::ostream& out, const std::vector<double>& tones)
 // Returns tones by the logarithms of friction, from light for the least one to dark.
 inline std::vector<double> tones_of_friction(const Answer& answer, const Background& background)
 {
-  std::vector<double> result = sampled(background, [&](const std::size_t row) {
-    return answer.costs().friction_row(row);
-  });
+  std::vector<double> result =
+      sampled(background, [&](const std::size_t row) { return answer.costs().friction_row(row); });
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for(double& tone : result)
   {
@@ -198,8 +197,8 @@ inline std::string variables_of_map(const Answer& answer)
       << "; x_max=" << std::max(frame.x, end.x) << "; y_min=" << std::min(frame.y, end.y)
       << "; y_max=" << std::max(frame.y, end.y) << "; downward=" << (frame.y_step > 0)
       << "; columns=" << background.columns.size() << "; rows=" << background.rows.size()
-      << "; source='"
-      << (answer.goes_to_sources() ? "to" : "from") << " the nearest source'; ratio=" << rows * sides.height / (columns * sides.width) << "; ";
+      << "; source='" << (answer.goes_to_sources() ? "to" : "from")
+      << " the nearest source'; ratio=" << rows * sides.height / (columns * sides.width) << "; ";
   return out.str();
 }
 

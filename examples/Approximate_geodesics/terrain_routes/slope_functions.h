@@ -21,8 +21,7 @@ inline Slope_function slope_function(const std::string& name)
   if(name == "naismith_time")
     return CGAL::Approximate_geodesics::Naismith_time();
   if(name != "length")
-    reject_option("cost",
-                  name + " is not length, hiking_time, walking_energy or naismith_time");
+    reject_option("cost", name + " is not length, hiking_time, walking_energy or naismith_time");
   return {};
 }
 

@@ -26,7 +26,8 @@ static void print(const Answer& answer, const double seconds)
   std::cout << "\nLargest cost: " << answer.largest_cost() << '\n';
   for(const Route& route : answer.routes())
   {
-    std::cout << (answer.goes_to_sources() ? "From cell " : "To cell ") << route.target.column << ',' << route.target.row << ": ";
+    std::cout << (answer.goes_to_sources() ? "From cell " : "To cell ") << route.target.column
+              << ',' << route.target.row << ": ";
     if(route.points.empty())
       std::cout << "there is no path\n";
     else

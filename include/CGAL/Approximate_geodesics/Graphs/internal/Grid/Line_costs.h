@@ -97,9 +97,8 @@ public:
                          const double scale,
                          const double friction) const
   {
-    return for_each_piece(lines, line, from, scale, [=](const auto& piece, std::size_t) {
-      return piece.length * friction;
-    });
+    return for_each_piece(lines, line, from, scale,
+                          [=](const auto& piece, std::size_t) { return piece.length * friction; });
   }
 
   // Returns the cost of a line from a cell, by the friction of cells; infinity if it is blocked.
