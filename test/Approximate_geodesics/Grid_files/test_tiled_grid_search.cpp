@@ -108,7 +108,8 @@ Terrain_in_tiles random_terrain(Random& random, const std::vector<Grid_cell>& so
   return result;
 }
 
-// Hills with some noise, and cells without a height; in degrees, or not; of equal friction, or not.
+// Hills with some noise, in degrees or not. Friction differs, and heights are missing, in all
+// columns or in the first ones.
 Terrain_in_tiles random_hills(Random& random, const std::vector<Grid_cell>& sources)
 {
   Terrain_in_tiles result = random_terrain(random, sources);
@@ -120,8 +121,8 @@ Terrain_in_tiles random_hills(Random& random, const std::vector<Grid_cell>& sour
     result.shape.first_latitude = random.between(-60, 80);
     result.shape.cell_width = result.shape.cell_height = random.between(0.001, 0.3);
   }
-  if(random.below(2) == 0)
-    result.friction.assign(result.friction.size(), random.between(1, 2));
+  const std::size_t number_of_rough_columns = random.below(2) == 0 ? 5 : result.shape.columns;
+  const double equal_friction = random.between(1, 2);
   const double share_of_missing = random.below(2) == 0 ? 0 : random.between(0, 0.2);
   for(std::size_t i = 0; i < result.shape.number_of_cells(); ++i)
   {
@@ -129,7 +130,11 @@ Terrain_in_tiles random_hills(Random& random, const std::vector<Grid_cell>& sour
     const double height =
         300 * std::sin(static_cast<double>(column) / 7) * std::cos(static_cast<double>(row) / 9) +
         random.between(0, 30);
-    result.heights.push_back(random.between(0, 1) < share_of_missing ? std::nan("") : height);
+    const bool is_rough = column < number_of_rough_columns;
+    const bool is_missing = is_rough && random.between(0, 1) < share_of_missing;
+    result.heights.push_back(is_missing ? std::nan("") : height);
+    if(!is_rough)
+      result.friction[i] = equal_friction;
   }
   for(const Grid_cell& source : sources)
     result.heights[result.shape.index(source)] = 100;
