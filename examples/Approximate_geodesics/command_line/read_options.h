@@ -46,13 +46,15 @@ inline void check_values(const boost::program_options::parsed_options& parsed)
 }
 
 // Reads the options, whose names cannot be abbreviated, and the name of the mesh, or of another
-// kind of input, which comes without an option. It may be missing only if `help` is asked for.
+// kind of input, which comes without an option. It may be missing only if `help` is asked for, or
+// the option `substitute` is given.
 inline boost::program_options::variables_map
 read_options(const int argc,
              char* argv[],
              const boost::program_options::options_description& description,
              std::string& input,
-             const std::string& kind = "mesh")
+             const std::string& kind = "mesh",
+             const std::string& substitute = "")
 {
   namespace po = boost::program_options;
   po::options_description all;
@@ -87,7 +89,7 @@ read_options(const int argc,
                                 inputs[1]);
   if(!inputs.empty())
     input = inputs.front();
-  if(input.empty() && !result["help"].as<bool>())
+  if(input.empty() && !result["help"].as<bool>() && result.count(substitute) == 0)
     throw std::invalid_argument("no " + kind + " given (it comes before the options); try --help");
   return result;
 }

@@ -5,6 +5,7 @@
 #include "Isochrones.h"
 #include "Options.h"
 #include "Search.h"
+#include "surface_lengths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +14,16 @@
 #include <optional>
 #include <vector>
 
-// A path to a target.
+// A path to a target, or from there to a source.
 struct Route
 {
+  double length() const { return lengths.back(); }
+
   Grid_cell target;
   double cost;
-  double length = 0;
   std::vector<Grid_point> points; // in columns and rows
+  std::vector<double> lengths;    // from the first point to each
+  std::vector<double> heights;    // of points, if there are any
 };
 
 // What was found, and is written.
@@ -30,12 +34,15 @@ public:
          const Options& options,
          const std::vector<Grid_cell>& sources,
          const std::vector<Grid_cell>& targets)
-    : m_costs(costs), m_search(costs, options, sources, "from_sources")
+    : m_costs(costs),
+      m_graphs{costs, options.goes_to_sources},
+      m_graphs_on{costs, !options.goes_to_sources},
+      m_search(m_graphs, options, sources, "sources")
   {
     if(options.writes_corridor)
-      m_search_back.emplace(costs, options, targets, "to_targets");
+      m_search_on.emplace(m_graphs_on, options, targets, "targets");
     for(const Grid_cell& target : targets)
-      m_routes.push_back(route_to(target));
+      m_routes.push_back(route(target));
     for(std::size_t row = 0; row < frame().rows; ++row)
       m_search.for_each_distance(row, [&](std::size_t, const double cost) {
         m_number_reached += cost < std::numeric_limits<double>::infinity();
@@ -48,6 +55,7 @@ public:
 
   const Raster_frame& frame() const { return m_costs.frame(); }
   const Costs& costs() const { return m_costs; }
+  bool goes_to_sources() const { return m_graphs.goes_to_sources; }
   const Search& search() const { return m_search; }
   const std::vector<Route>& routes() const { return m_routes; }
   const Isochrones& isochrones() const { return *m_isochrones; }
@@ -67,21 +75,20 @@ public:
   const std::vector<double>& corridor_row(const std::size_t row)
   {
     cost_row(row);
-    m_search_back->for_each_distance(
+    m_search_on->for_each_distance(
         row, [&](const std::size_t column, const double cost) { m_row[column] += cost; });
     return m_row;
   }
 
-  // Returns the directions to the nodes before each cell of a row.
+  // Returns the directions to the nodes before each cell of a row, or to the next ones on the paths
+  // to the sources.
   const std::vector<double>& back_link_row(const std::size_t row)
   {
     m_row.assign(frame().columns, std::numeric_limits<double>::infinity());
     m_search.for_each_predecessor(row, [&](const std::size_t column, const Grid_place& place) {
-      const Grid_point p = m_search.position({column, row, 0}), q = m_search.position(place);
-      const Grid_shape& shape = m_costs.shape();
-      const double degrees =
-          std::atan2((q.x - p.x) * shape.cell_width, (p.y - q.y) * shape.cell_height) * 180 /
-          std::acos(-1.);
+      const Grid_point way =
+          vector_between(m_costs, m_search.position({column, row, 0}), m_search.position(place));
+      const double degrees = std::atan2(way.x, -way.y) * 180 / std::acos(-1.);
       m_row[column] = degrees < 0 ? degrees + 360 : degrees;
     });
     return m_row;
@@ -90,21 +97,26 @@ public:
   void remove_work_files()
   {
     m_search.remove_files();
-    if(m_search_back)
-      m_search_back->remove_files();
+    if(m_search_on)
+      m_search_on->remove_files();
   }
 
 private:
-  Route route_to(const Grid_cell& target) const
+  Route route(const Grid_cell& target) const
   {
-    Route result{target, m_search.distance(target), 0, {}};
+    Route result{target, m_search.distance(target), {}, {}, {}};
     for(const Grid_place& place : m_search.path(target))
+      result.points.push_back(m_search.position(place));
+    if(m_graphs.goes_to_sources)
+      std::reverse(result.points.begin(), result.points.end());
+    const Grid_point* last = nullptr;
+    for(const Grid_point& p : result.points)
     {
-      const Grid_point p = m_search.position(place);
-      if(!result.points.empty())
-        result.length += std::hypot((p.x - result.points.back().x) * m_costs.shape().cell_width,
-                                    (p.y - result.points.back().y) * m_costs.shape().cell_height);
-      result.points.push_back(p);
+      result.lengths.push_back(
+          last == nullptr ? 0 : result.lengths.back() + length_between(m_costs, *last, p));
+      if(m_costs.has_heights())
+        result.heights.push_back(height_at(m_costs, p));
+      last = &p;
     }
     return result;
   }
@@ -125,8 +137,9 @@ private:
   }
 
   const Costs& m_costs;
+  Graph_of_window m_graphs, m_graphs_on;
   Search m_search;
-  std::optional<Search> m_search_back;
+  std::optional<Search> m_search_on; // between cells and targets
   std::vector<Route> m_routes;
   std::optional<Isochrones> m_isochrones;
   std::size_t m_number_reached = 0;

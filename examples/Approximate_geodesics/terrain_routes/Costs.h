@@ -1,153 +1,186 @@
 #ifndef TERRAIN_ROUTES_COSTS_H
 #define TERRAIN_ROUTES_COSTS_H
 
-#include "../command_line/Progress.h"
 #include "../command_line/files.h"
+#include "Cell_values.h"
 #include "Options.h"
+#include "map_of_rasters.h"
 #include "rasters/Raster.h"
 #include "rasters/raster_files.h"
+#include "slope_functions.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_metric.h>
 #include <CGAL/Approximate_geodesics/Grid_files/Grid_window.h>
-#include <CGAL/Approximate_geodesics/Grid_files/internal/Mapped_file.h>
 
-#include <boost/crc.hpp>
 #include <boost/interprocess/exceptions.hpp>
 #include <boost/interprocess/sync/file_lock.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <ios>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
 using CGAL::Approximate_geodesics::Grid_graph;
 using CGAL::Approximate_geodesics::Grid_shape;
-using CGAL::Approximate_geodesics::Grid_window;
 
-// The costs of all cells, in memory or in a file of the work folder, and the graphs of windows.
+// The friction and the heights of all cells, in memory or in files of the work folder, and the
+// graphs of windows.
 class Costs
 {
 public:
-  // Opens the raster.
+  using Metric = CGAL::Approximate_geodesics::internal::Grid_metric;
+
+  // Opens the rasters.
   explicit Costs(const Options& options)
-    : m_options(options),
-      m_raster(open_raster(options.input, options.band)),
-      m_frame(m_raster->frame())
+    : m_options(options), m_slope_function(slope_function(options.cost))
   {
-    if(options.no_data)
-      m_frame.no_data = options.no_data;
-    read_cell_size();
+    if(!options.friction.empty())
+      m_friction_raster = open_raster(options.friction, options.band);
+    if(!options.heights.empty())
+      m_heights_raster = open_raster(options.heights, options.friction.empty() ? options.band : 1);
+    m_frame = (m_friction_raster ? m_friction_raster : m_heights_raster)->frame();
+    if(m_friction_raster && m_heights_raster)
+      check_same_map(options.heights, m_heights_raster->frame(), m_frame);
+    m_shape = shape_of(m_frame, options);
+    m_metric = Metric(m_shape);
   }
 
-  // Reads its values. No other member function may be called before, but for `frame()`.
+  // Reads their values. No other member function may be called before, but for `frame()`.
   void read()
   {
-    const std::string& folder = m_options.work_folder;
-    if(!folder.empty())
-      lock(folder);
-    m_values = std::make_unique<Mapped_file>(folder.empty() ? "" : file(),
-                                             size_of_row() * m_frame.rows, Mapped_file::Mode::NEW);
-    read_rows();
-    m_raster.reset();
+    if(!m_options.work_folder.empty())
+      lock();
+    if(m_friction_raster)
+      m_friction.emplace(*m_friction_raster, frame_of(*m_friction_raster), file("friction"),
+                         infinity, [&](auto... args) { check_friction(args...); });
+    if(m_heights_raster)
+      m_heights.emplace(*m_heights_raster, frame_of(*m_heights_raster), file("heights"),
+                        std::numeric_limits<double>::quiet_NaN(),
+                        [&](auto... args) { check_height(args...); });
+    m_friction_raster.reset();
+    m_heights_raster.reset();
   }
 
   const Raster_frame& frame() const { return m_frame; }
   const Grid_shape& shape() const { return m_shape; }
+  const Metric& metric() const { return m_metric; }
+  bool has_heights() const { return m_heights.has_value(); }
 
   // A text that tells them, and what paths follow from them, apart from others.
   std::string identity() const
   {
     std::ostringstream out;
     out.precision(17);
-    out << std::hex << m_checksum << std::dec << ", cells of " << m_shape.cell_width << " by "
-        << m_shape.cell_height << ", epsilon ";
+    out << std::hex;
+    if(m_friction)
+      out << "friction " << m_friction->checksum() << ", ";
+    if(m_heights)
+      out << "heights " << m_heights->checksum() << ", ";
+    out << std::dec << m_options.cost << ", cells of " << m_shape.cell_width << " by "
+        << m_shape.cell_height;
+    if(m_shape.first_latitude)
+      out << " degrees from latitude " << *m_shape.first_latitude;
     if(m_options.epsilon)
-      out << *m_options.epsilon;
-    else
-      out << "none";
+      out << ", epsilon " << *m_options.epsilon;
     return out.str();
   }
 
-  Grid_graph operator()(const Grid_window& window) const
+  // Returns the graph of a window, with the arcs of the whole grid to the last bit.
+  Grid_graph graph(const Grid_window& window, const bool goes_to_sources) const
   {
-    const Grid_shape shape{
-        window.columns, window.rows, m_shape.cell_width, m_shape.cell_height, {}};
-    std::vector<double> friction;
-    friction.reserve(shape.number_of_cells());
-    const auto part = m_values->part(window.first_row * size_of_row(), window.rows * size_of_row());
-    for(std::size_t row = 0; row < window.rows; ++row)
+    Grid_shape shape = m_shape;
+    shape.columns = window.columns;
+    shape.rows = window.rows;
+    if(shape.first_latitude)
     {
-      const double* const first =
-          part.data<const double>() + row * m_frame.columns + window.first_column;
-      friction.insert(friction.end(), first, first + window.columns);
+      shape.rows_before = window.first_row;
+      shape.rows_after = m_shape.rows - window.first_row - window.rows;
     }
-    return m_options.epsilon
-               ? Grid_graph(shape, friction, CGAL::parameters::epsilon(*m_options.epsilon))
-               : Grid_graph(shape, friction);
+    if(!m_heights)
+      return m_options.epsilon ? Grid_graph(shape, m_friction->window(window),
+                                            CGAL::parameters::epsilon(*m_options.epsilon))
+                               : Grid_graph(shape, m_friction->window(window));
+    shape.no_data = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<double> heights = m_heights->window(window);
+    return m_friction ? graph(shape, m_friction->window(window), heights, goes_to_sources)
+                      : graph(shape, 1., heights, goes_to_sources);
   }
 
-  // Calls `f(column, cost)` for the cells of a row.
-  template <typename F>
-  void for_each_cost(const std::size_t row, F f) const
-  {
-    const auto part = m_values->part(row * size_of_row(), size_of_row());
-    for(std::size_t column = 0; column < m_frame.columns; ++column)
-      f(column, part.data<const double>()[column]);
-  }
+  // Returns the friction of a row, infinity for cells that cannot be entered; there must be
+  // friction.
+  std::vector<double> friction_row(const std::size_t row) const { return m_friction->row(row); }
 
-  // Removes the file.
-  void remove_file()
+  // Returns the heights in a window, NaN for cells without one; there must be heights.
+  std::vector<double> heights(const Grid_window& window) const { return m_heights->window(window); }
+
+  // Removes the files.
+  void remove_files()
   {
+    for(const std::optional<Cell_values>* values : {&m_friction, &m_heights})
+      if(*values)
+        (*values)->remove_file();
     std::error_code ignored; // what is left does no harm
     if(!m_options.work_folder.empty())
-      for(const std::string& name : {file(), lock_file(), m_options.work_folder})
+      for(const std::string& name : {file("in_use"), m_options.work_folder})
         std::filesystem::remove(name, ignored);
   }
 
 private:
-  using Mapped_file = CGAL::Approximate_geodesics::internal::Mapped_file;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  std::string file() const { return m_options.work_folder + "/costs"; }
-  std::string lock_file() const { return m_options.work_folder + "/in_use"; }
-  std::uint64_t size_of_row() const { return m_frame.columns * sizeof(double); }
-
-  void read_cell_size()
+  // Returns the name of a file in the work folder, if there is one.
+  std::string file(const char* const name) const
   {
-    if(m_frame.is_in_degrees && !m_options.cell_size)
-      reject_raster(m_options.input, "its coordinates are in degrees, so that lengths of paths are "
-                                     "not known; --cell-size W,H gives cells a size in meters");
-    m_shape = {
-        m_frame.columns, m_frame.rows, std::abs(m_frame.x_step), std::abs(m_frame.y_step), {}};
-    if(m_options.cell_size)
-    {
-      m_shape.cell_width = (*m_options.cell_size)[0];
-      m_shape.cell_height = (*m_options.cell_size)[1];
-    }
-    for(const double size : {m_shape.cell_width, m_shape.cell_height})
-      if(!(size > 0 && std::isfinite(size)))
-        reject_raster(m_options.input, "its cells have no size above 0");
+    return m_options.work_folder.empty() ? "" : m_options.work_folder + '/' + name;
+  }
+
+  Raster_frame frame_of(const Raster_reader& raster) const
+  {
+    Raster_frame result = raster.frame();
+    if(m_options.no_data)
+      result.no_data = m_options.no_data;
+    return result;
+  }
+
+  template <typename Friction>
+  Grid_graph graph(const Grid_shape& shape,
+                   const Friction& friction,
+                   const std::vector<double>& heights,
+                   const bool goes_to_sources) const
+  {
+    const auto np =
+        CGAL::parameters::heights(std::cref(heights)).direction_to_source(goes_to_sources);
+    if(!m_slope_function)
+      return Grid_graph(shape, friction, np);
+    return Grid_graph(
+        shape, friction,
+        np.face_weight_map(CGAL::Approximate_geodesics::directional_cost(m_slope_function)));
   }
 
   // Keeps other processes from writing there.
-  void lock(const std::string& folder)
+  void lock()
   {
+    const std::string& folder = m_options.work_folder;
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if(error)
       fail_to("create", folder, error.value());
-    std::ofstream(lock_file(), std::ios::app);
+    std::ofstream(file("in_use"), std::ios::app);
     try
     {
-      boost::interprocess::file_lock(lock_file().c_str()).swap(m_lock);
+      boost::interprocess::file_lock(file("in_use").c_str()).swap(m_lock);
       if(m_lock.try_lock())
         return;
     }
@@ -158,45 +191,53 @@ private:
     throw std::invalid_argument("--work-folder " + folder + ": another process works there");
   }
 
-  void read_rows()
+  void check_friction(const double value, const std::size_t column, const std::size_t row) const
   {
-    Progress progress("Reading the raster");
-    std::vector<double> values;
-    boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0xffffffffffffffff, 0xffffffffffffffff, true, true>
-        checksum;
-    for(std::size_t row = 0; row < m_frame.rows; ++row)
-    {
-      progress.set_part(row, m_frame.rows);
-      m_raster->read_row(values);
-      for(std::size_t column = 0; column < m_frame.columns; ++column)
-        values[column] = checked(values[column], column, row);
-      checksum.process_bytes(values.data(), size_of_row());
-      const auto part = m_values->part(row * size_of_row(), size_of_row());
-      std::copy(values.begin(), values.end(), part.data<double>());
-    }
-    m_checksum = checksum.checksum();
+    if(!(value >= 0))
+      reject_value(m_options.friction, "cost", value, column, row, "that is not negative");
   }
 
-  double checked(const double value, const std::size_t column, const std::size_t row) const
+  void check_height(const double value, const std::size_t column, const std::size_t row) const
   {
-    if(m_frame.no_data &&
-       (value == *m_frame.no_data || (std::isnan(value) && std::isnan(*m_frame.no_data))))
-      return std::numeric_limits<double>::infinity();
-    if(value >= 0)
-      return value;
+    constexpr double too_large = 1e100;
+    if(!(std::abs(value) < too_large))
+      reject_value(m_options.heights, "height", value, column, row, "of at most 1e100");
+  }
+
+  [[noreturn]] static void reject_value(const std::string& file,
+                                        const char* const role,
+                                        const double value,
+                                        const std::size_t column,
+                                        const std::size_t row,
+                                        const char* const kind)
+  {
     std::ostringstream out;
-    out << "the cost of cell " << column << ',' << row << " (column, row) is " << value
-        << "; it must be a number that is not negative, or no data (see --no-data)";
-    reject_raster(m_options.input, out.str());
+    out << "the " << role << " of cell " << column << ',' << row << " (column, row) is " << value
+        << "; it must be a number " << kind << ", or no data (see --no-data)";
+    reject_raster(file, out.str());
   }
 
   const Options& m_options;
-  std::unique_ptr<Raster_reader> m_raster; // until it has been read
+  Slope_function m_slope_function;
+  std::unique_ptr<Raster_reader> m_friction_raster, m_heights_raster; // until they have been read
   Raster_frame m_frame;
   Grid_shape m_shape;
-  std::unique_ptr<Mapped_file> m_values; // infinity for cells that cannot be entered
-  std::uint64_t m_checksum = 0;
+  Metric m_metric;
+  std::optional<Cell_values> m_friction; // infinity for cells that cannot be entered
+  std::optional<Cell_values> m_heights;  // NaN for cells that cannot be entered
   boost::interprocess::file_lock m_lock; // the system releases it when the process ends
+};
+
+// The graphs of windows for searches in one direction.
+struct Graph_of_window
+{
+  Grid_graph operator()(const Grid_window& window) const
+  {
+    return costs.graph(window, goes_to_sources);
+  }
+
+  const Costs& costs;
+  bool goes_to_sources;
 };
 
 #endif // TERRAIN_ROUTES_COSTS_H

@@ -10,12 +10,16 @@
 // What the user wants.
 struct Options
 {
-  std::string input;
+  std::string friction; // a raster of friction, or empty
+  std::string heights;  // likewise
   std::vector<std::string> sources;
   std::vector<std::string> targets;
   int band = 1;
   std::optional<double> no_data;
   std::optional<std::array<double, 2>> cell_size;
+  bool is_in_degrees = false;
+  std::string cost;
+  bool goes_to_sources = false;
 
   std::optional<double> epsilon;
   std::size_t memory = 0; // in bytes; 0 stands for no limit
@@ -30,6 +34,9 @@ struct Options
   std::optional<std::size_t> number_of_isochrones;
   bool draws = false;
   bool asks_for_help = false;
+
+  // The raster that tells where cells are, and what format rasters are written in.
+  const std::string& main_raster() const { return friction.empty() ? heights : friction; }
 
   bool has_isochrones() const { return number_of_isochrones || !isochrones.empty(); }
 };

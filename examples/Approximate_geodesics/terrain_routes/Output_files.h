@@ -23,7 +23,7 @@ class Output_files
 public:
   // Refuses to go on if one of them exists or could not be written, before anything is computed.
   explicit Output_files(const Options& options)
-    : m_options(options), m_raster(ending_of_outputs(options.input))
+    : m_options(options), m_raster(ending_of_outputs(options.main_raster()))
   {
     const std::filesystem::path last = std::filesystem::path(options.output).filename();
     if(last.empty() || last == "." || last == "..")
@@ -31,7 +31,7 @@ public:
                                   "\" is no name that files can begin with; to write into a "
                                   "folder, add one, as in folder/valley");
     if(m_raster == ".tif" && !has_gdal())
-      open_gdal(options.input, 1); // refuses that
+      open_gdal(options.main_raster(), 1); // refuses that
     if(options.draws)
       check_drawing_programs();
     for(const std::string& file : names())
@@ -84,7 +84,7 @@ private:
 
   void check(const std::string& file) const
   {
-    if(is_same(file, m_options.input))
+    if(is_same(file, m_options.friction) || is_same(file, m_options.heights))
       reject_option("output", file + " is a file that is read");
     if(std::filesystem::exists(file) && !m_options.overwrites)
       reject_option("output", file + " exists; --force replaces it");

@@ -24,7 +24,7 @@ using CGAL::Approximate_geodesics::Grid_place;
 // The number of columns and rows of tiles that the memory suffices for.
 inline std::size_t side_of_tiles(const Costs& costs, const Options& options)
 {
-  constexpr double of_program = 24 << 20, of_cell = 160, of_node = 140;
+  constexpr double of_program = 24 << 20, of_cell = 160, of_height = 32, of_node = 140;
   constexpr std::size_t least = 32, most = 2048; // searches of larger ones are not faster
   if(options.work_folder.empty())
     return std::max(costs.shape().columns, costs.shape().rows);
@@ -32,8 +32,10 @@ inline std::size_t side_of_tiles(const Costs& costs, const Options& options)
     return most;
   constexpr double number_of_corners = 4;
   const double nodes_of_cell =
-      static_cast<double>(costs({0, 0, 1, 1}).number_of_nodes() - 1) / number_of_corners;
-  const double size_of_cell = of_cell + of_node * nodes_of_cell;
+      static_cast<double>(costs.graph({0, 0, 1, 1}, false).number_of_nodes() - 1) /
+      number_of_corners;
+  const double size_of_cell =
+      of_cell + (costs.has_heights() ? of_height : 0) + of_node * nodes_of_cell;
   const auto margins = static_cast<double>(2 * Grid_graph::largest_reach());
   const double side =
       std::sqrt(std::max(0., static_cast<double>(options.memory) - of_program) / size_of_cell) -
@@ -50,21 +52,21 @@ inline std::size_t side_of_tiles(const Costs& costs, const Options& options)
 }
 
 // A search from some cells, in memory, or in files that a later call resumes from.
-class Search : public CGAL::Approximate_geodesics::Tiled_grid_search<Costs>
+class Search : public CGAL::Approximate_geodesics::Tiled_grid_search<Graph_of_window>
 {
 public:
   // `name` is that of a folder within the work folder.
-  Search(const Costs& costs,
+  Search(const Graph_of_window& graphs,
          const Options& options,
          const std::vector<Grid_cell>& sources,
          const std::string& name)
-    : Tiled_grid_search(costs.shape().columns,
-                        costs.shape().rows,
-                        costs,
+    : Tiled_grid_search(graphs.costs.shape().columns,
+                        graphs.costs.shape().rows,
+                        graphs,
                         sources,
-                        side_of_tiles(costs, options),
+                        side_of_tiles(graphs.costs, options),
                         options.work_folder.empty() ? "" : options.work_folder + '/' + name,
-                        costs.identity())
+                        graphs.costs.identity() + (graphs.goes_to_sources ? ", backward" : ""))
   {
     work("Searching", [&](Visitor& visitor) { return run(visitor); });
     if(options.writes_back_links || !options.targets.empty())

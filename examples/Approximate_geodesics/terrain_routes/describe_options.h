@@ -37,12 +37,32 @@ inline po::options_description describe_raster(Options& options)
       "and comments after #");
   add("targets,t", po::value(&options.targets)->multitoken()->value_name("P ..."),
       "where paths from the cheapest source shall lead to, given likewise");
-  add("band", text_option("N"), "the band that holds the costs (default: 1)");
+  add("band", text_option("N"),
+      "the band to read of RASTER, or of --heights if that comes alone (default: 1)");
   add("no-data", text_option("V"),
-      "what stands for cells that cannot be entered, in place of what the file says; nan is "
-      "possible. So does infinity");
+      "what stands for cells that cannot be entered, in place of what the files say; nan is "
+      "possible. So does an infinite friction");
   add("cell-size", text_option("W[,H]"),
       "width and height of a cell, in place of what the file says");
+  add("degrees", po::bool_switch(&options.is_in_degrees),
+      "coordinates are degrees of longitude and latitude, and lengths are in meters, as for files "
+      "that say so");
+  return result;
+}
+
+inline po::options_description describe_costs(Options& options)
+{
+  po::options_description result = make_group("What paths cost");
+  po::options_description_easy_init add = result.add_options();
+  add("heights", po::value(&options.heights)->value_name("HEIGHTS"),
+      "a raster of heights, in the unit of lengths, with the cells of RASTER; paths are on the "
+      "surface");
+  add("cost", po::value(&options.cost)->default_value("length")->value_name("MODEL"),
+      "what a unit of length costs, which friction multiplies: length; or, by the slope of "
+      "HEIGHTS, hiking_time (Tobler) or naismith_time (Naismith, Langmuir), in seconds, or "
+      "walking_energy (Minetti), in joules per kilogram. Units are meters then");
+  add("to-sources", po::bool_switch(&options.goes_to_sources),
+      "let costs and paths be those of the ways to the sources");
   return result;
 }
 
@@ -52,14 +72,14 @@ inline po::options_description describe_search(Options& options)
   po::options_description_easy_init add = result.add_options();
   add("epsilon,e", text_option("E"),
       "let paths cost at most 1 + E times as much as the cheapest ones in the plane (default: 0.3 "
-      "% "
-      "too much where costs are equal, in all directions, without a bound where they change)");
+      "% too much where friction is equal, in all directions, without a bound where it changes). "
+      "Not with --heights, nor in degrees");
   add("memory,m", text_option("SIZE"),
       "use no more memory than this, such as 500M or 2G; the rest is in --work-folder");
   add("work-folder,w", po::value(&options.work_folder)->value_name("DIR"),
-      "where to keep what has been found, 20 bytes a cell and more with --epsilon. If the program "
-      "is "
-      "killed or interrupted, the same call goes on from there. At the end, its files go");
+      "where to keep what has been found, 20 bytes a cell, 8 more with two rasters, and more "
+      "with --epsilon. If the program is killed or interrupted, the same call goes on from there. "
+      "At the end, its files go");
   return result;
 }
 
@@ -74,7 +94,8 @@ inline po::options_description describe_output(Options& options)
   add("back-links,b", po::bool_switch(&options.writes_back_links),
       "write the direction from where the path arrives at each cell");
   add("corridor,c", po::bool_switch(&options.writes_corridor),
-      "write what the cheapest path from the sources to the targets costs that passes each cell");
+      "write what the cheapest path between the sources and the targets costs that passes each "
+      "cell, there and on from there");
   add("isochrones,i", texts_option("V ..."),
       "write lines of these costs; or, for count:K, of K that are spread evenly");
   add("csv", po::bool_switch(&options.writes_table), "write the paths as a table, too");
@@ -86,32 +107,35 @@ inline po::options_description describe_output(Options& options)
 inline po::options_description describe_options(Options& options)
 {
   po::options_description result;
-  result.add(describe_raster(options)).add(describe_search(options)).add(describe_output(options));
+  result.add(describe_raster(options)).add(describe_costs(options));
+  result.add(describe_search(options)).add(describe_output(options));
   return result;
 }
 
 inline void print_help(const po::options_description& description)
 {
   std::cout
-      << "Usage: terrain_routes RASTER --sources P ... [options]\n\n"
+      << "Usage: terrain_routes [RASTER] [--heights HEIGHTS] --sources P ... [options]\n\n"
          "Finds what the cheapest path from the nearest source to every cell of a raster costs, "
          "and\n"
          "the cheapest paths to some targets. Paths are not bound to 8 or 16 directions.\n\n"
-         "RASTER has a cost per unit of length for each cell. It is an NPY file, an ASCII grid "
-         "(.asc)\n"
-      << (has_gdal() ? "or any raster that GDAL reads, such as GeoTIFF.\n"
-                     : "(GeoTIFF needs GDAL, and this program was compiled without).\n")
+         "RASTER has the friction of each cell: a cost per unit of length. HEIGHTS has its height. "
+         "There\n"
+         "is one of them, or both. They are NPY files, ASCII grids (.asc)"
+      << (has_gdal() ? " or any rasters that GDAL reads,\nsuch as GeoTIFF.\n"
+                     : ".\n(GeoTIFF needs GDAL, and this program was compiled without.)\n")
       << "Written are rasters in the format of RASTER or as GeoTIFF, and lines as GeoJSON, in the\n"
          "coordinates of the map:\n"
          "  NAME_cost.tif              the costs; no data or infinity where no path leads to,\n"
-         "  NAME_paths.geojson         for targets: the paths with their costs and lengths,\n"
+         "  NAME_paths.geojson         for targets: the paths with their costs and lengths on the "
+         "surface,\n"
          "and, if asked for,\n"
          "  NAME_back_links.tif        in degrees clockwise from the first row; no data at "
          "sources,\n"
          "  NAME_corridor.tif          the costs of the best detours over each cell,\n"
          "  NAME_isochrones.geojson    lines of equal costs,\n"
-         "  NAME_paths.csv             a line per point: target, x, y, and length so far,\n"
-         "  NAME.png                   costs of cells in gray, isochrones and paths.\n"
+         "  NAME_paths.csv             a line per point: target, x, y, length so far, and height,\n"
+         "  NAME.png                   shaded heights, or friction in gray, isochrones and paths.\n"
       << description
       << "\nThe exit status is 1, with a message on standard error, if something was refused or\n"
          "failed, and else 0: that a target is not reached is an answer, too. Either all files "
@@ -119,6 +143,8 @@ inline void print_help(const po::options_description& description)
          "written, or none is.\n"
          "\nExamples:\n"
          "  terrain_routes friction.tif -s 412000,5301000 -t 420500,5307250 --picture\n"
+         "  terrain_routes --heights dem.tif --cost hiking_time -s 7.66,45.98 -t 7.75,46.02 -i "
+         "count:9 -p\n"
          "  terrain_routes friction.npy -s cell:0,0 -e 0.1 --isochrones count:20 --back-links\n"
          "  terrain_routes country.tif -s file:towns.txt --memory 2G --work-folder /scratch/work\n";
 }

@@ -1,10 +1,12 @@
-# Draws costs, isochrones and paths on a raster. terrain_routes calls it, with these variables:
+# Draws shaded heights or friction, isochrones and paths on a raster. terrain_routes calls it, with
+# these variables:
 #   picture                    the PNG file to write
 #   background, columns, rows  the name of a file of colors, three bytes each, and their number
 #   isochrones                 the name of a file of lines with x, y and cost
 #   routes                     the name of a file of lines with x and y
 #   largest                    the largest cost
 #   x_min, x_max, y_min, y_max   the borders of the map
+#   source                     where costs are from, or to
 #   downward                   whether y grows from the first row to the last
 #   ratio                      of the height of the map to its width
 set terminal pngcairo size (ratio > 1 ? 1100 / ratio + 350 : 1450), \
@@ -21,7 +23,7 @@ set xtics x_min, x_tics
 set ytics y_min, y_tics
 unset key
 set format cb '%g'
-set cblabel 'cost from the nearest source' offset 1.5
+set cblabel 'cost '.source offset 1.5
 set rmargin 4
 set cbrange [0:(largest > 0 ? largest : 1)]
 set palette defined (0 '#2a4bec', 0.25 '#1ab8e6', 0.5 '#5cd15c', 0.75 '#ffd62e', 1 '#e6291f')

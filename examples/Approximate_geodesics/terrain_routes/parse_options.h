@@ -4,6 +4,7 @@
 #include "../command_line/read_options.h"
 #include "Options.h"
 #include "describe_options.h"
+#include "slope_functions.h"
 
 #include <array>
 #include <cmath>
@@ -89,6 +90,10 @@ inline void check_combinations(const Options& options)
     reject_option("corridor", "it needs --targets");
   if(options.targets.empty() && options.writes_table)
     reject_option("csv", "it is for the paths to --targets");
+  if(options.heights.empty() && slope_function(options.cost))
+    reject_option("cost", options.cost + " depends on the slope; it needs --heights");
+  if(options.epsilon && !options.heights.empty())
+    reject_option("epsilon", "there is no bound with --heights");
   if(options.memory > 0 && options.work_folder.empty())
     reject_option("memory", "it needs --work-folder, where the rest is kept");
 }
@@ -97,7 +102,7 @@ inline Options parse_options(const int argc, char* argv[])
 {
   Options options;
   const po::options_description description = describe_options(options);
-  const auto values = read_options(argc, argv, description, options.input, "raster");
+  const auto values = read_options(argc, argv, description, options.friction, "raster", "heights");
   if(options.asks_for_help)
     print_help(description);
   else

@@ -34,7 +34,7 @@ struct Background
   explicit Background(const Raster_frame& frame)
   {
     constexpr std::size_t most = 1200;
-    const std::size_t step = (std::max(frame.columns, frame.rows) + most - 1) / most;
+    step = (std::max(frame.columns, frame.rows) + most - 1) / most;
     for(std::size_t i = step / 2; i < frame.columns; i += step)
       columns.push_back(i);
     for(std::size_t i = step / 2; i < frame.rows; i += step)
@@ -46,42 +46,103 @@ struct Background
   }
 
   std::vector<std::size_t> columns, rows;
+  std::size_t step; // from one of them to the next
 };
 
-// Returns the logarithms of the costs of cells, row by row.
-inline std::vector<double> tones(const Answer& answer, const Background& background)
+// Returns values of cells, row by row. `row(i)` returns those of a row.
+template <typename Row>
+std::vector<double> sampled(const Background& background, const Row& row)
 {
-  std::vector<double> result, values(answer.frame().columns);
-  for(const std::size_t row : background.rows)
+  std::vector<double> result;
+  for(const std::size_t i : background.rows)
   {
-    answer.costs().for_each_cost(
-        row, [&](const std::size_t column, const double cost) { values[column] = std::log(cost); });
+    const std::vector<double> values = row(i);
     for(const std::size_t column : background.columns)
       result.push_back(values[column]);
   }
   return result;
 }
 
-// Colors, in three bytes: from light for the cheapest to dark; cells that cannot be entered are
-// brown.
-inline void write_background(std::ostream& out, const Answer& answer)
+// Colors, in three bytes: from dark for 0 to light for 1, and brown for NaN.
+inline void write_grays(std::ostream& out, const std::vector<double>& tones)
 {
-  const std::vector<double> tones = ::tones(answer, Background(answer.frame()));
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  constexpr double darkest = 90, range = 150;
   for(const double tone : tones)
+  {
+    const bool is_open = !std::isnan(tone);
+    const double clamped = is_open ? std::clamp(tone, 0., 1.) : 0;
+    const char gray = static_cast<char>(static_cast<int>(darkest + range * clamped));
+    out << (is_open ? gray : '\x5a') << (is_open ? gray : '\x46') << (is_open ? gray : '\x32');
+  }
+}
+
+// Returns tones by the logarithms of friction, from light for the least one to dark.
+inline std::vector<double> tones_of_friction(const Answer& answer, const Background& background)
+{
+  std::vector<double> result =
+      sampled(background, [&](const std::size_t row) { return answer.costs().friction_row(row); });
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for(double& tone : result)
+  {
+    tone = std::log(tone);
     if(std::isfinite(tone))
     {
       least = std::min(least, tone);
       most = std::max(most, tone);
     }
-  for(const double tone : tones)
-  {
-    constexpr double lightest = 240, range = 150;
-    const double share = most > least ? (std::max(tone, least) - least) / (most - least) : 0;
-    const char gray = static_cast<char>(static_cast<int>(lightest - range * std::min(share, 1.)));
-    const bool is_open = tone < std::numeric_limits<double>::infinity();
-    out << (is_open ? gray : '\x5a') << (is_open ? gray : '\x46') << (is_open ? gray : '\x32');
   }
+  for(double& tone : result)
+    if(tone == std::numeric_limits<double>::infinity())
+      tone = std::numeric_limits<double>::quiet_NaN();
+    else
+      tone = most > least ? (most - std::max(tone, least)) / (most - least) : 1;
+  return result;
+}
+
+// Returns slopes toward the northwest, where the light comes from, and divides them by their
+// quadratic mean; NaN for cells without a height, and 0 beside them.
+inline std::vector<double> lit_slopes(const Answer& answer, const Background& background)
+{
+  const std::size_t columns = background.columns.size(), rows = background.rows.size();
+  const std::vector<double> heights = sampled(background, [&](const std::size_t row) {
+    return answer.costs().heights({0, row, answer.frame().columns, 1});
+  });
+  const auto& sides = answer.costs().metric().middle();
+  const double up = answer.frame().y_step < 0 ? 1 : -1; // on paper
+  std::vector<double> result(heights.size());
+  double squares = 0;
+  for(std::size_t row = 0; row < rows; ++row)
+    for(std::size_t column = 0; column < columns; ++column)
+    {
+      const auto height = [&](const std::size_t c, const std::size_t r) {
+        return heights[std::min(r, rows - 1) * columns + std::min(c, columns - 1)];
+      };
+      const std::size_t left = column - (column > 0 ? 1 : 0), below = row - (row > 0 ? 1 : 0);
+      const double slope = (height(left, row) - height(column + 1, row)) / sides.width +
+                           up * (height(column, row + 1) - height(column, below)) / sides.height;
+      result[row * columns + column] = std::isnan(slope) ? 0 : -slope;
+      squares += std::isnan(slope) ? 0 : slope * slope;
+    }
+  const double mean = std::sqrt(squares / static_cast<double>(result.size()));
+  for(std::size_t i = 0; i < result.size(); ++i)
+    result[i] = std::isnan(heights[i]) ? heights[i] : mean > 0 ? result[i] / mean : 0;
+  return result;
+}
+
+// Returns tones of slopes in the light.
+inline std::vector<double> hillshade(const Answer& answer, const Background& background)
+{
+  std::vector<double> result = lit_slopes(answer, background);
+  for(double& tone : result)
+    tone = 0.65 + 0.35 * tone / std::hypot(1, tone);
+  return result;
+}
+
+inline void write_background(std::ostream& out, const Answer& answer)
+{
+  const Background background(answer.frame());
+  write_grays(out, answer.costs().has_heights() ? hillshade(answer, background)
+                                                : tones_of_friction(answer, background));
 }
 
 inline void write_isochrones_for_gnuplot(std::ostream& out, const Answer& answer)
@@ -126,7 +187,7 @@ inline std::string quoted_for_gnuplot(const std::string& text)
 inline std::string variables_of_map(const Answer& answer)
 {
   const Raster_frame& frame = answer.frame();
-  const Grid_shape& shape = answer.costs().shape();
+  const auto& sides = answer.costs().metric().middle();
   const auto columns = static_cast<double>(frame.columns), rows = static_cast<double>(frame.rows);
   const Grid_point end = on_map({columns, rows}, frame);
   const Background background(frame);
@@ -136,7 +197,8 @@ inline std::string variables_of_map(const Answer& answer)
       << "; x_max=" << std::max(frame.x, end.x) << "; y_min=" << std::min(frame.y, end.y)
       << "; y_max=" << std::max(frame.y, end.y) << "; downward=" << (frame.y_step > 0)
       << "; columns=" << background.columns.size() << "; rows=" << background.rows.size()
-      << "; ratio=" << rows * shape.cell_height / (columns * shape.cell_width) << "; ";
+      << "; source='" << (answer.goes_to_sources() ? "to" : "from")
+      << " the nearest source'; ratio=" << rows * sides.height / (columns * sides.width) << "; ";
   return out.str();
 }
 

@@ -26,11 +26,12 @@ static void print(const Answer& answer, const double seconds)
   std::cout << "\nLargest cost: " << answer.largest_cost() << '\n';
   for(const Route& route : answer.routes())
   {
-    std::cout << "To cell " << route.target.column << ',' << route.target.row << ": ";
+    std::cout << (answer.goes_to_sources() ? "From cell " : "To cell ") << route.target.column
+              << ',' << route.target.row << ": ";
     if(route.points.empty())
       std::cout << "there is no path\n";
     else
-      std::cout << "cost " << route.cost << ", length " << route.length << '\n';
+      std::cout << "cost " << route.cost << ", length " << route.length() << '\n';
   }
 }
 
@@ -48,7 +49,7 @@ static void run(const Options& options)
   files.write(answer);
   files.print(std::cout);
   answer.remove_work_files();
-  costs.remove_file();
+  costs.remove_files();
 }
 
 int main(int argc, char* argv[])

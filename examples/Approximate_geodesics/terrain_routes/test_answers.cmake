@@ -1,7 +1,7 @@
 # Rasters in all formats, and what is written about them.
 include(${CMAKE_CURRENT_LIST_DIR}/test_rasters.cmake)
 
-expect(0 "^Usage: terrain_routes RASTER" ${PROGRAM} --help)
+expect(0 "^Usage: terrain_routes .RASTER" ${PROGRAM} --help)
 
 # round the cell that cannot be entered
 expect(0 "3 columns, 3 rows; 8 cells reached in .*\nLargest cost: 8.82843\n\

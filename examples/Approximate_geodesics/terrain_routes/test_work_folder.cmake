@@ -21,7 +21,7 @@ expect_files(${rasters} ${outputs}) # none of the work folder
 # Runs the program in the background, and a line of the shell when it has begun the search back.
 function(expect_meanwhile code text line)
   expect_line(${code} "${text}" "env --default-signal=INT \"$0\" ${call} -e 0.5 -o z --force -w work -m 56M &
-until [ -e work/to_targets/task ] || ! kill -0 $!
+until [ -e work/targets/task ] || ! kill -0 $!
 do sleep 0.01
 done
 ${line}
@@ -40,14 +40,14 @@ expect_files(${rasters} ${outputs})
 
 # another task
 expect_meanwhile(137 "" "kill -9 $!")
-expect_line(1 "work/from_sources has files of another task; delete it, or choose another folder"
+expect_line(1 "work/sources has files of another task; delete it, or choose another folder"
             "\"$0\" large.asc -s cell:3,4 -o w -w work")
 file(REMOVE_RECURSE ${folder}/work)
 
 # no room on disk
-expect_line(1 "work/costs cannot be written: File too large"
+expect_line(1 "work/friction cannot be written: File too large"
             "ulimit -f 500 && \"$0\" large.asc -s cell:3,4 -o w -w work")
-expect_line(1 "work/from_sources/labels cannot be written: File too large"
+expect_line(1 "work/sources/labels cannot be written: File too large"
             "ulimit -f 2000 && \"$0\" large.asc -s cell:3,4 -o w -w work -e 0.5")
 file(REMOVE_RECURSE ${folder}/work)
 expect_files(${rasters} ${outputs})

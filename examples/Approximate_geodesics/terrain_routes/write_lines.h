@@ -4,7 +4,6 @@
 #include "Answer.h"
 #include "rasters/Raster.h"
 
-#include <cmath>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -61,7 +60,7 @@ inline void write_routes(std::ostream& out, const Answer& answer)
       out << ",\"cost\":null},\"geometry\":null";
       return;
     }
-    out << ",\"cost\":" << route.cost << ",\"length\":" << route.length
+    out << ",\"cost\":" << route.cost << ",\"length\":" << route.length()
         << "},\"geometry\":{\"type\":\"LineString\",\"coordinates\":";
     std::vector<Grid_point> points = route.points;
     if(points.size() == 1) // lines have two points at least
@@ -90,20 +89,18 @@ inline void write_isochrones(std::ostream& out, const Answer& answer)
 
 inline void write_route_table(std::ostream& out, const Answer& answer)
 {
-  out << "target,x,y,length\n";
-  const Grid_shape& shape = answer.costs().shape();
+  const bool has_heights = answer.costs().has_heights();
+  out << "target,x,y,length" << (has_heights ? ",height\n" : "\n");
   for(std::size_t i = 0; i < answer.routes().size(); ++i)
   {
-    double length = 0;
-    const Grid_point* last = nullptr;
-    for(const Grid_point& p : answer.routes()[i].points)
+    const Route& route = answer.routes()[i];
+    for(std::size_t k = 0; k < route.points.size(); ++k)
     {
-      if(last != nullptr)
-        length +=
-            std::hypot((p.x - last->x) * shape.cell_width, (p.y - last->y) * shape.cell_height);
-      last = &p;
-      const Grid_point q = on_map(p, answer.frame());
-      out << i << ',' << q.x << ',' << q.y << ',' << length << '\n';
+      const Grid_point p = on_map(route.points[k], answer.frame());
+      out << i << ',' << p.x << ',' << p.y << ',' << route.lengths[k];
+      if(has_heights)
+        out << ',' << route.heights[k];
+      out << '\n';
     }
   }
 }

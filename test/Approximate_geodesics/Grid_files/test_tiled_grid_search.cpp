@@ -10,6 +10,7 @@
 #include "files/Temporary_folder.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <gtest/gtest.h>
@@ -24,6 +25,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -51,17 +53,34 @@ struct Terrain_in_tiles
 {
   Grid_shape shape;
   std::vector<double> friction;
-  double epsilon = 0; // none
+  double epsilon = 0;               // none
+  std::vector<double> heights = {}; // none
+  bool goes_to_sources = false;
 
   Grid_graph operator()(const Grid_window& w) const
   {
-    const Grid_shape part{w.columns, w.rows, shape.cell_width, shape.cell_height, {}};
-    std::vector<double> values;
-    for(std::size_t row = 0; row < w.rows; ++row)
-      for(std::size_t column = 0; column < w.columns; ++column)
-        values.push_back(friction[shape.index({w.first_column + column, w.first_row + row})]);
+    Grid_shape part = shape;
+    part.columns = w.columns;
+    part.rows = w.rows;
+    part.rows_before = w.first_row;
+    part.rows_after = shape.rows - w.first_row - w.rows;
+    const std::vector<double> values = window(friction, w);
+    if(!heights.empty())
+      return Grid_graph(part, values,
+                        CGAL::parameters::heights(window(heights, w))
+                            .direction_to_source(goes_to_sources)
+                            .face_weight_map(AG::directional_cost(AG::Hiking_time())));
     return epsilon > 0 ? Grid_graph(part, values, CGAL::parameters::epsilon(epsilon))
                        : Grid_graph(part, values);
+  }
+
+  std::vector<double> window(const std::vector<double>& values, const Grid_window& w) const
+  {
+    std::vector<double> result;
+    for(std::size_t row = 0; row < w.rows; ++row)
+      for(std::size_t column = 0; column < w.columns; ++column)
+        result.push_back(values[shape.index({w.first_column + column, w.first_row + row})]);
+    return result;
   }
 
   Grid_graph whole() const { return (*this)({0, 0, shape.columns, shape.rows}); }
@@ -89,6 +108,40 @@ Terrain_in_tiles random_terrain(Random& random, const std::vector<Grid_cell>& so
   return result;
 }
 
+// Hills with some noise, in degrees or not. Friction differs, and heights are missing, in all
+// columns or in the first ones.
+Terrain_in_tiles random_hills(Random& random, const std::vector<Grid_cell>& sources)
+{
+  Terrain_in_tiles result = random_terrain(random, sources);
+  result.shape.cell_width = 100;
+  result.shape.cell_height *= 100;
+  result.shape.no_data = std::nan("");
+  if(random.below(2) == 0)
+  {
+    result.shape.first_latitude = random.between(-60, 80);
+    result.shape.cell_width = result.shape.cell_height = random.between(0.001, 0.3);
+  }
+  const std::size_t number_of_rough_columns = random.below(2) == 0 ? 5 : result.shape.columns;
+  const double equal_friction = random.between(1, 2);
+  const double share_of_missing = random.below(2) == 0 ? 0 : random.between(0, 0.2);
+  for(std::size_t i = 0; i < result.shape.number_of_cells(); ++i)
+  {
+    const auto [column, row] = result.shape.cell(i);
+    const double height =
+        300 * std::sin(static_cast<double>(column) / 7) * std::cos(static_cast<double>(row) / 9) +
+        random.between(0, 30);
+    const bool is_rough = column < number_of_rough_columns;
+    const bool is_missing = is_rough && random.between(0, 1) < share_of_missing;
+    result.heights.push_back(is_missing ? std::nan("") : height);
+    if(!is_rough)
+      result.friction[i] = equal_friction;
+  }
+  for(const Grid_cell& source : sources)
+    result.heights[result.shape.index(source)] = 100;
+  result.goes_to_sources = random.below(2) == 0;
+  return result;
+}
+
 void expect_distances_of_one_graph(const Terrain_in_tiles& terrain,
                                    const std::vector<Grid_cell>& sources,
                                    const Tiled& tiled)
@@ -107,10 +160,13 @@ void expect_distances_of_one_graph(const Terrain_in_tiles& terrain,
 
 struct No_predecessors
 {
+  double distance(Grid_graph::Node node) const { return node == from ? 0 : blocked_in_tiles; }
   Grid_graph::Node predecessor(Grid_graph::Node) const
   {
     return std::numeric_limits<Grid_graph::Node>::max();
   }
+
+  Grid_graph::Node from;
 };
 
 // Returns the smallest cost of an arc, or infinity if there is none.
@@ -121,7 +177,7 @@ double cost_of_arc(const Grid_graph& graph, const Grid_graph::Node from, const G
     if(node == to)
       result = std::min(result, cost);
   };
-  graph.for_each_arc(from, No_predecessors(), [&](const auto... arguments) {
+  graph.for_each_arc(from, No_predecessors{from}, [&](const auto... arguments) {
     if constexpr(sizeof...(arguments) == 2)
       look_at(arguments...);
     else
@@ -168,6 +224,21 @@ void expect_path_of_distance(const Terrain_in_tiles& terrain,
   }
 }
 
+// Rows of predecessors, as texts.
+std::vector<std::string> predecessors(const Terrain_in_tiles& terrain, const Tiled& tiled)
+{
+  std::vector<std::string> result;
+  for(std::size_t row = 0; row < terrain.shape.rows; ++row)
+  {
+    result.emplace_back();
+    tiled.for_each_predecessor(row, [&](const std::size_t column, const Grid_place& p) {
+      result.back() += std::to_string(column) + ": " + std::to_string(p.column) + ' ' +
+                       std::to_string(p.row) + ' ' + std::to_string(p.slot) + '\n';
+    });
+  }
+  return result;
+}
+
 TEST(Tiled_grid_search, finds_the_bits_of_one_graph)
 {
   Random random(test_seed());
@@ -191,6 +262,30 @@ TEST(Tiled_grid_search, finds_the_bits_of_one_graph)
   }
 }
 
+TEST(Tiled_grid_search, finds_the_bits_of_one_graph_on_heights_and_in_degrees)
+{
+  Random random(test_seed());
+  for(int i = 0; i < 8; ++i)
+  {
+    const std::vector<Grid_cell> sources{{random.below(20), random.below(20)}};
+    const Terrain_in_tiles terrain = random_hills(random, sources);
+    SCOPED_TRACE("terrain " + std::to_string(i));
+    const auto [columns, rows] = std::make_pair(terrain.shape.columns, terrain.shape.rows);
+    std::vector<std::string> expected;
+    for(const std::size_t side : {100u, 30u, 15u})
+    {
+      Tiled tiled(columns, rows, terrain, sources, side);
+      EXPECT_TRUE(tiled.run());
+      expect_distances_of_one_graph(terrain, sources, tiled);
+      EXPECT_TRUE(tiled.order_ties());
+      if(expected.empty())
+        expected = predecessors(terrain, tiled);
+      EXPECT_EQ(predecessors(terrain, tiled), expected);
+      expect_path_of_distance(terrain, sources, tiled, {random.below(columns), random.below(rows)});
+    }
+  }
+}
+
 TEST(Tiled_grid_search, visits_each_tile_once_where_all_cells_are_equal)
 {
   const Terrain_in_tiles terrain{{100, 100, 1, 1, {}}, std::vector<double>(10000, 1), 0};
@@ -210,21 +305,6 @@ TEST(Tiled_grid_search, predecessors_lead_to_the_source)
     tiled.for_each_predecessor(row, [&](const std::size_t column, const Grid_place& p) {
       EXPECT_LT(tiled.distance({p.column, p.row}), tiled.distance({column, row}));
     });
-}
-
-// Rows of predecessors, as texts.
-std::vector<std::string> predecessors(const Terrain_in_tiles& terrain, const Tiled& tiled)
-{
-  std::vector<std::string> result;
-  for(std::size_t row = 0; row < terrain.shape.rows; ++row)
-  {
-    result.emplace_back();
-    tiled.for_each_predecessor(row, [&](const std::size_t column, const Grid_place& p) {
-      result.back() += std::to_string(column) + ": " + std::to_string(p.column) + ' ' +
-                       std::to_string(p.row) + ' ' + std::to_string(p.slot) + '\n';
-    });
-  }
-  return result;
 }
 
 TEST(Tiled_grid_search, has_the_same_predecessors_with_tiles_of_any_size_after_ties_are_ordered)

@@ -21,6 +21,7 @@ struct Raster_frame
   std::string projection; // in well-known text, if the file has one
   std::string crs;        // its name for GeoJSON, if it has one
   bool is_in_degrees = false;
+  bool is_on_map = false; // else the steps are 1
 };
 
 // The values of a raster, read row by row.

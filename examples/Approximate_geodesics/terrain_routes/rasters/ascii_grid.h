@@ -78,6 +78,7 @@ private:
         reject_raster(m_file, std::string(name) + " is not a number of cells");
       return static_cast<std::size_t>(result);
     };
+    m_frame.is_on_map = true;
     m_frame.columns = size("ncols");
     m_frame.rows = size("nrows");
     m_frame.x_step = has("dx") ? value("dx") : value("cellsize");

@@ -81,6 +81,7 @@ private:
       return;
     if(t[2] != 0 || t[4] != 0)
       reject_raster(m_file, "its rows do not run along the x axis of the map");
+    m_frame.is_on_map = true;
     m_frame.x = t[0];
     m_frame.y = t[3];
     m_frame.x_step = t[1];

@@ -503,7 +503,7 @@ private:
       return m_costs.cost_by_cells(m_lines, line, m_shape, node, sides(cell, line),
                                    m_friction.data());
     if(m_is_uniform)
-      return m_smallest_friction * m_costs.cost(m_lines, line, node, scale);
+      return m_costs.cost_if_uniform(m_lines, line, node, scale, m_smallest_friction);
     return m_costs.cost(m_lines, line, node, scale, m_friction.data());
   }
 

@@ -74,6 +74,11 @@ struct Grid_shape
   /// cells are in degrees of longitude and latitude, rows follow each other southward, and lengths
   /// are in meters on the ellipsoid WGS 84.
   std::optional<double> first_latitude = {};
+  /// the number of rows before the first one, if this is a part of a larger geographic grid.
+  /// `first_latitude` is where that grid begins, and the graph has its arcs, to the last bit.
+  std::size_t rows_before = 0;
+  /// likewise the number of rows after the last one.
+  std::size_t rows_after = 0;
 
   /// returns the number of cells.
   std::size_t number_of_cells() const { return columns * rows; }

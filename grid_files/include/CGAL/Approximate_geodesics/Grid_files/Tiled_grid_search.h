@@ -61,8 +61,11 @@ namespace CGAL::Approximate_geodesics {
  * the parts of files that are mapped.
  *
  * \tparam GraphOfWindow a function object that returns, for a `Grid_window`, a graph of its cells
- *         with the numbers of nodes and the member functions of `Grid_graph`. Arcs between nodes
- * must not depend on the window. It is called with windows of any size from one cell on.
+ *         with the numbers of nodes and the member functions of `Grid_graph`. It is called with
+ *         windows of any size from one cell on. Arcs between nodes must not depend on the window;
+ *         those of `Grid_graph` do not, with heights and costs either, if `Grid_shape::rows_before`
+ *         and `rows_after` are set on geographic grids, and cost functions are those of the cells
+ *         of the whole grid.
  */
 template <typename GraphOfWindow>
 class Tiled_grid_search

@@ -75,7 +75,7 @@ public:
   Grid_lines(const Grid_shape& shape, const Grid_metric& metric, const bool has_profiles)
     : m_has_profiles(has_profiles),
       m_largest_error(has_profiles ? LARGEST_ERROR_OF_PROFILES : LARGEST_ERROR),
-      m_sides(metric.between(shape.rows / 2, shape.rows / 2)),
+      m_sides(metric.middle()),
       m_stride(static_cast<std::ptrdiff_t>(shape.columns))
   {
     for(const Grid_metric::Sides& sides : metric.all())

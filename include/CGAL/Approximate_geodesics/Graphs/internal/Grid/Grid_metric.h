@@ -22,7 +22,8 @@ namespace CGAL::Approximate_geodesics::internal {
 /*
  * The lengths of the sides of cells. They are the same for all rows, unless the grid is geographic:
  * then a line has the metric of the latitude in the middle between the rows of its ends. So lengths
- * are symmetric, and their relative error is of second order in the extent of the line.
+ * are symmetric, and their relative error is of second order in the extent of the line. Parts of a
+ * geographic grid have the metric of the whole.
  */
 class Grid_metric
 {
@@ -43,7 +44,8 @@ public:
     }
     check_latitudes(shape);
     m_is_geographic = true;
-    for(std::size_t sum = 0; sum + 1 < 2 * shape.rows; ++sum)
+    m_first_sum = 2 * shape.rows_before;
+    for(std::size_t sum = 0; sum + 1 < 2 * all_rows(shape); ++sum)
       m_sides.push_back(sides_at(shape, static_cast<double>(sum + 1) / 2));
     m_smallest = m_sides.front();
     for(const Sides& sides : m_sides)
@@ -56,23 +58,31 @@ public:
   // Returns the sides of cells for lines between two rows.
   const Sides& between(const std::size_t row, const std::size_t other) const
   {
-    return m_is_geographic ? m_sides[row + other] : m_sides.front();
+    return m_is_geographic ? m_sides[m_first_sum + row + other] : m_sides.front();
   }
 
   // Returns the smallest width and the smallest height.
   const Sides& smallest() const { return m_smallest; }
 
-  // Returns those of all rows.
+  // Returns those in the middle of the whole grid.
+  const Sides& middle() const { return m_sides[(m_sides.size() + 1) / 4 * 2]; }
+
+  // Returns those of all rows of the whole grid.
   const std::vector<Sides>& all() const { return m_sides; }
 
   std::size_t memory() const { return memory_of(m_sides); }
 
 private:
+  static std::size_t all_rows(const Grid_shape& shape)
+  {
+    return shape.rows_before + shape.rows + shape.rows_after;
+  }
+
   static void check_latitudes(const Grid_shape& shape)
   {
     constexpr double pole = 90, rounding = 1e-9;
     const double first = *shape.first_latitude;
-    const double last = first - static_cast<double>(shape.rows) * shape.cell_height;
+    const double last = first - static_cast<double>(all_rows(shape)) * shape.cell_height;
     if(!(first <= pole + rounding && last >= -pole - rounding))
       reject("the grid extends from latitude " + text_of(first) + " to " + text_of(last) +
              "; latitudes must be from 90 to -90 degrees");
@@ -99,7 +109,8 @@ private:
   }
 
   bool m_is_geographic = false;
-  std::vector<Sides> m_sides; // by the sum of two rows, if they differ
+  std::vector<Sides> m_sides; // by the sum of two rows of the whole grid, if they differ
+  std::size_t m_first_sum = 0;
   Sides m_smallest{1, 1};
 };
 

@@ -89,15 +89,16 @@ public:
     return checked_cost(cell, direction(line, sides, 0));
   }
 
-  // Returns the cost of a line if all cells have the friction 1. It has this length relative to its
-  // own one.
-  double cost(const Grid_lines& lines,
-              const Grid_lines::Line& line,
-              const std::size_t from,
-              const double scale) const
+  // Returns the cost of a line if all cells have the same friction, with the bits of the function
+  // below. The line has this length relative to its own one.
+  double cost_if_uniform(const Grid_lines& lines,
+                         const Grid_lines::Line& line,
+                         const std::size_t from,
+                         const double scale,
+                         const double friction) const
   {
     return for_each_piece(lines, line, from, scale,
-                          [](const auto& piece, std::size_t) { return piece.length; });
+                          [=](const auto& piece, std::size_t) { return piece.length * friction; });
   }
 
   // Returns the cost of a line from a cell, by the friction of cells; infinity if it is blocked.
@@ -111,14 +112,7 @@ public:
       return infinity;
     return for_each_piece(lines, line, from, scale,
                           [&](const Grid_lines::Piece& piece, const std::size_t first_part) {
-                            double result = 0;
-                            for(std::size_t i = first_part; i < piece.beyond_part; ++i)
-                            {
-                              const Grid_lines::Part& part = lines.parts()[i];
-                              result += part.length *
-                                        friction[static_cast<std::ptrdiff_t>(from) + part.offset];
-                            }
-                            return result;
+                            return weight_of_piece(lines, piece, first_part, friction + from);
                           });
   }
 
@@ -160,6 +154,25 @@ private:
   {
     const double first = height[piece.first];
     return first + piece.share * (height[piece.second] - first);
+  }
+
+  // Returns the length of a piece times friction. Rounding must not depend on cells elsewhere.
+  static double weight_of_piece(const Grid_lines& lines,
+                                const Grid_lines::Piece& piece,
+                                const std::size_t first_part,
+                                const double* const friction)
+  {
+    const double first = friction[lines.parts()[first_part].offset];
+    bool is_uniform = true;
+    double result = 0;
+    for(std::size_t i = first_part; i < piece.beyond_part; ++i)
+    {
+      const Grid_lines::Part& part = lines.parts()[i];
+      const double f = friction[part.offset];
+      is_uniform = is_uniform && f == first;
+      result += part.length * f;
+    }
+    return is_uniform ? piece.length * first : result;
   }
 
   // Adds up the costs of the pieces of a line. `weight(piece, first_part)` is the length of a piece
