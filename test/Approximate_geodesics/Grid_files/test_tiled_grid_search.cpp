@@ -403,6 +403,33 @@ TEST(Tiled_grid_search, follows_all_arcs_again_after_a_stop_of_the_machine)
   expect_distances_of_one_graph(terrain, sources, tiled);
 }
 
+TEST(Tiled_grid_search, finds_lost_sources_and_predecessors_after_a_stop_of_the_machine)
+{
+  Random random(test_seed());
+  for(const char* const name : {"labels", "predecessors"})
+  {
+    SCOPED_TRACE(name);
+    const Temporary_folder folder;
+    const std::vector<Grid_cell> sources{{3, 4}, {15, 12}};
+    const Terrain_in_tiles terrain = random_terrain(random, sources);
+    const auto make = [&] {
+      return Tiled(terrain.shape.columns, terrain.shape.rows, terrain, sources, 10, folder.name());
+    };
+    EXPECT_TRUE(make().run());
+    { // all pages but the last ones
+      std::fstream file(folder.file(name), std::ios::in | std::ios::out | std::ios::binary);
+      const std::size_t size_of_entry = *name == 'l' ? 8 : 4;
+      file << std::string((terrain.shape.number_of_cells() * 3 / 4) * size_of_entry, '\0');
+    }
+    std::ofstream(folder.file("boot")) << "another one\n";
+    Tiled tiled = make();
+    EXPECT_TRUE(tiled.run());
+    expect_distances_of_one_graph(terrain, sources, tiled);
+    for(std::size_t i = 0; i < 20; ++i)
+      expect_path_of_distance(terrain, sources, tiled, {i, i});
+  }
+}
+
 #if defined(__unix__) || defined(__APPLE__)
 
 // Runs `f` in another process, and kills that after some microseconds. Returns whether it has ended

@@ -292,6 +292,56 @@ TEST(Repaired_search, reads_few_arcs)
   EXPECT_LT(search.statistics().relaxations, number_of_arcs / 100);
 }
 
+TEST(Repaired_search, counts_what_it_does)
+{
+  const Mesh mesh = to_mesh(flat_grid(40, 40));
+  using Placement = Fixed_number_of_points;
+  Steiner_graph<Placement> graph(Triangulation(mesh), Placement(3));
+  AG::Propagation<Steiner_graph<Placement>> search(graph);
+  search.collect_statistics(true);
+  const auto node = [&](const std::size_t i) { return graph.triangulation().vertex(i); };
+  const auto expect_few = [&] {
+    const AG::Propagation_statistics& s = search.statistics();
+    EXPECT_GT(s.settled_nodes, 0u);
+    EXPECT_LT(s.settled_nodes, graph.number_of_nodes() / 2);
+    EXPECT_LE(s.settled_nodes + s.stale_pops, s.pops);
+  };
+  search.run({{node(0)}});
+  EXPECT_EQ(search.statistics().settled_nodes, graph.number_of_nodes());
+  search.run_further({{node(mesh.num_vertices() - 1)}});
+  EXPECT_GT(search.statistics().settled_nodes, 0u);
+  EXPECT_LT(search.statistics().settled_nodes, graph.number_of_nodes());
+  EXPECT_LE(search.statistics().settled_nodes, search.statistics().pops);
+  search.repair({{node(0)}, {node(mesh.num_vertices() - 1)}, {node(20)}});
+  expect_few();
+  search.repair({{node(0)}, {node(mesh.num_vertices() - 1)}});
+  expect_few();
+}
+
+// ... although these are seen by the run from more seeds, which reads few arcs.
+TEST(Repaired_search, knows_changes_before_further_seeds)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(9, 8, random));
+  using Placement = Fixed_number_of_points;
+  Steiner_graph<Placement> graph(Triangulation(mesh), Placement(2));
+  AG::Propagation<Steiner_graph<Placement>> repaired(graph), fresh(graph);
+  for(int i = 0; i < 20; ++i)
+  {
+    const std::vector<AG::Seed> seeds = {{0}, {static_cast<std::uint32_t>(10 + i)}};
+    repaired.run({seeds[0]});
+    auto h = graph.triangulation().first_halfedge(
+        static_cast<std::uint32_t>(random.below(mesh.num_vertices())));
+    h += graph.triangulation().is_border(h) ? 1 : 0;
+    graph.set_weights({AG::Weight_change{h, random.between(0.2, 5)}});
+    repaired.run_further({seeds[1]});
+    repaired.repair(seeds);
+    fresh.run(seeds);
+    for(std::uint32_t n = 0; n < graph.number_of_nodes(); ++n)
+      ASSERT_EQ(repaired.distance(n), fresh.distance(n)) << i;
+  }
+}
+
 // A run that ended early leaves nothing to repair.
 TEST(Repaired_search, begins_anew_after_other_runs)
 {
@@ -321,6 +371,21 @@ TEST(Repaired_search, begins_anew_after_other_runs)
   search.repair({});
   EXPECT_EQ(search.distance(point(3)), infinity);
   expect();
+}
+
+TEST(Changes_of_arcs, are_listed_in_linear_time_one_by_one)
+{
+  AG::Arc_changes changes;
+  std::size_t number_of_allocations = 0, memory = 0;
+  for(std::size_t i = 0; i < 10000; ++i)
+  {
+    changes.reserve(1);
+    changes.add({i, true, false}, 20000);
+    number_of_allocations += changes.memory() != memory ? 1 : 0;
+    memory = changes.memory();
+  }
+  EXPECT_EQ(changes.number(), 10000u);
+  EXPECT_LT(number_of_allocations, 30u);
 }
 
 TEST(Repaired_search, is_what_the_class_makes_after_changes)

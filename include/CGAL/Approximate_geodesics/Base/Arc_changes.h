@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -53,7 +54,12 @@ public:
   }
 
   /// allocates memory for `number` more changes.
-  void reserve(const std::size_t number) { m_latest.reserve(m_latest.size() + number); }
+  void reserve(const std::size_t number)
+  {
+    const std::size_t needed = m_latest.size() + number;
+    if(needed > m_latest.capacity())
+      m_latest.reserve((std::max)(needed, 2 * m_latest.capacity())); // for many small calls
+  }
 
   /// adds a change. If there are more than `largest_number`, the earlier ones are dropped, as a
   /// search of the whole graph takes no longer then.

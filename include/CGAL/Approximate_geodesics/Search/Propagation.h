@@ -241,7 +241,7 @@ public:
    * the new ones. Results are those of a run from all seeds; but only nodes whose distances fall
    * are expanded, and occur again in `reached_nodes()`.
    *
-   * \pre The last run did not end early.
+   * \pre The last run did not end early, and arcs of the graph have not changed since.
    *
    * \throws std::invalid_argument as `run()` does.
    */
@@ -307,11 +307,10 @@ public:
         m_sources.forget(m_labels);
         if(raise_labels(seeds))
         {
-          m_seeds.clear();
+          forget_seeds();
           search(seeds, Stop_rule(), visitor, internal::No_heuristic(), {},
                  m_repair.border(*m_graph, m_labels));
           m_repair.tidy(m_labels);
-          count_all();
           m_repair.finish();
           return;
         }
@@ -635,8 +634,15 @@ private:
     m_labels.forget_all();
     m_run.forget_all();
     m_repair.forget();
+    forget_seeds();
+    m_is_complete = true; // nothing is reached
+  }
+
+  // Afterwards, labels are to be those of the graph as it is now.
+  void forget_seeds()
+  {
     m_seeds.clear();
-    m_is_complete = true; // nothing is reached, from no seeds
+    m_number_of_changes = internal::number_of_changes(*m_graph);
   }
 
   void prepare()
@@ -644,7 +650,7 @@ private:
     m_queue.clear();
     m_statistics = Propagation_statistics();
     m_ended_early = false;
-    m_number_of_changes = internal::number_of_changes(*m_graph);
+    m_size_of_last_order = m_labels.order().size();
     m_limit = std::numeric_limits<double>::infinity();
   }
 
@@ -701,7 +707,8 @@ private:
   {
     if(!m_counts)
       return;
-    m_statistics.settled_nodes = m_labels.order().size(); // sorted, so each node occurs once
+    // sorted, so each node occurs once
+    m_statistics.settled_nodes = m_labels.order().size() - m_size_of_last_order;
     if constexpr(internal::counts_comparisons<Queue>)
       m_statistics.queue_comparisons =
           m_queue.statistics().visited_buckets + m_queue.statistics().comparisons;
@@ -712,7 +719,7 @@ private:
     m_sources.forget(m_labels);
     m_run.forget(m_labels.order());
     m_labels.forget();
-    m_seeds.clear();
+    forget_seeds();
     m_is_complete = true;
   }
 
@@ -734,8 +741,9 @@ private:
   bool m_counts = false;
   bool m_ended_early = false;
   internal::Repair_of<Graph> m_repair;
-  bool m_is_complete = true;           // whether all nodes have labels that can be reached
-  std::size_t m_number_of_changes = 0; // of arcs, before the last run
+  bool m_is_complete = true;            // whether all nodes have labels that can be reached
+  std::size_t m_number_of_changes = 0;  // of arcs, before the labels were found
+  std::size_t m_size_of_last_order = 0; // of labels that the last run has found already
   double m_limit = std::numeric_limits<double>::infinity(); // of labels, in units of the graph
 };
 

@@ -105,12 +105,12 @@ public:
     m_smallest_open.resize(m_tile_columns * ((rows + m_side - 1) / m_side), internal::infinity);
     m_has_labels.resize(number_of_tiles());
     m_labels.emplace(m_nodes, folder, task(sources, costs));
-    if(m_labels->is_new())
-    {
+    if(!m_labels->is_intact())
+      doubt_labels();
+    if(m_labels->is_new() || !m_labels->is_intact())
       for(const Grid_cell& source : sources)
         m_labels->open_source({source.column, source.row, 0});
-      m_labels->begin();
-    }
+    m_labels->begin();
     find_open_labels();
   }
 
@@ -296,22 +296,34 @@ private:
       m_smallest_open[tile] = (std::min)(m_smallest_open[tile], distance);
   }
 
-  // After a stop of the machine, files may have new labels that are closed beside old ones.
+  // After a stop of the machine, files may have new labels that are closed beside old ones, and
+  // labels without their predecessors. So all are found again.
+  void doubt_labels()
+  {
+    for_each_label([](const Grid_place& /* place */, internal::Kept_label& label) {
+      label.open_above();
+    });
+  }
+
   void find_open_labels()
+  {
+    for_each_label([&](const Grid_place& p, const internal::Kept_label& label) {
+      note_label(p, label.distance(), label.is_open());
+    });
+  }
+
+  // Calls `f(place, label)` for all nodes that have been reached.
+  template <typename F>
+  void for_each_label(const F& f)
   {
     for(std::size_t row = 0; row < m_nodes.rows(); ++row)
     {
       const Rows rows = m_labels->rows(row, 1);
       rows.for_each_place(0, m_nodes.columns(), [&](const Grid_place& p) {
-        internal::Kept_label& label = rows.label(p);
-        if(label.distance() == internal::infinity)
-          return;
-        if(!m_labels->is_intact())
-          label.open();
-        note_label(p, label.distance(), label.is_open());
+        if(internal::Kept_label& label = rows.label(p); label.distance() != internal::infinity)
+          f(p, label);
       });
     }
-    m_labels->note_intact();
   }
 
   // A tile, and the window that arcs from it end in.

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Grid_files/Grid_window.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -28,7 +29,8 @@ public:
   bool is_open() const { return (m_bits & SIGN) != 0; }
 
   void set_open(const double distance) { m_bits = (bits_of(distance) ^ bits_of(INFINITE)) | SIGN; }
-  void open() { m_bits |= SIGN; }
+  // Opens a node that is to be reached again: its distance is now an upper bound.
+  void open_above() { set_open(std::nextafter(distance(), INFINITE)); }
   void close() { m_bits &= ~SIGN; }
 
 private:

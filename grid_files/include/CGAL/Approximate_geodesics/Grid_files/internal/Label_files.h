@@ -82,15 +82,11 @@ public:
     rows(source.row, 1).label(source).set_open(0);
   }
 
-  // Notes that the sources have been opened.
-  void begin() const { m_folder.begin(m_task); }
-
   // Notes that labels are open where they have to be.
-  void note_intact()
+  void begin() const
   {
-    if(!m_is_intact)
+    if(m_is_new || !m_is_intact)
       m_folder.begin(m_task);
-    m_is_intact = true;
   }
 
   Rows rows(const std::size_t first_row, const std::size_t number) const

@@ -270,6 +270,8 @@ public:
   Compressed_arcs(const double unit, std::vector<Arc_block> blocks)
     : m_blocks(std::move(blocks)), m_unit(unit)
   {
+    for(const Arc_block& block : m_blocks)
+      m_maximum_degree = (std::max)(m_maximum_degree, block.maximum_degree());
   }
 
   std::size_t number_of_rows() const
@@ -280,13 +282,8 @@ public:
   Arc_lengths arc_lengths() const { return summary().result(m_unit); }
   double unit() const { return m_unit; }
 
-  std::size_t maximum_degree() const
-  {
-    std::size_t result = 0;
-    for(const Arc_block& block : m_blocks)
-      result = (std::max)(result, block.maximum_degree());
-    return result;
-  }
+  // A search asks for it with every batch of nodes.
+  std::size_t maximum_degree() const { return m_maximum_degree; }
 
   // Appends the arcs of the next node, which are sorted by targets, all different.
   void append_row(const std::vector<Stored_arc>& arcs)
@@ -297,6 +294,7 @@ public:
       m_blocks.emplace_back();
     }
     m_blocks.back().append(arcs);
+    m_maximum_degree = (std::max)(m_maximum_degree, arcs.size());
   }
 
   // Calls `f(target, length)` for every arc of `node`.
@@ -348,6 +346,7 @@ private:
   }
 
   std::vector<Arc_block> m_blocks;
+  std::size_t m_maximum_degree = 0;
   double m_unit;
 };
 
