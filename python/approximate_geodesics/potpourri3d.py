@@ -12,6 +12,7 @@ distances and point clouds are not here.
 
 from __future__ import annotations
 
+import functools
 from typing import Optional, Sequence
 
 import numpy as np
@@ -167,17 +168,21 @@ class GeodesicTracer:
 
     def __init__(self, V: npt.ArrayLike, F: npt.ArrayLike, t_coef: float = 1.0) -> None:
         self._solver = Solver(V, F)
+        self._vertices, self._faces = self._solver.vertices, self._solver.faces
 
     def trace_geodesic_from_vertex(
         self, start_vert: int, direction_xyz: npt.ArrayLike, max_iterations: Optional[int] = None
     ) -> _arrays.Floats:
         """The points of a walk from a vertex, (k, 3) float64.
 
-        Its direction and its length are those of a vector in space. The direction is projected to
-        the faces at the vertex. `max_iterations` is ignored.
+        Its direction and its length are those of a vector in space, after projection to the plane
+        that is orthogonal to the normal of the vertex. `max_iterations` is ignored.
         """
-        start = _arrays.integers([start_vert], "vertices", (1,))
-        return self._solver.trace(int(start[0]), _in_space(direction_xyz))
+        vertex = int(_arrays.integers([start_vert], "vertices", (1,))[0])
+        direction = _in_space(direction_xyz)
+        if 0 <= vertex < len(self._normals):  # if not, `trace` says so
+            direction = _projected(direction, self._normals[vertex])
+        return self._solver.trace(vertex, direction)
 
     def trace_geodesic_from_face(
         self,
@@ -186,10 +191,29 @@ class GeodesicTracer:
         direction_xyz: npt.ArrayLike,
         max_iterations: Optional[int] = None,
     ) -> _arrays.Floats:
-        """The points of a walk from barycentric coordinates in a face, (k, 3) float64."""
-        face = _arrays.integers([start_face], "faces", (1,))
+        """The points of a walk from barycentric coordinates in a face, (k, 3) float64.
+
+        The vector is projected to the plane of the face.
+        """
+        face = int(_arrays.integers([start_face], "faces", (1,))[0])
         coordinates = _arrays.numbers(bary_coords, "bary_coords", (3,))
-        return self._solver.trace((int(face[0]), coordinates), _in_space(direction_xyz))
+        direction = _in_space(direction_xyz)
+        if 0 <= face < len(self._faces):
+            a, b, c = self._vertices[self._faces[face]]
+            direction = _projected(direction, np.cross(b - a, c - a))
+        return self._solver.trace((face, coordinates), direction)
+
+    @functools.cached_property
+    def _normals(self) -> _arrays.Floats:
+        return self._solver.tangent_frames()[2]
+
+
+def _projected(direction: _arrays.Floats, normal: _arrays.Floats) -> _arrays.Floats:
+    size = np.abs(normal).max()
+    if not size > 0:
+        return direction
+    normal = normal / size
+    return direction - (direction @ normal) / (normal @ normal) * normal
 
 
 def _in_space(direction: npt.ArrayLike) -> _arrays.Floats:

@@ -76,6 +76,10 @@ def test_names_are_those_of_potpourri3d():
     np.testing.assert_allclose(points[-1], vertices[10] + [3, 4, 0], atol=1e-12)
     points = tracer.trace_geodesic_from_face(0, [0.5, 0.25, 0.25], [2, 1, 0], max_iterations=99)
     np.testing.assert_allclose(points[-1] - points[0], [2, 1, 0], atol=1e-12)
+    points = tracer.trace_geodesic_from_vertex(10, [3, 4, 7])  # the part along the surface counts
+    np.testing.assert_allclose(points[-1], vertices[10] + [3, 4, 0], atol=1e-12)
+    points = tracer.trace_geodesic_from_face(0, [0.5, 0.25, 0.25], [2, 1, -7])
+    np.testing.assert_allclose(points[-1] - points[0], [2, 1, 0], atol=1e-12)
     solver = pp3d.MeshVectorHeatSolver(*sphere(3))
     logarithms = solver.compute_log_map(17)
     np.testing.assert_array_equal(logarithms, SPHERE.logarithmic_map(17))

@@ -307,10 +307,13 @@ private:
     std::ptrdiff_t& end = is_left ? m_left : m_right;
     const std::ptrdiff_t other_end = is_left ? m_right : m_left, step = is_left ? -1 : 1;
     const auto side = static_cast<double>(step);
-    while(end != m_tip && side * turn(at(end - step), at(end), bend) > 0)
+    while(end != m_tip && (side * turn(at(end - step), at(end), bend) > 0 ||
+                           turns_back(at(end - step), at(end), bend)))
       end -= step;
     if(end == m_tip)
-      for(; m_tip != other_end && side * turn(at(m_tip), at(m_tip - step), bend) >= 0; end = m_tip)
+      for(; m_tip != other_end && side * turn(at(m_tip), at(m_tip - step), bend) >= 0 &&
+            !turns_back(at(m_tip), at(m_tip - step), bend);
+          end = m_tip)
       {
         m_tip -= step;
         m_bends.push_back(at(m_tip));
@@ -323,6 +326,29 @@ private:
   static double turn(const Bend& a, const Bend& b, const Bend& c)
   {
     return cross(b.position - a.position, c.position - b.position);
+  }
+
+  // Whether `c` lies on the way from `a` to `b`, as in flat faces, where rounding decides how the
+  // path turns. A path around `b`, in a full turn, is as good as there in the plane, too; but then
+  // it crosses gates on the way.
+  bool turns_back(const Bend& a, const Bend& b, const Bend& c) const
+  {
+    constexpr double rounding = 1e-12;
+    const Plane_vector back = a.position - b.position, ahead = c.position - b.position;
+    const double cosine = dot(back, ahead);
+    if(!(cosine > 0 && std::abs(cross(back, ahead)) <= rounding * cosine))
+      return false;
+    const std::size_t beyond = (std::min)(c.first + 1, m_gates.size());
+    const double side = b.is_left ? 1 : -1;
+    for(std::size_t i = b.first; i < beyond; ++i)
+    {
+      const Plane_vector moved = position(i, b.is_left) - b.position;
+      if(moved.x != 0 || moved.y != 0) // `b` is no end of later gates
+        break;
+      if(side * dot(back, m_gates[i].direction) < 0)
+        return false;
+    }
+    return true;
   }
 
   Bend& at(const std::ptrdiff_t i) { return m_funnel[static_cast<std::size_t>(i)]; }
