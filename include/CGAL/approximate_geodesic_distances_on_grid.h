@@ -118,7 +118,8 @@ std::vector<Seed> seeds_of_cells(const Grid_graph& graph, const Sources& sources
  *        two that touch at a corner
  * \param distances receives a cost for each cell, row by row: infinity for cells that cannot be
  *        entered, are not reachable, or not within `maximum_distance`, or if there is no source
- * \param sources a cell, or a range of cells; there is no path from a cell that cannot be entered
+ * \param sources a cell, or a range of cells; a source that cannot be entered has the cost 0, and
+ *        there is no path from it
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `epsilon`,
  *        `heights`, `face_weight_map` and `direction_to_source`, as for the constructor of
  *        `Approximate_geodesics::Grid_graph`, and `maximum_distance` and `visitor`, as for
