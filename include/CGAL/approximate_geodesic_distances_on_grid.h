@@ -103,8 +103,8 @@ std::vector<Seed> seeds_of_cells(const Grid_graph& graph, const Sources& sources
  * surface, and on the direction. Without a bound `epsilon`, paths consist of straight lines between
  * centers of cells. Where cells have the same friction, they are at most 0.3 % too long, in all
  * directions, if the width of cells is half to twice their height. With a bound, paths cost at most
- * \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane. A cost is never smaller
- * than that of the cheapest path. See `Approximate_geodesics::Grid_graph`.
+ * \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane, and never less.
+ * See `Approximate_geodesics::Grid_graph`.
  *
  * \tparam FrictionRange a model of `ConstRange` whose value type is a number type, or such a type
  * \tparam OutputIterator a model of `OutputIterator` that takes `double`
@@ -118,7 +118,8 @@ std::vector<Seed> seeds_of_cells(const Grid_graph& graph, const Sources& sources
  *        two that touch at a corner
  * \param distances receives a cost for each cell, row by row: infinity for cells that cannot be
  *        entered, are not reachable, or not within `maximum_distance`, or if there is no source
- * \param sources a cell, or a range of cells; there is no path from a cell that cannot be entered
+ * \param sources a cell, or a range of cells; a source that cannot be entered has the cost 0, and
+ *        there is no path from it
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `epsilon`,
  *        `heights`, `face_weight_map` and `direction_to_source`, as for the constructor of
  *        `Approximate_geodesics::Grid_graph`, and `maximum_distance` and `visitor`, as for

@@ -398,6 +398,14 @@ TEST(Grid_costs, do_not_enter_cells_without_heights)
             no_way);
 }
 
+TEST(Grid_costs, compare_heights_only_with_no_data_if_friction_is_one_number)
+{
+  const Grid_shape shape{3, 1, 1, 1, 2};
+  EXPECT_EQ(costs_of_cells(shape, 2, Grid_cell{}, heights(Cells{0, 0, 2})), (Cells{0, 2, no_way}));
+  const Grid_shape other{3, 1, 1, 1, std::nan("")};
+  expect_message<std::invalid_argument>([&] { Grid_graph(other, std::nan("")); }, "friction");
+}
+
 TEST(Grid_costs, multiply_costs_by_friction)
 {
   Random random(test_seed());

@@ -614,6 +614,7 @@ TEST(Grid_graph, rejects_bad_input)
   for(const Grid_shape& s : {Grid_shape{most, 2, 1, 1, {}}, Grid_shape{2, most, 1, 1, {}},
                              Grid_shape{most, most, 1, 1, {}}})
     expect_message<std::length_error>([&] { Grid_graph(s, Friction()); }, "2^32 - 1");
+  rejects({0xffffffff, 1, 1, 1, {}}, Friction(1), "1 values"); // before memory is allocated
   expect_message<std::length_error>(
       [&] {
         Grid_graph({std::size_t(1) << 14, std::size_t(1) << 14, 1, 1, {}}, Friction(),

@@ -129,6 +129,17 @@ TEST(Isolines_on_grid, separate_what_is_smaller)
   }
 }
 
+TEST(Isolines_on_grid, have_points_for_the_smallest_and_the_largest_numbers)
+{
+  constexpr double smallest = std::numeric_limits<double>::denorm_min(),
+                   largest = (std::numeric_limits<double>::max)();
+  const auto x_of = [](const double a, const double isovalue, const double b) {
+    return lines_on_grid({2, 2, 1, 1, {}}, {a, b, a, b}, isovalue).at(0).front().x;
+  };
+  EXPECT_EQ(x_of(3 * smallest, 4 * smallest, 5 * smallest), 1);
+  EXPECT_EQ(x_of(-largest, 0, largest), 1);
+}
+
 TEST(Isolines_on_grid, end_where_there_are_no_values)
 {
   const Grid_shape shape{7, 7, 1, 1, -1};

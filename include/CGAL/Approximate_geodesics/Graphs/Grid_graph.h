@@ -52,10 +52,12 @@ namespace CGAL::Approximate_geodesics {
  * where a line crosses a row or a column of centers; slopes between these points are constant.
  * Lengths are those in space. A cost function of the slope, as `Hiking_time`, replaces the cost of
  * a unit of length; slopes that are so steep that zigzags cost less are climbed in zigzags, whose
- * costs count. A cost function of cell and direction, as `Drift_time`, does not need heights; lines
- * cost what it returns in each cell for their own direction. Costs of a function are interpolated
- * between slopes that are 1/2000 apart. This makes them at most `error_of_slopes()` too large.
- * There is no bound otherwise, as cheapest paths on a surface bend between centers, too.
+ * costs count. Slopes steeper than 4 always are, in zigzags of at most 4; this makes costs up to
+ * 3.1 % too large where functions do not fall beyond 4. A cost function of cell and direction, as
+ * `Drift_time`, does not need heights; lines cost what it returns in each cell for their own
+ * direction. Costs of a function of the slope are interpolated between slopes that are 1/2000
+ * apart. This makes them at most `error_of_slopes()` too large. There is no bound otherwise, as
+ * cheapest paths on a surface bend between centers, too.
  *
  * With the named parameter `epsilon`, there are also nodes at the corners of cells, and on their
  * sides, in the geometric progressions of `Geometric_points`, and straight arcs between all nodes
@@ -86,7 +88,8 @@ public:
    *
    * \param shape the numbers of columns and rows, and the size of a cell
    * \param friction the costs per unit of length, row by row, not negative: `0` for cells that are
-   *        free, infinity or `no_data` for cells that cannot be entered; or one number for all
+   *        free, infinity or `no_data` for cells that cannot be entered; or one number for all,
+   *        whatever `no_data` is
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
    *
    * \cgalNamedParamsBegin
@@ -274,8 +277,8 @@ public:
   /// heights. On a geographic grid, it is that in the metric of the latitude.
   double error_on_equal_cells() const { return m_lines.error_on_equal_cells(); }
 
-  /// returns the largest relative error of costs by slope, due to interpolation between slopes, as
-  /// far as four slopes in each interval show; `0` if there is no such function.
+  /// returns the largest relative error of costs by slope, due to interpolation between slopes of
+  /// at most 4, as far as four slopes in each interval show; `0` if there is no such function.
   double error_of_slopes() const { return m_costs.error_of_slopes(); }
 
   /// returns whether costs may depend on the direction: whether there are heights or a cost

@@ -12,7 +12,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -125,11 +124,8 @@ value_in_message(const char* const role, const double value, const Grid_cell cel
 
 // Returns the friction of a cell, infinity if it cannot be entered. Throws an error if it is
 // negative or not a number.
-inline double checked_friction(const Grid_shape& shape, const double friction, const Grid_cell cell)
+inline double checked_friction(const double friction, const Grid_cell cell)
 {
-  constexpr double blocked = std::numeric_limits<double>::infinity();
-  if(is_no_data(shape, friction))
-    return blocked;
   if(!(friction >= 0))
     reject(value_in_message("friction", friction, cell) +
            "; it must be a number that is not negative, infinity, or no_data");

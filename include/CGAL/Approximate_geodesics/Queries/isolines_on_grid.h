@@ -133,7 +133,8 @@ private:
     const double a = m_values[ascends ? first : second], b = m_values[ascends ? second : first];
     if(b == m_isovalue)
       return high;
-    const double t = (m_isovalue / 2 - a / 2) / (b / 2 - a / 2); // differences may overflow
+    const double scale = std::isfinite(b - a) ? 1 : 0.5; // differences may overflow
+    const double t = (m_isovalue * scale - a * scale) / (b * scale - a * scale);
     return {low.x + t * (high.x - low.x), low.y + t * (high.y - low.y)};
   }
 

@@ -95,7 +95,7 @@ public:
   const std::vector<Part>& parts() const { return m_parts; }
   const std::vector<Piece>& pieces() const { return m_pieces; }
 
-  // Whether a line passes between two cells that touch at a corner, one of which is blocked.
+  // Whether a line passes between two cells that touch at a corner, both of which are blocked.
   static bool is_blocked_at_corner(const Line& line, const double* const cell)
   {
     return line.passes_corner &&

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -35,30 +36,27 @@ template <typename Range, typename Check>
 std::vector<double>
 read_cells(const Grid_shape& shape, const Range& range, const char* const role, const Check& check)
 {
-  std::vector<double> result;
-  result.reserve(shape.number_of_cells());
-  std::size_t number = 0;
-  for(const auto& value : range)
-  {
-    if(number < shape.number_of_cells())
-      result.push_back(check(CGAL::to_double(value), shape.cell(number)));
-    ++number;
-  }
-  if(number != shape.number_of_cells())
+  const auto number = static_cast<std::size_t>(std::distance(std::begin(range), std::end(range)));
+  if(number != shape.number_of_cells()) // before memory is allocated for a wrong shape
     reject("there are " + std::to_string(number) + " values of " + role + ", and " +
            std::to_string(shape.number_of_cells()) + " cells");
+  std::vector<double> result;
+  result.reserve(number);
+  for(const auto& value : range)
+    result.push_back(check(CGAL::to_double(value), shape.cell(result.size())));
   return result;
 }
 
-// Friction is a range of numbers, or one number. Returns infinity for cells that cannot be entered.
+// Friction is a range of numbers, or one number, which is not compared with `no_data`: this may be
+// a height. Returns infinity for cells that cannot be entered.
 template <typename FrictionRange>
 std::vector<double> read_friction(const Grid_shape& shape, const FrictionRange& friction)
 {
   if constexpr(std::is_convertible_v<const FrictionRange&, double>)
-    return std::vector<double>(shape.number_of_cells(), checked_friction(shape, friction, {}));
+    return std::vector<double>(shape.number_of_cells(), checked_friction(friction, {}));
   else
     return read_cells(shape, friction, "friction", [&](const double value, const Grid_cell& cell) {
-      return checked_friction(shape, value, cell);
+      return is_no_data(shape, value) ? infinity : checked_friction(value, cell);
     });
 }
 
