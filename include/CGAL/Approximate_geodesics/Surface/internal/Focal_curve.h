@@ -15,12 +15,21 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
+// Whether `v` is to the left of `u`: never both ways, and not for equal vectors. The sign of
+// `cross(u, v)` has neither property where the compiler contracts it to a fused operation.
+inline bool is_before(const Plane_vector u, const Plane_vector v)
+{
+  return u.x * v.y > u.y * v.x;
+}
+
 // Unit vectors between two, counterclockwise, by less than a half turn.
 struct Direction_range
 {
   Plane_vector begin, end;
 
-  bool contains(const Plane_vector u) const { return cross(begin, u) > 0 && cross(u, end) > 0; }
+  bool contains(const Plane_vector u) const { return is_before(begin, u) && is_before(u, end); }
+
+  bool is_empty() const { return !is_before(begin, end); } // or NaN
 
   Plane_vector middle() const
   {

@@ -12,25 +12,62 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Side_windows.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * Finds the windows of all faces after a search, when all labels are known: for each point, there
- * is a window that sees it and knows its distance. Sights are given up as in the search.
+ * Whose windows reach the faces. Where those of one source do, no window has to be found. At first,
+ * the sources of all three vertices count; other windows come in later.
+ */
+class Face_owners
+{
+public:
+  static constexpr std::size_t NONE = (std::numeric_limits<std::size_t>::max)();
+
+  // No face has an owner.
+  explicit Face_owners(const Intrinsic_triangulation& triangulation)
+    : m_triangulation(triangulation), m_owners(triangulation.number_of_halfedges(), NONE)
+  {
+  }
+
+  std::size_t operator[](const Index h) const { return m_owners[h]; }
+
+  void set(const Index h, const std::size_t source)
+  {
+    for(const Index side : m_triangulation.halfedges_of_face(h))
+      m_owners[side] = source;
+  }
+
+private:
+  const Intrinsic_triangulation& m_triangulation;
+  std::vector<std::size_t> m_owners; // by halfedge
+};
+
+/*
+ * Finds the windows of faces after a search, when all labels are known: for each point, there is a
+ * window that sees it and knows its distance. Sights are given up as in the search. Sights are
+ * followed twice: first to find which faces several sources reach, then to find their windows.
  */
 template <typename Run, typename Labels>
 class Face_windows
 {
 public:
-  Face_windows(const Intrinsic_triangulation& triangulation, const Run& run, const Labels& labels)
+  Face_windows(const Intrinsic_triangulation& triangulation,
+               const Run& run,
+               const Labels& labels,
+               Face_owners& owners)
     : m_triangulation(triangulation),
       m_run(run),
       m_labels(labels),
+      m_owners(owners),
       m_sides(triangulation.number_of_halfedges())
   {
   }
+
+  // From now on, windows of faces without owner are found; before, owners.
+  void fix_owners() { m_are_owners_fixed = true; }
 
   // Adds the windows of a vertex that was reached from a source.
   void add_vertex(const Index v, const std::size_t source)
@@ -38,7 +75,7 @@ public:
     Visitor visitor{{}, *this, source, m_labels.distance(v)};
     Sight_expansion<Visitor> expansion(m_run.tables(), visitor.label_of_tip, visitor);
     const auto on_corner = [&](const Index h, const Plane_vector right, const Plane_vector left) {
-      if(m_run.tables().steps[h].has_face())
+      if(m_run.tables().steps[h].has_face() && is_wanted(h, source))
         add({h, true, source, visitor.label_of_tip, {0, 0}, right, left});
     };
     const auto on_sight = [&](const Sight& sight, const Index left_end, const Index right_end) {
@@ -61,7 +98,7 @@ public:
     lines.for_each_side(
         [&](const Index side, const Face_point&, const Plane_vector start, const Plane_vector end) {
           const Plane_vector edge = end - start;
-          if(cross(start, end) > smallest_height * dot(edge, edge))
+          if(cross(start, end) > smallest_height * dot(edge, edge) && is_wanted(side, source))
             add(from_tip_in_plane(side, source, true, label, start, edge, start, end));
         });
     lines.for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
@@ -95,8 +132,10 @@ private:
 
     void on_face(const Sight& sight, Plane_vector /* apex */)
     {
-      found.add(from_tip_in_plane(sight.halfedge, source, false, label_of_tip, sight.left,
-                                  sight.edge, sight.right_ray.direction, sight.left_ray.direction));
+      if(found.is_wanted(sight.halfedge, source))
+        found.add(from_tip_in_plane(sight.halfedge, source, false, label_of_tip, sight.left,
+                                    sight.edge, sight.right_ray.direction,
+                                    sight.left_ray.direction));
     }
 
     Face_windows& found;
@@ -125,20 +164,33 @@ private:
             turned_right(unit(left), x_axis)};
   }
 
+  bool is_wanted(const Index h, const std::size_t source)
+  {
+    if(m_are_owners_fixed)
+      return m_owners[h] == Face_owners::NONE;
+    if(m_owners[h] != Face_owners::NONE && m_owners[h] != source)
+      m_owners.set(h, Face_owners::NONE);
+    return false;
+  }
+
   void add(const Face_window& window)
   {
-    if(!(cross(window.right, window.left) > 0)) // or NaN
+    if(!is_before(window.right, window.left)) // or NaN
       return;
     if(window.has_tip_in_face)
       m_windows.push_back(window);
     else if(window.tip.y < 0 && window.right.y > 0 && window.left.y > 0)
-      m_sides[window.halfedge].insert(window, m_triangulation.length(window.halfedge));
+      m_sides[window.halfedge].insert(window, m_triangulation.length(window.halfedge),
+                                           m_workspace);
   }
 
   const Intrinsic_triangulation& m_triangulation;
   const Run& m_run;
   const Labels& m_labels;
-  std::vector<Side_windows> m_sides;  // of faces, by halfedge
+  Face_owners& m_owners;
+  bool m_are_owners_fixed = false;
+  std::vector<Side_windows> m_sides; // of faces, by halfedge
+  std::vector<Side_windows::Part> m_workspace;
   std::vector<Face_window> m_windows; // with a tip in the face
 };
 

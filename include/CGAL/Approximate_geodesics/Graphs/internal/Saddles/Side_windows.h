@@ -55,13 +55,27 @@ struct Face_window
 class Side_windows
 {
 public:
-  void insert(const Face_window& window, const double length_of_side)
+  // A part of a side, and the window that knows the smallest distance there.
+  struct Part
+  {
+    Face_window window;
+    double begin, end;
+
+    bool is_same(const Face_window& w) const
+    {
+      return window.source == w.source && window.label == w.label && window.tip.x == w.tip.x &&
+             window.tip.y == w.tip.y;
+    }
+  };
+
+  // `parts` is a workspace.
+  void insert(const Face_window& window, const double length_of_side, std::vector<Part>& parts)
   {
     const double begin = (std::clamp)(window.crossing(window.left), 0., length_of_side),
                  end = (std::clamp)(window.crossing(window.right), 0., length_of_side);
     if(!(begin < end) || is_useless(window, begin, end))
       return;
-    std::vector<Part> parts;
+    parts.clear();
     double way = begin; // of the window, up to here
     for(const Part& old : m_parts)
     {
@@ -82,7 +96,7 @@ public:
       append({old.window, end, old.end}, parts);
     }
     append({window, way, end}, parts);
-    m_parts.swap(parts);
+    m_parts.assign(parts.begin(), parts.end());
   }
 
   // Calls `f(window)`.
@@ -96,24 +110,12 @@ public:
         window.left = window.ray_to(part.begin);
       if(part.end < window.crossing(window.right))
         window.right = window.ray_to(part.end);
-      if(cross(window.right, window.left) > 0)
+      if(is_before(window.right, window.left))
         f(window);
     }
   }
 
 private:
-  struct Part
-  {
-    Face_window window;
-    double begin, end;
-
-    bool is_same(const Face_window& w) const
-    {
-      return window.source == w.source && window.label == w.label && window.tip.x == w.tip.x &&
-             window.tip.y == w.tip.y;
-    }
-  };
-
   // Whether a window is nowhere better than those that cover it: a quick test that misses some.
   bool is_useless(const Face_window& window, const double begin, const double end) const
   {

@@ -34,7 +34,8 @@ public:
     : m_triangulation(search.graph().triangulation()),
       m_options(options),
       m_areas(search.sources().size(), 0),
-      m_cells(m_triangulation, m_options, m_areas)
+      m_cells(m_triangulation, m_options, m_areas),
+      m_owners(m_triangulation)
   {
     find_windows(search);
     divide_faces();
@@ -59,32 +60,68 @@ public:
 private:
   static constexpr std::size_t NONE = Network_border::NONE;
 
+  // Windows within cells matter only if borders there are wanted.
   void find_windows(const Search& search)
   {
     const auto& nodes = search.search();
     const auto& labels = nodes.labels();
+    Face_windows found(m_triangulation, nodes.graph_run(), labels, m_owners);
+    if(!m_options.within_cells)
+    {
+      for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+        if(!m_triangulation.is_border(h) && m_triangulation.first_of_face(h) == h)
+          m_owners.set(h, source_of_vertices(h, nodes));
+      follow_sights(search, found);
+    }
+    found.fix_owners();
+    follow_sights(search, found);
+    m_windows = std::move(found).windows();
+  }
+
+  template <typename Nodes>
+  std::size_t source_of_vertices(const Index h, const Nodes& nodes) const
+  {
+    const auto source = [&](const Index side) -> std::size_t {
+      const Index v = m_triangulation.source(side);
+      return nodes.labels().is_reached(v) ? nodes.source(v) : NONE;
+    };
+    const auto sides = m_triangulation.halfedges_of_face(h);
+    const std::size_t result = source(sides[0]);
+    return source(sides[1]) == result && source(sides[2]) == result ? result : NONE;
+  }
+
+  // Nearest tips first, so that most of the later windows are seen to be useless at once.
+  template <typename Windows>
+  static void follow_sights(const Search& search, Windows& found)
+  {
+    const auto& nodes = search.search();
+    const auto& labels = nodes.labels();
     const auto& run = nodes.graph_run();
-    Face_windows found(m_triangulation, run, labels);
-    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
-      if(labels.is_reached(v) && (run.arrival(v).is_none() || run.tables().bends.is_possible(v)))
-        found.add_vertex(v, nodes.source(v));
     for(std::size_t i = 0; i < search.sources().size(); ++i)
       if(const Source_point& s = search.sources()[i];
          !s.point.is_vertex() && search.nearest(s.point).source == i)
-        found.add_point(s.point, s.distance / m_triangulation.unit(), i);
-    m_windows = std::move(found).windows();
+        found.add_point(s.point, s.distance / search.graph().triangulation().unit(), i);
+    std::vector<std::pair<double, Index>> tips;
+    for(Index v = 0; v < search.graph().triangulation().number_of_vertices(); ++v)
+      if(labels.is_reached(v) && (run.arrival(v).is_none() || run.tables().bends.is_possible(v)))
+        tips.emplace_back(labels.distance(v), v);
+    std::sort(tips.begin(), tips.end());
+    for(const auto& tip : tips)
+      found.add_vertex(tip.second, nodes.source(tip.second));
   }
 
   // Faces that only one source reaches are not divided, unless borders within cells are wanted.
   void divide_faces()
   {
+    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+      if(m_owners[h] != NONE && m_triangulation.first_of_face(h) == h)
+        fill(h, m_owners[h]);
     std::vector<std::pair<Index, Index>> order; // faces, and numbers of windows
     order.reserve(m_windows.size());
     for(std::size_t i = 0; i < m_windows.size(); ++i)
       order.emplace_back(m_triangulation.first_of_face(m_windows[i].halfedge),
                          static_cast<Index>(i));
     std::sort(order.begin(), order.end());
-    m_source_of_face.assign(m_triangulation.number_of_halfedges(), NONE);
     std::vector<Face_window> windows;
     for(auto it = order.begin(); it != order.end();)
     {
@@ -106,15 +143,14 @@ private:
   {
     const Face_layout layout(m_triangulation, h);
     m_areas[source] += cross(layout.edge(0, 1), layout.edge(1, 2)) / 2;
-    for(const Index side : m_triangulation.halfedges_of_face(h))
-      m_source_of_face[side] = source;
+    m_owners.set(h, source);
   }
 
   // The parts of a side, as seen from `h`.
   std::vector<Side_part> parts(const Index side, const Index h) const
   {
-    if(m_source_of_face[side] != NONE)
-      return {{h, 0, 1, {0, 0}, infinity, m_source_of_face[side]}};
+    if(m_owners[side] != NONE)
+      return {{h, 0, 1, {0, 0}, infinity, m_owners[side]}};
     const auto is_before = [](const Side_part& p, const Index i) { return p.halfedge < i; };
     std::vector<Side_part> result;
     for(auto it = std::lower_bound(m_parts.begin(), m_parts.end(), side, is_before);
@@ -133,7 +169,7 @@ private:
   // Adds borders along an edge.
   void compare_sides(const Index h, const Index opposite)
   {
-    const std::size_t left_source = m_source_of_face[h], right_source = m_source_of_face[opposite];
+    const std::size_t left_source = m_owners[h], right_source = m_owners[opposite];
     if(left_source != NONE && left_source == right_source)
       return;
     constexpr double smallest_part = 2e-6;
@@ -182,7 +218,7 @@ private:
   std::vector<double> m_areas;
   Face_cells m_cells;
   std::vector<Face_window> m_windows;
-  std::vector<std::size_t> m_source_of_face; // by halfedge; NONE if there are several
+  Face_owners m_owners; // NONE if there are several
   std::vector<Border_arc> m_arcs;
   std::vector<Side_part> m_parts;
 };

@@ -77,10 +77,10 @@ public:
     : m_windows(windows), m_number(number), m_window(windows[number])
   {
     set_sides(corners);
-    if(!m_pieces.empty())
-      for(std::size_t other = 0; other < windows.size(); ++other)
-        if(other != number)
-          cut(other);
+    list_corners();
+    for(std::size_t other = 0; other < windows.size() && !m_pieces.empty(); ++other)
+      if(other != number && !is_beside(windows[other]))
+        cut(other);
   }
 
   const std::vector<Cell_piece>& pieces() const { return m_pieces; }
@@ -148,6 +148,29 @@ private:
       m_pieces.clear();
   }
 
+  // The corners of what the window sees of the face.
+  void list_corners()
+  {
+    for(const Cell_piece& piece : m_pieces)
+      for(const Plane_vector u : {piece.range.begin, piece.range.end})
+        m_corners.push_back(curve(piece).point(u));
+    for(const Plane_vector u : {m_window.right, m_window.left})
+      m_corners.push_back(m_entry ? entry().point(u) : Plane_vector{0, 0});
+  }
+
+  // Whether no point of the face is seen through both windows: most pairs are told apart by that.
+  bool is_beside(const Placed_window& v) const
+  {
+    const Plane_vector tip = v.tip - m_window.tip;
+    bool is_right = true, is_left = true;
+    for(const Plane_vector p : m_corners)
+    {
+      is_right = is_right && cross(v.right, p - tip) <= 0;
+      is_left = is_left && cross(v.left, p - tip) >= 0;
+    }
+    return is_right || is_left;
+  }
+
   void cut(const std::size_t other)
   {
     const Placed_window& v = m_windows[other];
@@ -157,7 +180,7 @@ private:
         ROUNDING * (m_window.label + v.label + length(m_window.tip) + length(v.tip) + distance);
     const bool is_never_nearer = -difference >= distance - rounding,
                is_always_nearer = difference >= distance - rounding;
-    if(is_never_nearer && !(is_always_nearer && is_before(other)))
+    if(is_never_nearer && !(is_always_nearer && yields_to(other)))
       return;
     Region region;
     if(!is_always_nearer)
@@ -175,7 +198,7 @@ private:
     cut(other, region);
   }
 
-  bool is_before(const std::size_t other) const
+  bool yields_to(const std::size_t other) const
   {
     return std::make_pair(m_windows[other].source, other) <
            std::make_pair(m_window.source, m_number);
@@ -211,8 +234,7 @@ private:
     }
     for(const Plane_vector d : region.rays)
       Focal_curve{0, {-d.y, d.x}}.for_each_root(all, add);
-    std::sort(ends.begin(), ends.end(),
-              [](const Plane_vector u, const Plane_vector v) { return cross(u, v) > 0; });
+    std::sort(ends.begin(), ends.end(), is_before);
     for(std::size_t i = 1; i < ends.size(); ++i)
       cut(other, region, {ends[i - 1], ends[i]});
   }
@@ -220,7 +242,7 @@ private:
   // In a range where the same curve bounds the region.
   void cut(const std::size_t other, const Region& region, const Direction_range& part)
   {
-    if(!(cross(part.begin, part.end) > 0))
+    if(part.is_empty())
       return;
     const Plane_vector u = part.middle();
     const Region::Bound* nearest = nullptr;
@@ -244,12 +266,14 @@ private:
   // Replaces the pieces that are farther than `piece`.
   void merge(const Cell_piece& piece)
   {
+    if(!is_anywhere_nearer(piece))
+      return;
     m_merged.clear();
     for(const Cell_piece& old : m_pieces)
     {
       const Direction_range common{later(old.range.begin, piece.range.begin),
                                    earlier(old.range.end, piece.range.end)};
-      if(!(cross(common.begin, common.end) > 0))
+      if(common.is_empty())
       {
         append(old, old.range);
         continue;
@@ -258,7 +282,7 @@ private:
       const Focal_curve difference = piece.curve - old.curve;
       boost::container::small_vector<Plane_vector, 4> ends{common.begin};
       difference.for_each_root(common, [&](const Plane_vector u) { ends.push_back(u); });
-      if(ends.size() == 3 && cross(ends[1], ends[2]) < 0)
+      if(ends.size() == 3 && is_before(ends[2], ends[1]))
         std::swap(ends[1], ends[2]);
       ends.push_back(common.end);
       for(std::size_t i = 1; i < ends.size(); ++i)
@@ -271,19 +295,28 @@ private:
     m_pieces.swap(m_merged);
   }
 
+  bool is_anywhere_nearer(const Cell_piece& piece) const
+  {
+    return std::any_of(m_pieces.begin(), m_pieces.end(), [&](const Cell_piece& old) {
+      const Direction_range common{later(old.range.begin, piece.range.begin),
+                                   earlier(old.range.end, piece.range.end)};
+      return !common.is_empty() && !((piece.curve - old.curve).maximum(common) <= 0);
+    });
+  }
+
   static Plane_vector later(const Plane_vector u, const Plane_vector v)
   {
-    return cross(u, v) > 0 ? v : u;
+    return is_before(u, v) ? v : u;
   }
 
   static Plane_vector earlier(const Plane_vector u, const Plane_vector v)
   {
-    return cross(u, v) > 0 ? u : v;
+    return is_before(u, v) ? u : v;
   }
 
   void append(const Cell_piece& piece, const Direction_range& part)
   {
-    if(!(cross(part.begin, part.end) > 0))
+    if(part.is_empty())
       return;
     if(!m_merged.empty() && m_merged.back().is_same(piece))
       m_merged.back().range.end = part.end;
@@ -297,6 +330,7 @@ private:
   std::array<Focal_curve, 3> m_lines;                     // of the sides
   std::optional<Focal_curve> m_entry;                     // this and the following are shifted
   boost::container::small_vector<Focal_curve, 3> m_sides; // that lines from the tip leave through
+  boost::container::small_vector<Plane_vector, 8> m_corners; // relative to the tip
   std::vector<Cell_piece> m_pieces, m_merged;
 };
 
