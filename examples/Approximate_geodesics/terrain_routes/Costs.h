@@ -50,9 +50,11 @@ public:
       m_friction_raster = open_raster(options.friction, options.band);
     if(!options.heights.empty())
       m_heights_raster = open_raster(options.heights, options.friction.empty() ? options.band : 1);
-    m_frame = (m_friction_raster ? m_friction_raster : m_heights_raster)->frame();
+    const bool is_placed_by_friction =
+        m_friction_raster && (m_friction_raster->frame().is_on_map || !m_heights_raster);
+    m_frame = (is_placed_by_friction ? m_friction_raster : m_heights_raster)->frame();
     if(m_friction_raster && m_heights_raster)
-      check_same_map(options.heights, m_heights_raster->frame(), m_frame);
+      check_same_map(options.heights, m_heights_raster->frame(), m_friction_raster->frame());
     m_shape = shape_of(m_frame, options);
     m_metric = Metric(m_shape);
   }
