@@ -78,6 +78,7 @@ public:
   const Raster_frame& frame() const { return m_frame; }
   const Grid_shape& shape() const { return m_shape; }
   const Metric& metric() const { return m_metric; }
+  bool has_friction() const { return m_friction.has_value(); }
   bool has_heights() const { return m_heights.has_value(); }
 
   // A text that tells them, and what paths follow from them, apart from others.
