@@ -50,9 +50,11 @@ public:
       m_friction_raster = open_raster(options.friction, options.band);
     if(!options.heights.empty())
       m_heights_raster = open_raster(options.heights, options.friction.empty() ? options.band : 1);
-    m_frame = (m_friction_raster ? m_friction_raster : m_heights_raster)->frame();
+    const bool is_placed_by_friction =
+        m_friction_raster && (m_friction_raster->frame().is_on_map || !m_heights_raster);
+    m_frame = (is_placed_by_friction ? m_friction_raster : m_heights_raster)->frame();
     if(m_friction_raster && m_heights_raster)
-      check_same_map(options.heights, m_heights_raster->frame(), m_frame);
+      check_same_map(options.heights, m_heights_raster->frame(), m_friction_raster->frame());
     m_shape = shape_of(m_frame, options);
     m_metric = Metric(m_shape);
   }
@@ -76,6 +78,7 @@ public:
   const Raster_frame& frame() const { return m_frame; }
   const Grid_shape& shape() const { return m_shape; }
   const Metric& metric() const { return m_metric; }
+  bool has_friction() const { return m_friction.has_value(); }
   bool has_heights() const { return m_heights.has_value(); }
 
   // A text that tells them, and what paths follow from them, apart from others.

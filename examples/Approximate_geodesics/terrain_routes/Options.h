@@ -35,7 +35,7 @@ struct Options
   bool draws = false;
   bool asks_for_help = false;
 
-  // The raster that tells where cells are, and what format rasters are written in.
+  // The raster whose format others are written in.
   const std::string& main_raster() const { return friction.empty() ? heights : friction; }
 
   bool has_isochrones() const { return number_of_isochrones || !isochrones.empty(); }

@@ -52,7 +52,11 @@ inline CGAL::Approximate_geodesics::Grid_shape shape_of(const Raster_frame& fram
     result.cell_height = (*options.cell_size)[1];
   }
   else if(frame.is_in_degrees || options.is_in_degrees)
+  {
+    if(!frame.is_on_map)
+      reject_option("degrees", options.main_raster() + " does not tell where its cells are");
     result.first_latitude = frame.y_step < 0 ? frame.y : -frame.y;
+  }
   for(const double size : {result.cell_width, result.cell_height})
     if(!(size > 0 && std::isfinite(size)))
       reject_raster(options.main_raster(), "its cells have no size above 0");

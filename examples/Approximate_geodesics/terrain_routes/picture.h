@@ -63,6 +63,12 @@ std::vector<double> sampled(const Background& background, const Row& row)
   return result;
 }
 
+inline std::vector<double> sampled_friction(const Answer& answer, const Background& background)
+{
+  return sampled(background,
+                 [&](const std::size_t row) { return answer.costs().friction_row(row); });
+}
+
 // Colors, in three bytes: from dark for 0 to light for 1, and brown for NaN.
 inline void write_grays(std::ostream& out, const std::vector<double>& tones)
 {
@@ -79,8 +85,7 @@ inline void write_grays(std::ostream& out, const std::vector<double>& tones)
 // Returns tones by the logarithms of friction, from light for the least one to dark.
 inline std::vector<double> tones_of_friction(const Answer& answer, const Background& background)
 {
-  std::vector<double> result =
-      sampled(background, [&](const std::size_t row) { return answer.costs().friction_row(row); });
+  std::vector<double> result = sampled_friction(answer, background);
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for(double& tone : result)
   {
@@ -129,12 +134,18 @@ inline std::vector<double> lit_slopes(const Answer& answer, const Background& ba
   return result;
 }
 
-// Returns tones of slopes in the light.
+// Returns tones of slopes in the light; NaN for cells that cannot be entered.
 inline std::vector<double> hillshade(const Answer& answer, const Background& background)
 {
   std::vector<double> result = lit_slopes(answer, background);
   for(double& tone : result)
     tone = 0.65 + 0.35 * tone / std::hypot(1, tone);
+  if(!answer.costs().has_friction())
+    return result;
+  const std::vector<double> friction = sampled_friction(answer, background);
+  for(std::size_t i = 0; i < result.size(); ++i)
+    if(std::isinf(friction[i]))
+      result[i] = std::numeric_limits<double>::quiet_NaN();
   return result;
 }
 

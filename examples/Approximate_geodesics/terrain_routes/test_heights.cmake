@@ -25,6 +25,11 @@ expect_contents(a_paths.csv
 expect(0 "To cell 2,0: cost 211.803, length 211.803\n.*To cell 0,1: there is no path" ${PROGRAM}
        --heights step.asc -s cell:0,0 -t cell:2,0 cell:0,1 -o b)
 
+# files of NumPy have no map, so that of the heights counts
+file(WRITE ${folder}/flat.asc "ncols 3\nnrows 3\ncellsize 100\n5 5 5\n5 5 5\n5 5 5\n")
+expect(0 "To cell 2,0: cost 200, length 200" ${PROGRAM} ring.npy --no-data -1 --heights flat.asc -s
+       50,250 -t 250,250 -o n)
+
 # by slope, up and down: 0.6 exp(3.5 |s + 0.05|) seconds per meter; friction multiplies
 set(hike --heights ramp.asc --cost hiking_time -t cell:3,0)
 expect(0 "To cell 3,0: cost 305.8, length 301.496" ${PROGRAM} ${hike} -s cell:0,0 -o c --csv
@@ -102,6 +107,7 @@ refuse("--cost: flying is not length, hiking_time" --heights ramp.asc --cost fly
 refuse("--cost: hiking_time depends on the slope; it needs --heights" friction.asc --cost hiking_time)
 refuse("--epsilon: there is no bound with --heights" --heights ramp.asc -e 0.1)
 refuse("--epsilon: there is no bound where coordinates are in degrees" degrees.asc --degrees -e 0.1)
+refuse("--degrees: ring.npy does not tell where its cells are" ring.npy --degrees)
 refuse("cannot read a raster from step.asc: it has 3 columns and 2 rows, and the raster of friction has 4"
        friction.asc --heights step.asc)
 file(WRITE ${folder}/moved.asc "ncols 4\nnrows 1\nxllcorner 50\ncellsize 100\n0 10 20 30\n")
