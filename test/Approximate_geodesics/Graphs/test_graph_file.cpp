@@ -88,6 +88,25 @@ TEST_F(Graph_file, gives_the_same_graph)
   }
 }
 
+// ... also where blocks of arcs are full, or have one row.
+TEST_F(Graph_file, gives_the_same_graph_at_the_ends_of_blocks)
+{
+  for(const auto& [columns, rows] :
+      {std::pair(31u, 33u), {32u, 32u}, {41u, 25u}, {64u, 32u}, {683u, 3u}})
+  {
+    const Mesh mesh = to_mesh(flat_grid(columns, rows));
+    const Discrete_geodesic_graph built(Triangulation(mesh), epsilon(0.5));
+    ASSERT_EQ(built.number_of_nodes(), std::size_t(columns) * rows);
+    const Discrete_geodesic_graph read = loaded(saved(built), mesh), copy = read;
+    EXPECT_TRUE(built.is_valid() && read.is_valid() && copy.is_valid());
+    EXPECT_EQ(saved(copy), saved(built));
+    EXPECT_EQ(copy.maximum_degree(), built.maximum_degree());
+    const Discrete_geodesic_graph parallel(
+        Triangulation(mesh), epsilon(0.5).concurrency_tag(CGAL::Parallel_if_available_tag()));
+    EXPECT_EQ(saved(parallel), saved(built));
+  }
+}
+
 TEST_F(Graph_file, has_the_size_that_is_documented)
 {
   constexpr std::size_t header_and_checksum = 72;

@@ -292,33 +292,7 @@ TEST(Repaired_search, reads_few_arcs)
   EXPECT_LT(search.statistics().relaxations, number_of_arcs / 100);
 }
 
-TEST(Repaired_search, counts_what_it_does)
-{
-  const Mesh mesh = to_mesh(flat_grid(40, 40));
-  using Placement = Fixed_number_of_points;
-  Steiner_graph<Placement> graph(Triangulation(mesh), Placement(3));
-  AG::Propagation<Steiner_graph<Placement>> search(graph);
-  search.collect_statistics(true);
-  const auto node = [&](const std::size_t i) { return graph.triangulation().vertex(i); };
-  const auto expect_few = [&] {
-    const AG::Propagation_statistics& s = search.statistics();
-    EXPECT_GT(s.settled_nodes, 0u);
-    EXPECT_LT(s.settled_nodes, graph.number_of_nodes() / 2);
-    EXPECT_LE(s.settled_nodes + s.stale_pops, s.pops);
-  };
-  search.run({{node(0)}});
-  EXPECT_EQ(search.statistics().settled_nodes, graph.number_of_nodes());
-  search.run_further({{node(mesh.num_vertices() - 1)}});
-  EXPECT_GT(search.statistics().settled_nodes, 0u);
-  EXPECT_LT(search.statistics().settled_nodes, graph.number_of_nodes());
-  EXPECT_LE(search.statistics().settled_nodes, search.statistics().pops);
-  search.repair({{node(0)}, {node(mesh.num_vertices() - 1)}, {node(20)}});
-  expect_few();
-  search.repair({{node(0)}, {node(mesh.num_vertices() - 1)}});
-  expect_few();
-}
-
-// ... although these are seen by the run from more seeds, which reads few arcs.
+// ... although a run from more seeds comes between them and the repair.
 TEST(Repaired_search, knows_changes_before_further_seeds)
 {
   Random random(test_seed());

@@ -311,6 +311,7 @@ public:
           search(seeds, Stop_rule(), visitor, internal::No_heuristic(), {},
                  m_repair.border(*m_graph, m_labels));
           m_repair.tidy(m_labels);
+          count_all();
           m_repair.finish();
           return;
         }
@@ -650,7 +651,6 @@ private:
     m_queue.clear();
     m_statistics = Propagation_statistics();
     m_ended_early = false;
-    m_size_of_last_order = m_labels.order().size();
     m_limit = std::numeric_limits<double>::infinity();
   }
 
@@ -707,8 +707,7 @@ private:
   {
     if(!m_counts)
       return;
-    // sorted, so each node occurs once
-    m_statistics.settled_nodes = m_labels.order().size() - m_size_of_last_order;
+    m_statistics.settled_nodes = m_labels.order().size(); // sorted, so each node occurs once
     if constexpr(internal::counts_comparisons<Queue>)
       m_statistics.queue_comparisons =
           m_queue.statistics().visited_buckets + m_queue.statistics().comparisons;
@@ -741,9 +740,8 @@ private:
   bool m_counts = false;
   bool m_ended_early = false;
   internal::Repair_of<Graph> m_repair;
-  bool m_is_complete = true;            // whether all nodes have labels that can be reached
-  std::size_t m_number_of_changes = 0;  // of arcs, before the labels were found
-  std::size_t m_size_of_last_order = 0; // of labels that the last run has found already
+  bool m_is_complete = true;           // whether all nodes have labels that can be reached
+  std::size_t m_number_of_changes = 0; // of arcs, before the labels were found
   double m_limit = std::numeric_limits<double>::infinity(); // of labels, in units of the graph
 };
 

@@ -70,7 +70,7 @@ struct Stop_rule
  */
 struct Propagation_statistics
 {
-  /// the number of nodes that were settled by this run.
+  /// the number of nodes that were settled.
   std::size_t settled_nodes = 0;
   /// the number of entries extracted from the queue, and either expanded or skipped as stale.
   std::size_t pops = 0;

@@ -300,9 +300,8 @@ private:
   // labels without their predecessors. So all are found again.
   void doubt_labels()
   {
-    for_each_label([](const Grid_place& /* place */, internal::Kept_label& label) {
-      label.open_above();
-    });
+    for_each_label(
+        [](const Grid_place& /* place */, internal::Kept_label& label) { label.open_above(); });
   }
 
   void find_open_labels()

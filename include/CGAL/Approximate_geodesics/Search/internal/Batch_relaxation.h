@@ -139,8 +139,7 @@ public:
       m_unit(unit),
       m_sorts(counts || is_told_of_nodes<Visitor>),
       m_has_goal(!m_goal.is_empty()),
-      m_is_needed(m_has_goal || m_sorts || !is_idle_visitor<Visitor>),
-      m_number_final(labels.order().size())
+      m_is_needed(m_has_goal || m_sorts || !is_idle_visitor<Visitor>)
   {
   }
 
@@ -180,7 +179,7 @@ private:
   Visitor& m_visitor;
   double m_unit;
   bool m_sorts, m_has_goal, m_is_needed;
-  std::size_t m_number_final; // in the order; those of earlier runs count
+  std::size_t m_number_final = 0;
 };
 
 // A path that ends with a scanned arc, and the graph's data about it.
