@@ -351,6 +351,25 @@ TEST(Loops, of_any_class_are_shortened_to_geodesics)
   }
 }
 
+// In a flat cap, both ends of its longest side and the vertex on it are on the same line: rounding
+// must not lead a loop to the far end and back. One loop in a thousand is still left as it is.
+TEST(Loops, across_flat_caps_are_geodesics)
+{
+  Random random(1);
+  int number_of_bent_ones = 0;
+  for(int i = 0; i < 800; ++i)
+  {
+    const std::size_t around = 3 + random.below(12), across = 3 + random.below(9);
+    const Mesh mesh =
+        to_mesh(with_caps(torus(around, across, 3, 1), [&] { return random.between(1e-9, 0.3); }));
+    const Loop loop =
+        AG::shorten_loop(mesh, random_closed_curve(mesh, random, 1 + random.below(300)));
+    if(!loop.is_point() && largest_slack(mesh, loop.points) > 1e-9 * loop.length)
+      ++number_of_bent_ones;
+  }
+  EXPECT_LE(number_of_bent_ones, 4); // of 800
+}
+
 // A loop does not depend on where it begins.
 TEST(Loops, through_points_of_a_loop_are_not_longer)
 {
