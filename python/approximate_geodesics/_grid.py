@@ -83,9 +83,10 @@ class Grid:
     ) -> None:
         if friction is None and heights is None:
             raise TypeError("a Grid has friction, or heights, or both; there are none")
-        values = None if friction is None else _arrays.numbers(friction, "friction", (-1, -1))
+        self._no_data = None if no_data is None else _number(no_data, "no_data")
+        values = None if friction is None else self._cells(friction, "friction", (-1, -1))
         wanted = (-1, -1) if values is None else values.shape
-        surface = None if heights is None else _arrays.numbers(heights, "heights", wanted)
+        surface = None if heights is None else self._cells(heights, "heights", wanted)
         first = surface if values is None else values
         assert first is not None
         self._shape = (first.shape[0], first.shape[1])
@@ -93,7 +94,7 @@ class Grid:
         self._grid = _native.Grid(
             self._shape,
             _two_numbers(cell_size),
-            None if no_data is None else _number(no_data, "no_data"),
+            self._no_data,
             None if first_latitude is None else _number(first_latitude, "first_latitude"),
             values,
             surface,
@@ -245,13 +246,23 @@ class Grid:
             Rows and columns; the last point of a closed line is its first. Of several levels, a list
             of such lists.
         """
-        numbers = _arrays.numbers(values, "values", self._shape)
+        numbers = self._cells(values, "values", self._shape)
         if np.ndim(levels) == 0:
             return self._grid.isolines(numbers, _number(levels, "levels"))
         return [
             self._grid.isolines(numbers, float(level))
             for level in _arrays.numbers(levels, "levels", (-1,))
         ]
+
+    def _cells(self, values: npt.ArrayLike, name: str, shape: tuple[int, ...]) -> _arrays.Floats:
+        """Values of cells, in which `no_data` is that of their own type: 1e20 is no `float32`."""
+        result = _arrays.numbers(values, name, shape)
+        dtype = np.asarray(values).dtype if hasattr(values, "dtype") else result.dtype
+        if self._no_data is not None and dtype.kind == "f" and dtype.itemsize < 8:
+            with np.errstate(over="ignore"):
+                rounded = float(np.float64(self._no_data).astype(dtype))
+            result[result == rounded] = self._no_data
+        return result
 
     @property
     def shape(self) -> tuple[int, int]:

@@ -91,6 +91,20 @@ def test_degrees():
     assert found[0, 1] == pytest.approx(0.01 * 55800, rel=1e-3)
 
 
+@pytest.mark.parametrize("dtype", [np.float16, np.float32, np.float64])
+def test_no_data_is_that_of_the_type(dtype):
+    for no_data in (-9999.9, 1e20, -3.4028235e38):
+        with np.errstate(over="ignore"):
+            values = np.array([[1, 1, no_data], [1, 1, 1]]).astype(dtype)
+        reached = [[True, True, False], [True, True, True]]
+        for name in ("friction", "heights"):
+            if name == "heights" and np.isinf(values).any():
+                continue
+            grid = ag.Grid(**{name: values}, no_data=no_data)
+            np.testing.assert_array_equal(np.isfinite(grid.distances((0, 0))), reached)
+            assert grid.isolines(values, 0.5) == []
+
+
 def test_isolines_are_circles():
     grid = ag.Grid(np.ones((31, 43)), cell_size=2)
     costs = grid.distances((15, 20))
@@ -102,7 +116,9 @@ def test_isolines_are_circles():
 
 def test_progress_and_memory():
     calls = []
-    grid = ag.Grid(np.ones((700, 700)))
+    grid = ag.Grid(np.ones((700, 700)), progress=lambda done, number: calls.append((done, number)))
+    assert calls[-1] == (490000, 490000)
+    calls.clear()
     grid.distances((0, 0), progress=lambda done, number: calls.append((done, number)))
     assert calls[-1] == (490000, 490000)
     assert grid.memory > 490000 * 16

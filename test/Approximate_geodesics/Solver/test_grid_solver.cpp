@@ -167,6 +167,24 @@ TEST(Grid_solver, can_be_interrupted)
   EXPECT_EQ(costs[shape.index({13, 4})], 10);
 }
 
+TEST(Grid_solver, can_be_interrupted_while_it_is_built)
+{
+  const Grid_shape shape{2000, 2000, 1, 1, {}};
+  const std::vector<double> h(shape.number_of_cells());
+  Grid_solver_options options;
+  options.friction = options.heights = h.data();
+  std::size_t done = 0;
+  const AG::Solver_watch progress{{}, [&](const std::size_t n, std::size_t) { done = n; }};
+  const Grid_solver solver(shape, options, progress);
+  EXPECT_EQ(done, shape.number_of_cells());
+  const AG::Solver_watch stop{[] { return false; }, {}};
+  const auto build = [&] {
+    for(int i = 0; i < 100; ++i) // a call may be done before the first look
+      Grid_solver(shape, options, stop);
+  };
+  EXPECT_THROW(build(), AG::Solver_interrupted);
+}
+
 TEST(Grid_solver, rejects_bad_input)
 {
   const std::vector<double> h = heights_of_solver();
@@ -180,7 +198,9 @@ TEST(Grid_solver, rejects_bad_input)
   rejects(options, "no bound");
   options.epsilon.reset();
   options.cost = Solver_cost::drift_time({1, 0, 0}, 1);
-  rejects(options, "3 numbers");
+  rejects(options, "3 numbers for 391 cells");
+  options.cost = Solver_cost::drift_time(std::vector<double>(3 * h.size(), std::nan("")), 1);
+  rejects(options, "cell 0 has the number nan");
   options.heights = h.data();
   options.cost = Solver_cost{Solver_cost::HIKING_TIME, {}, {}};
   rejects(options, "parameters");

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_vector.h>
@@ -525,10 +526,13 @@ private:
   {
     double result = internal::infinity;
     for(std::size_t i = 0; i < m_friction.size(); ++i)
+    {
+      internal::check_for_interruption_at(i);
       if(m_friction[i] < internal::infinity)
         for(const internal::Grid_lines::Line& line : m_lines.lines())
           result = (std::min)(result,
                               m_costs.cost_in_cell(m_shape.cell(i), line, m_metric.between(0, 0)));
+    }
     return result < internal::infinity ? result : 0;
   }
 

@@ -54,7 +54,9 @@ public:
                        const Solver_watch& watch = Solver_watch())
     : m_graph([&] {
         internal::Solver_visitor visitor(watch);
-        return internal::make_grid_graph(shape, options);
+        Grid_graph result = internal::make_grid_graph(shape, options);
+        visitor.finish();
+        return result;
       }()),
       m_searches(m_graph)
   {

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
@@ -43,7 +44,12 @@ read_cells(const Grid_shape& shape, const Range& range, const char* const role, 
   std::vector<double> result;
   result.reserve(number);
   for(const auto& value : range)
+  {
+    constexpr std::size_t cells_between_checks = 4096;
+    if(result.size() % cells_between_checks == 0)
+      check_for_interruption(result.size(), number);
     result.push_back(check(CGAL::to_double(value), shape.cell(result.size())));
+  }
   return result;
 }
 

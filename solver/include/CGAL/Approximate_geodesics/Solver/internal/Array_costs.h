@@ -94,18 +94,21 @@ inline std::size_t numbers_per_face(const Solver_cost& cost)
   }
 }
 
-inline void check_numbers_of_faces(const Solver_cost& cost, const std::size_t number_of_faces)
+// Numbers are those of faces, or of other elements that are named so.
+inline void check_numbers_of_faces(const Solver_cost& cost,
+                                   const std::size_t number_of_faces,
+                                   const std::string& element = "face")
 {
   const std::size_t per_face = numbers_per_face(cost);
   if(cost.of_faces.size() != per_face * number_of_faces)
     reject("the costs have " + std::to_string(cost.of_faces.size()) + " numbers for " +
-           std::to_string(number_of_faces) + " faces; there must be " + std::to_string(per_face) +
-           " per face");
+           std::to_string(number_of_faces) + " " + element + "s; there must be " +
+           std::to_string(per_face) + " per " + element);
   if(cost.model == Solver_cost::SAMPLED_COST)
     return; // it checks them itself: costs may be infinite
   for(std::size_t i = 0; i < cost.of_faces.size(); ++i)
     if(!std::isfinite(cost.of_faces[i]))
-      reject("face " + std::to_string(i / per_face) + " has the number " +
+      reject(element + " " + std::to_string(i / per_face) + " has the number " +
              text_of(cost.of_faces[i]) + " in its cost; numbers must be finite");
 }
 

@@ -78,7 +78,7 @@ inline auto cell_function(const Grid_shape& shape, const Solver_cost& cost)
 {
   if(cost.model == Solver_cost::SAMPLED_COST)
     reject("costs that are sampled in faces are not for grids");
-  check_numbers_of_faces(cost, shape.number_of_cells());
+  check_numbers_of_faces(cost, shape.number_of_cells(), "cell");
   const auto owned = std::make_shared<Solver_cost>(cost);
   return [owned, shape, f = ready_function(*owned)](const Grid_cell& cell, const Grid_vector& d) {
     return f(shape.index(cell), Face_vector(d.x(), d.y(), d.z()));
