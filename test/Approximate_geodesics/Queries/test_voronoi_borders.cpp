@@ -359,7 +359,8 @@ TEST(VoronoiBorders, are_right_on_hostile_meshes_without_thin_faces)
       });
     };
     if(is_any_of({"needles", "caps", "area", "zero", "place", "lying", "spike", "1e12", "from 1e",
-                  "coordinates", "far from", "size"}))
+                  "coordinates", "far from", "size"}) ||
+       has_edge_without_length(hostile.mesh))
       continue;
     for(const auto& sources : {some_vertices(hostile.mesh), some_points(hostile.mesh)})
       if(!sources.empty())

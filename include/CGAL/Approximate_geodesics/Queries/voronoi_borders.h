@@ -146,8 +146,7 @@ double chord_error(const NamedParameters& np, const double mean_edge, const doub
 inline void reject_edges_without_length(const Intrinsic_triangulation& triangulation)
 {
   for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-    if(triangulation.source(h) != triangulation.target(h) && // else it is unused
-       !(triangulation.length(h) > 0))
+    if(!(triangulation.length(h) > 0))
       reject("the edge between vertices " +
              std::to_string(triangulation.index(triangulation.source(h))) + " and " +
              std::to_string(triangulation.index(triangulation.target(h))) +

@@ -69,8 +69,7 @@ private:
     if(!m_options.within_cells)
     {
       for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
-        if(!m_triangulation.is_border(h) && m_triangulation.length(h) > 0 && // else it is unused
-           m_triangulation.first_of_face(h) == h)
+        if(!m_triangulation.is_border(h) && m_triangulation.first_of_face(h) == h)
           m_owners.set(h, source_of_vertices(h, nodes));
       follow_sights(search, found);
     }
