@@ -12,6 +12,7 @@ Lengths are in the unit of the vertices. Input that cannot be right raises `Valu
 message that names the vertex or the face.
 """
 
+from ._cells import Cells
 from ._costs import (
     CostFunction,
     DirectionalCost,
@@ -29,6 +30,7 @@ from ._native import version as __version__
 from ._solver import Solver
 
 __all__ = [
+    "Cells",
     "CostFunction",
     "DirectionalCost",
     "DriftTime",

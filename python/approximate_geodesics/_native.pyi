@@ -158,6 +158,9 @@ class Solver:
         direction_to_source: bool,
         progress: _Progress,
     ) -> _Integers: ...
+    def cells(
+        self, elements: _Integers, coordinates: Optional[_Floats], within_cells: bool
+    ) -> Tuple[_Floats, list[_Floats], _Integers, _Integers, _Integers]: ...
     def farthest_points(
         self, number: int, sources: _Integers, progress: _Progress
     ) -> Tuple[_Integers, float]: ...

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _files, _meshes, _native
+from ._cells import Cells
 from ._costs import NAMES, CostFunction, DirectionalCost
 
 File = Union[str, "os.PathLike[str]"]
@@ -602,6 +603,37 @@ class Solver:
         return self._solver.voronoi(
             elements, coordinates, direction_to_source, _checked(progress)
         )
+
+    def voronoi_borders(self, sources: Any) -> Cells:
+        """The exact borders between the cells of sources, which depend on the surface only.
+
+        Like `logarithmic_map`, it depends neither on `epsilon` nor on costs or barriers.
+
+        Parameters
+        ----------
+        sources : points
+
+        Returns
+        -------
+        Cells
+            The areas of the cells, their borders as polylines, the two sources of each border, which
+            cells are neighbors, and the dual triangulation.
+        """
+        return self._cells(sources, False)
+
+    def cut_locus(self, source: Any) -> Cells:
+        """The points that several shortest paths lead to from a source, or from several ones.
+
+        Returns
+        -------
+        Cells
+            As of `voronoi_borders`; the two sources of a border can be the same.
+        """
+        return self._cells(source, True)
+
+    def _cells(self, sources: Any, within_cells: bool) -> Cells:
+        (elements, coordinates), _ = _arrays.points(sources, "source")
+        return Cells(*self._solver.cells(elements, coordinates, within_cells))
 
     @overload
     def farthest_points(

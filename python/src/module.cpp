@@ -7,6 +7,7 @@
 // package, its only caller, converts and validates arguments.
 
 #include "arrays.h"
+#include "cells.h"
 #include "files.h"
 #include "grids.h"
 #include "locations.h"
@@ -365,6 +366,7 @@ PYBIND11_MODULE(_native, module)
       .def("paths", &python::paths)
       .def("matrix", &python::matrix)
       .def("voronoi", &python::voronoi)
+      .def("cells", &python::cells)
       .def("farthest_points", &python::farthest_points)
       .def("gradient", &python::gradient)
       .def("isolines", &python::isolines)

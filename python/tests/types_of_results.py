@@ -32,6 +32,8 @@ def check(solver: ag.Solver, values: Floats) -> None:
     assert_type(solver.farthest_points(5, return_radius=True), tuple[Integers, float])
     assert_type(solver.isolines(values, 0.5), list[Floats])
     assert_type(solver.isolines(values, [0.5, 1]), list[list[Floats]])
+    assert_type(solver.voronoi_borders([0, 1]), ag.Cells)
+    assert_type(solver.cut_locus(0).areas, Floats)
     assert_type(solver.trace(0, [1, 0, 0]), Floats)
     assert_type(solver.trace(0, [1, 0], 2, return_end=True), tuple[Floats, Floats, float])
     assert_type(solver.logarithmic_map(0), Floats)

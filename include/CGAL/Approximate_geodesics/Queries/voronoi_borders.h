@@ -142,6 +142,17 @@ double chord_error(const NamedParameters& np, const double mean_edge, const doub
   return part * mean_edge;
 }
 
+// Across edges without length, it is not known in which direction lines of sight continue.
+inline void reject_edges_without_length(const Intrinsic_triangulation& triangulation)
+{
+  for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+    if(!(triangulation.length(h) > 0))
+      reject("the edge between vertices " +
+             std::to_string(triangulation.index(triangulation.source(h))) + " and " +
+             std::to_string(triangulation.index(triangulation.target(h))) +
+             " has no length; borders of cells need edges with a positive length");
+}
+
 // Searches from the sources, and divides the surface.
 template <typename TriangleMesh, typename Sources, typename NamedParameters>
 Voronoi_cells<TriangleMesh> cells_of(const TriangleMesh& tmesh,
@@ -151,6 +162,7 @@ Voronoi_cells<TriangleMesh> cells_of(const TriangleMesh& tmesh,
 {
   const auto graph = graph_with_epsilon<Saddle_vertex_graph, Concurrency_tag<NamedParameters>>(
       Intrinsic_triangulation(tmesh, np), 0);
+  reject_edges_without_length(graph.triangulation());
   Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
   std::vector<Source_point> points;
   for(const Intrinsic_point& p : intrinsic_points(translation, sources, "source"))
@@ -212,8 +224,8 @@ Voronoi_cells<TriangleMesh> cells_of(const TriangleMesh& tmesh,
  *         empty: its area is `0`, and it has no borders. Parts of the surface without a source
  *         belong to no cell.
  *
- * \throws std::invalid_argument as `approximate_geodesic_distances()` does, and if `chord_error` is
- *         not positive. The message says what is wrong.
+ * \throws std::invalid_argument as `approximate_geodesic_distances()` does, if an edge has length
+ *         zero, and if `chord_error` is not positive. The message says what is wrong.
  * \throws std::length_error if `tmesh` has too many halfedges for 32-bit indices.
  *
  * It takes an exact search, and then the time to follow all lines once more, and to divide the

@@ -17,10 +17,7 @@ namespace CGAL::Approximate_geodesics::internal {
 
 // Whether `v` is to the left of `u`: never both ways, and not for equal vectors. The sign of
 // `cross(u, v)` has neither property where the compiler contracts it to a fused operation.
-inline bool is_before(const Plane_vector u, const Plane_vector v)
-{
-  return u.x * v.y > u.y * v.x;
-}
+inline bool is_before(const Plane_vector u, const Plane_vector v) { return u.x * v.y > u.y * v.x; }
 
 // Unit vectors between two, counterclockwise, by less than a half turn.
 struct Direction_range

@@ -180,8 +180,7 @@ private:
     if(window.has_tip_in_face)
       m_windows.push_back(window);
     else if(window.tip.y < 0 && window.right.y > 0 && window.left.y > 0)
-      m_sides[window.halfedge].insert(window, m_triangulation.length(window.halfedge),
-                                           m_workspace);
+      m_sides[window.halfedge].insert(window, m_triangulation.length(window.halfedge), m_workspace);
   }
 
   const Intrinsic_triangulation& m_triangulation;
