@@ -7,6 +7,7 @@
 // package, its only caller, converts and validates arguments.
 
 #include "arrays.h"
+#include "curves.h"
 #include "files.h"
 #include "grids.h"
 #include "locations.h"
@@ -339,6 +340,10 @@ PYBIND11_MODULE(_native, module)
       .def("locate", &python::Locator::locate);
 
   python::add_grid(module);
+
+  module.def("distances_from_curve", &python::distances_from_curve);
+  module.def("distances_from_region", &python::distances_from_region);
+  module.def("offsets_of_curve", &python::offsets_of_curve);
 
   py::class_<python::Walks>(module, "Walks")
       .def(py::init<const Solver&>(), py::keep_alive<1, 2>())

@@ -14,6 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -25,19 +28,38 @@ namespace CGAL::Approximate_geodesics::internal {
  * source is the origin, its target is on the x axis, and the face is to the left.
  */
 
+// The direction of a ray, in single precision: there are many. A point that is beyond the ray, but
+// seen by mistake, is farther away than it seems by the square of that precision.
+struct Short_vector
+{
+  float x = 0, y = 0;
+
+  Short_vector() = default;
+
+  explicit Short_vector(const Plane_vector v)
+  {
+    const double l = length(v);
+    x = l > 0 ? static_cast<float>(v.x / l) : 0;
+    y = l > 0 ? static_cast<float>(v.y / l) : 0;
+  }
+
+  Plane_vector vector() const { return {x, y}; }
+};
+
 // From a tip, between two rays; everywhere if these have no direction.
 struct Circular_front
 {
-  double label;             // of the tip
-  Plane_vector tip;         // unfolded into the plane of the face
-  Plane_vector right, left; // unit vectors
+  double label;     // of the tip
+  Plane_vector tip; // unfolded into the plane of the face
+  Short_vector right = {}, left = {};
 
   double distance(const Plane_vector p) const
   {
-    constexpr double rounding = 1e-9; // of angles
+    constexpr double rounding = 2e-7; // of angles
     const Plane_vector way = p - tip;
     const double l = length(way);
-    const bool is_seen = cross(right, way) >= -rounding * l && cross(way, left) >= -rounding * l;
+    const bool is_seen =
+        cross(right.vector(), way) >= -rounding * l && cross(way, left.vector()) >= -rounding * l;
     return is_seen ? label + l : infinity;
   }
 };
@@ -72,14 +94,16 @@ public:
 
   void add(const Index h, const Front& front)
   {
+    if(m_fronts.size() >= none)
+      throw std::length_error("an exact search has too many lines to keep them all");
     m_fronts.push_back({front, m_last[h]});
-    m_last[h] = m_fronts.size() - 1;
+    m_last[h] = static_cast<std::uint32_t>(m_fronts.size() - 1);
   }
 
   double distance(const Index h, const Plane_vector p) const
   {
     double result = infinity;
-    for(std::size_t i = m_last[h]; i != none; i = m_fronts[i].previous)
+    for(std::uint32_t i = m_last[h]; i != none; i = m_fronts[i].previous)
       result = (std::min)(result, m_fronts[i].front.distance(p));
     return result;
   }
@@ -88,13 +112,13 @@ private:
   struct Entry
   {
     Front front;
-    std::size_t previous; // of the same side
+    std::uint32_t previous; // of the same side
   };
 
-  static constexpr std::size_t none = std::size_t(-1);
+  static constexpr std::uint32_t none = std::uint32_t(-1);
 
-  std::vector<Entry> m_fronts;
-  std::vector<std::size_t> m_last; // by halfedge
+  std::deque<Entry> m_fronts;
+  std::vector<std::uint32_t> m_last; // by halfedge
 };
 
 /*
@@ -220,7 +244,7 @@ private:
     Lines_of_sight(m_triangulation, m_run.tables(), point)
         .for_each_side([&](const Index side, const Face_point&, const Plane_vector start,
                            const Plane_vector end) {
-          m_circular.add(side, {label, Frame(end - start)(-1. * start), {0, 0}, {0, 0}});
+          m_circular.add(side, {label, Frame(end - start)(-1. * start), {}, {}});
         });
   }
 
@@ -258,8 +282,8 @@ private:
   {
     const Frame frame(sight.edge);
     m_circular.add(sight.halfedge,
-                   {label, frame(-1. * sight.left), frame(unit(sight.right_ray.direction)),
-                    frame(unit(sight.left_ray.direction))});
+                   {label, frame(-1. * sight.left), Short_vector(frame(sight.right_ray.direction)),
+                    Short_vector(frame(sight.left_ray.direction))});
   }
 
   void add(const Strip& strip, const double label)
