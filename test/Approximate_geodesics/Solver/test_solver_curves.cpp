@@ -29,21 +29,29 @@ using AG::Solver_point;
 class Curves_of_arrays : public testing::Test
 {
 protected:
-  Curves_of_arrays()
+  static std::vector<double> coordinates()
   {
+    std::vector<double> result;
     for(int y = 0; y < 9; ++y)
       for(int x = 0; x < 9; ++x)
-        m_coordinates.insert(m_coordinates.end(), {double(x), double(y), 0});
+        result.insert(result.end(), {double(x), double(y), 0});
+    return result;
+  }
+
+  static std::vector<std::int64_t> faces()
+  {
+    std::vector<std::int64_t> result;
     for(std::int64_t y = 0; y < 8; ++y)
       for(std::int64_t x = 0; x < 8; ++x)
       {
         const std::int64_t v = x + 9 * y;
-        m_faces.insert(m_faces.end(), {v, v + 1, v + 10, v, v + 10, v + 9});
+        result.insert(result.end(), {v, v + 1, v + 10, v, v + 10, v + 9});
       }
+    return result;
   }
 
-  std::vector<double> m_coordinates;
-  std::vector<std::int64_t> m_faces;
+  const std::vector<double> m_coordinates = coordinates();
+  const std::vector<std::int64_t> m_faces = faces();
   const AG::Solver m_solver = {m_coordinates.data(), 81, m_faces.data(), 128};
   const Solver_curves m_curves{m_solver};
 };
