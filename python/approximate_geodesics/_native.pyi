@@ -47,6 +47,18 @@ class Grid:
     @property
     def memory(self) -> int: ...
 
+def distances_from_curve(
+    solver: Solver, elements: _Integers, coordinates: Optional[_Floats], is_closed: bool
+) -> _Floats: ...
+def distances_from_region(solver: Solver, faces: list[int]) -> _Floats: ...
+def offsets_of_curve(
+    solver: Solver,
+    elements: _Integers,
+    coordinates: Optional[_Floats],
+    is_closed: bool,
+    distances: list[float],
+) -> list[Tuple[float, _Floats]]: ...
+
 class Walks:
     def __init__(self, solver: Solver) -> None: ...
     def trace(

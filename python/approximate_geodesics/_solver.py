@@ -718,6 +718,72 @@ class Solver:
             raise ValueError(f"level {wrong[0]} is {wanted[wrong[0]]}; it must be finite")
         return [self._solver.isolines(function, level) for level in wanted.tolist()]
 
+    # Curves
+
+    def distances_from_curve(self, points: Any, *, closed: bool = False) -> _arrays.Floats:
+        """Exact distances of all vertices from the nearest point of a curve.
+
+        Parameters
+        ----------
+        points : point or points
+            The vertices of the curve. Consecutive ones that have no face in common are joined by a
+            shortest path.
+        closed : bool
+            Whether the last point is joined to the first one.
+
+        Returns
+        -------
+        (n,) array of float64
+            Infinity for vertices that are not reached. Costs and barriers do not count.
+        """
+        (elements, coordinates), _ = _arrays.points(points, "point")
+        return _native.distances_from_curve(self._solver, elements, coordinates, closed)
+
+    def distances_from_region(self, faces: npt.ArrayLike) -> _arrays.Floats:
+        """Exact distances of all vertices from a set of faces, (k,); `0` in these."""
+        numbers = _arrays.integers(faces, "faces", (-1,))
+        return _native.distances_from_region(self._solver, numbers.tolist())
+
+    @overload
+    def offset_curves(
+        self, points: Any, distances: float, *, closed: bool = False
+    ) -> list[_arrays.Floats]: ...
+
+    @overload
+    def offset_curves(
+        self,
+        points: Any,
+        distances: Union[Sequence[float], npt.NDArray[Any]],
+        *,
+        closed: bool = False,
+    ) -> list[list[_arrays.Floats]]: ...
+
+    def offset_curves(self, points: Any, distances: Any, *, closed: bool = False) -> Any:
+        """Curves at exact distances from a curve or a point, such as tool paths.
+
+        Parameters
+        ----------
+        points, closed
+            As for `distances_from_curve`.
+        distances : float or (k,) array of float
+            The distances, larger than 0.
+
+        Returns
+        -------
+        list of (k, 3) arrays of float64, or list of such lists
+            The polylines at one distance, or at each one. What is nearer to the curve is on their
+            left. That of a closed one begins and ends with the same point.
+        """
+        (elements, coordinates), _ = _arrays.points(points, "point")
+        wanted = np.atleast_1d(_arrays.numbers(distances, "distances", np.shape(distances)[:1]))
+        lines: dict[float, list[_arrays.Floats]] = {d: [] for d in wanted.tolist()}
+        for distance, line in _native.offsets_of_curve(
+            self._solver, elements, coordinates, closed, list(lines)
+        ):
+            lines[distance].append(line)
+        result = [lines[d] for d in wanted.tolist()]
+        return result[0] if np.ndim(distances) == 0 else result
+
     # Straight walks
 
     @overload

@@ -8,6 +8,7 @@
 
 #include "arrays.h"
 #include "cells.h"
+#include "curves.h"
 #include "files.h"
 #include "grids.h"
 #include "locations.h"
@@ -340,6 +341,10 @@ PYBIND11_MODULE(_native, module)
       .def("locate", &python::Locator::locate);
 
   python::add_grid(module);
+
+  module.def("distances_from_curve", &python::distances_from_curve);
+  module.def("distances_from_region", &python::distances_from_region);
+  module.def("offsets_of_curve", &python::offsets_of_curve);
 
   py::class_<python::Walks>(module, "Walks")
       .def(py::init<const Solver&>(), py::keep_alive<1, 2>())

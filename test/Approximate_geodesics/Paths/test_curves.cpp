@@ -124,6 +124,24 @@ protected:
   std::vector<Point> m_corners;
 };
 
+TEST(Curve, that_goes_straight_on_at_an_edge_is_nearest_there)
+{
+  const Triangulation t(to_mesh(flat_grid(5, 4)));
+  const auto vertex = [&](const std::size_t i) { return vertex_with_index(t, i); };
+  unsigned diagonal = 0;
+  while(t.source(diagonal) != t.vertex(0) || t.target(diagonal) != t.vertex(6))
+    ++diagonal;
+  const Polyline_on_surface polyline{vertex(1), Intrinsic_point::on_edge(diagonal, 0.5), vertex(5)};
+  const auto expect_distances = [&](const auto& graph) {
+    const auto search = search_from(graph, polyline);
+    for(const std::size_t i : {0, 6})
+      EXPECT_NEAR(search.distance(vertex(i)), std::sqrt(0.5), 1e-12);
+  };
+  expect_distances(Saddle_vertex_graph(t));
+  expect_distances(Lazy_discrete_geodesic_graph(t, parameters::epsilon(1)));
+  expect_distances(Discrete_geodesic_graph(t, parameters::epsilon(1)));
+}
+
 TEST_F(Curve_in_plane, has_exact_distances_in_the_exact_graph)
 {
   expect_distances(m_exact, ROUNDING);
@@ -222,7 +240,7 @@ void expect_smallest_distances(const std::string& name, const Mesh& mesh, Random
     if(wanted == infinity || found == infinity)
       EXPECT_EQ(found, wanted);
     else
-      EXPECT_NEAR(found, wanted, exact * (wanted + graph.arc_lengths().longest * t.unit()));
+      EXPECT_NEAR(found, wanted, ROUNDING * (wanted + graph.arc_lengths().longest * t.unit()));
     expect_path_to_curve(search, p, 1e-7);
   }
 }

@@ -92,7 +92,9 @@ void expect_properties(const Graph& graph, const double excess, Random& random)
         continue;
       EXPECT_LE(d, other * (1 + (excess < infinity ? excess : 1e-12)) + small) << v;
       if(excess < infinity)
+      {
         EXPECT_GE(d * (1 + excess) + length * (1 + excess) + small, other * (1 - 1e-6)) << v;
+      }
     }
   }
   for(int i = 0; i < 4; ++i)

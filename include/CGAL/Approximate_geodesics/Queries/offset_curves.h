@@ -8,8 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Fronts.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/Predicted_distances.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
 
 #include <algorithm>
@@ -62,11 +63,15 @@ public:
     std::vector<Intrinsic_point> points;
   };
 
-  // `distances` are sorted. `step` is what errors are relative to.
-  Offset_tracer(const Search& search, std::vector<double> distances, const double step)
+  // `distances` are sorted. `step` is what errors are relative to. The search has found all
+  // distances up to the limit.
+  Offset_tracer(const Search& search,
+                std::vector<double> distances,
+                const double step,
+                const double limit)
     : m_search(search),
       m_triangulation(search.graph().triangulation()),
-      m_predicted(search),
+      m_fronts(search, limit / m_triangulation.unit()),
       m_distances(std::move(distances)),
       m_step(step)
   {
@@ -94,24 +99,19 @@ private:
   };
   using Triangle = std::array<Corner, 3>;
 
-  static constexpr double LARGEST_ERROR = 8e-3; // in steps: twice that of a mean of predictions
+  static constexpr double LARGEST_ERROR = 2e-3; // in steps
 
-  // Of a point of the present face: a prediction from its corners where these agree.
+  // Of a point of the present face.
   double value(const Corner& c) const
   {
-    double low = infinity, high = 0;
+    double result = infinity;
     for(std::size_t i = 0; i < 3; ++i)
     {
       const Plane_vector way =
           c.weight[(i + 1) % 3] * m_sides[i][0] + c.weight[(i + 2) % 3] * m_sides[i][1];
-      const double d = m_predicted.distance(m_halfedges[i], way);
-      low = (std::min)(low, d);
-      high = (std::max)(high, d);
+      result = (std::min)(result, m_fronts.distance(m_halfedges[i], way));
     }
-    const double unit = m_triangulation.unit();
-    if((high - low) * unit <= LARGEST_ERROR * m_step)
-      return (low + high) / 2 * unit;
-    return m_search.distance(point(c));
+    return result * m_triangulation.unit();
   }
 
   void add_face(const Index h)
@@ -276,7 +276,7 @@ private:
     for(int i = 0; i < 8; ++i)
     {
       const double here = value(between(below, above, result, 0)) - wanted;
-      if(!(std::abs(here) > LARGEST_ERROR / 4 * m_step))
+      if(!(std::abs(here) > LARGEST_ERROR * m_step))
         break;
       (here < 0 ? start : end) = result;
       (here < 0 ? at_start : at_end) = here;
@@ -314,7 +314,7 @@ private:
 
   const Search& m_search;
   const Intrinsic_triangulation& m_triangulation;
-  const Predicted_distances<Search> m_predicted;
+  const Fronts<Search> m_fronts;
   const std::vector<double> m_distances;
   const double m_step;
   std::array<Index, 3> m_halfedges{};                   // of the present face
@@ -356,7 +356,7 @@ inline double smallest_step(const std::vector<double>& distances)
  * each other.
  *
  * Distances are exact, and are evaluated where an offset curve crosses an edge, so its points have
- * the distance up to 0.6 % of the smallest step between two offsets. Between them, it is straight;
+ * the distance up to 0.2 % of the smallest step between two offsets. Between them, it is straight;
  * faces near the sources are divided for that. At points that have several shortest paths to the
  * sources (the medial axis), offset curves have corners, which may be cut off by up to a face.
  *
@@ -382,8 +382,8 @@ inline double smallest_step(const std::vector<double>& distances)
  * \throws std::invalid_argument as `approximate_geodesic_distances()` does with `epsilon(0)`, and
  * if a distance is not finite or not larger than `0`. Nothing is written then.
  *
- * Run time is that of an exact search up to the largest distance, plus that of evaluating the
- * distance of about each point of the curves, for which a line is followed across faces.
+ * Run time is that of an exact search up to the largest distance, and then the time to follow all
+ * lines once more, and to evaluate the distance of each point of the curves a few times.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `isolines()`
@@ -411,8 +411,9 @@ OutputIterator offset_curves(const TriangleMesh& tmesh,
                         decltype(point_map)>
       search(graph, translation, std::move(point_map));
   const double margin = 2 * graph.arc_lengths().longest * graph.unit();
-  search.run_from(sources, parameters::maximum_distance(offsets.back() + margin));
-  internal::Offset_tracer tracer(search.search(), offsets, internal::smallest_step(offsets));
+  const double limit = offsets.back() + margin;
+  search.run_from(sources, parameters::maximum_distance(limit));
+  internal::Offset_tracer tracer(search.search(), offsets, internal::smallest_step(offsets), limit);
   for(const auto& line : tracer.trace())
   {
     Offset_curve<Point_3> curve{offsets[line.number], line.is_closed, {}};

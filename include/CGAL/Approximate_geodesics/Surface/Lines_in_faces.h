@@ -173,8 +173,9 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  // Calls `f(v, cost, foot)` for the corners of the faces that contain the segment to `end`, if
-  // they are nearest to a point inside it.
+  // Calls `f(v, cost, foot)` for the corners of the faces that contain the segment to `end`, with
+  // the nearest point of it: also if that is an end, as ends where a curve is straight are not
+  // attached.
   template <typename F, typename OnSample>
   void for_each_node_beside(const Intrinsic_point& end, F f, OnSample /* on_sample */) const
   {
@@ -185,11 +186,13 @@ public:
             return;
           const internal::Segment_layout layout(m_triangulation, segment);
           for(std::size_t i = 0; i < 3; ++i)
-            if(const double t = layout.nearest_part(layout.corner(i)); t > 0 && t < 1)
-              f(layout.vertex(i),
-                m_costs.between(h, segment.face_point(t),
-                                internal::Face_point::at_source(layout.halfedge(i))),
-                segment.point(m_triangulation, t));
+          {
+            const double t = layout.nearest_part(layout.corner(i));
+            f(layout.vertex(i),
+              m_costs.between(h, segment.face_point(t),
+                              internal::Face_point::at_source(layout.halfedge(i))),
+              segment.point(m_triangulation, t));
+          }
         });
   }
 #endif

@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
 #include <boost/container/static_vector.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -277,7 +278,8 @@ public:
   }
 
   // Calls `f(v, length, arrival, foot)` for the lines from a polyline to vertices, for paths that
-  // start with the label `label` and are no longer than `bound(v)`.
+  // start with the label `label` and are no longer than `bound(v)`. Calls `f.on_face(sight)` and
+  // `f.on_face(strip)` for what is seen of other faces, if it has such functions.
   template <typename Bound, typename F>
   void for_each_line(const std::vector<Intrinsic_point>& polyline,
                      const double label,
@@ -305,10 +307,21 @@ public:
   }
 
 private:
+  template <typename F>
+  using Face_report = decltype(std::declval<F&>().on_face(std::declval<const Strip&>()));
+
   template <typename Bound, typename F>
   struct Sight_visitor : Sight_visitor_base
   {
+    static constexpr bool wants_faces = boost::is_detected_v<Face_report, F>;
+
     double bound(const Index v) const { return bounds(v); }
+
+    void on_face(const Sight& sight, Plane_vector /* apex */)
+    {
+      if constexpr(wants_faces)
+        f.on_face(sight);
+    }
 
     void on_vertex(const Index v,
                    const Sight_path& path,
@@ -328,7 +341,15 @@ private:
   struct Strip_visitor
   {
     double bound(const Index v) const { return bounds(v); }
-    bool ends(const Strip& /* strip */) const { return false; }
+
+    bool ends(const Strip& strip) const
+    {
+      if constexpr(boost::is_detected_v<Face_report, F>)
+        f.on_face(strip);
+      else
+        (void)strip;
+      return false;
+    }
 
     void on_vertex(const Index v,
                    const double length,
@@ -379,13 +400,16 @@ private:
   {
     if(p.is_vertex())
       return f(p.vertex, 0., Arrival(), p);
-    Lines_of_sight(m_triangulation, m_tables, p)
-        .for_each_line(
-            label, bound, Points_by_face(),
-            [&](const Index v, const double length, const Arrival& arrival) {
-              f(v, length, arrival, p);
-            },
-            [](std::size_t, double) {});
+    const Lines_of_sight lines(m_triangulation, m_tables, p);
+    const auto on_corner = [&](const Index v, const double length, const Arrival& arrival) {
+      f(v, length, arrival, p);
+    };
+    lines.for_each_corner(on_corner);
+    Sight_visitor<Bound, F> visitor{{}, bound, f, p};
+    Sight_expansion<Sight_visitor<Bound, F>> expansion(m_tables, label, visitor);
+    lines.for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
+      expansion.look(sight, left_end, right_end);
+    });
   }
 
   // From a segment, on both sides.

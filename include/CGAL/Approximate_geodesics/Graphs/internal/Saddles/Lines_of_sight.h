@@ -302,6 +302,21 @@ public:
     });
   }
 
+  // Reports the corners of the faces that contain the point. A corner at the same position has no
+  // arrival, like a source.
+  template <typename OnNode>
+  void for_each_corner(OnNode& on_node) const
+  {
+    for_each_side([&](const Index side, const Face_point& p, const Plane_vector start,
+                      const Plane_vector end) {
+      const Index opposite = triangulation().next(side); // opposite to the source of `side`
+      // computed in the same way as the upper bound
+      const double to_corner = distance(triangulation(), p, Face_point::at_source(side));
+      on_node(triangulation().source(side), to_corner,
+              to_corner > 0 ? Arrival::across(opposite, start, start - end) : Arrival());
+    });
+  }
+
 private:
   // Considers the lines to `end` through the sights that `for_each_sight` reports.
   template <typename Bound, typename ForEachSight>
@@ -410,21 +425,6 @@ private:
   }
 
 protected:
-  // Reports the corners of the faces that contain the point. A corner at the same position has no
-  // arrival, like a source.
-  template <typename OnNode>
-  void for_each_corner(OnNode& on_node) const
-  {
-    for_each_side([&](const Index side, const Face_point& p, const Plane_vector start,
-                      const Plane_vector end) {
-      const Index opposite = triangulation().next(side); // opposite to the source of `side`
-      // computed in the same way as the upper bound
-      const double to_corner = distance(triangulation(), p, Face_point::at_source(side));
-      on_node(triangulation().source(side), to_corner,
-              to_corner > 0 ? Arrival::across(opposite, start, start - end) : Arrival());
-    });
-  }
-
   static Sight sight(const Index halfedge, Plane_vector left, Plane_vector right)
   {
     if(!(cross(right, left) > 0)) // the face has no area, and the point may be between its corners

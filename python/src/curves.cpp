@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "curves.h"
+
+#include "running.h"
+
+#include <CGAL/Approximate_geodesics/Solver/Solver_curves.h>
+
+#include <pybind11/stl.h>
+
+#include <utility>
+
+namespace python {
+namespace {
+
+// `make_source(curves)` returns a curve or a region.
+template <typename MakeSource>
+Array<double> distances_from(const AG::Solver& solver, const MakeSource& make_source)
+{
+  Array<double> result(static_cast<py::ssize_t>(solver.number_of_vertices()));
+  double* const data = result.mutable_data();
+  run(py::none(), [&](const AG::Solver_watch&) {
+    const AG::Solver_curves curves(solver);
+    curves.find_distances(make_source(curves), data);
+  });
+  return result;
+}
+
+} // namespace
+
+Array<double> distances_from_curve(const AG::Solver& solver,
+                                   const Array<std::int64_t>& elements,
+                                   const std::optional<Array<double>>& coordinates,
+                                   const bool is_closed)
+{
+  const auto places = points(elements, coordinates);
+  return distances_from(
+      solver, [&](const AG::Solver_curves& curves) { return curves.curve(places, is_closed); });
+}
+
+Array<double> distances_from_region(const AG::Solver& solver,
+                                    const std::vector<std::int64_t>& faces)
+{
+  return distances_from(solver,
+                        [&](const AG::Solver_curves& curves) { return curves.region(faces); });
+}
+
+py::list offsets_of_curve(const AG::Solver& solver,
+                          const Array<std::int64_t>& elements,
+                          const std::optional<Array<double>>& coordinates,
+                          const bool is_closed,
+                          const std::vector<double>& distances)
+{
+  const auto places = points(elements, coordinates);
+  auto offsets = run(py::none(), [&](const AG::Solver_watch&) {
+    const AG::Solver_curves curves(solver);
+    return curves.offsets(curves.curve(places, is_closed), distances);
+  });
+  py::list result;
+  for(auto& offset : offsets)
+    result.append(py::make_tuple(offset.distance, moved_points(std::move(offset.coordinates))));
+  return result;
+}
+
+} // namespace python
