@@ -82,8 +82,8 @@ TEST_F(Curves_of_arrays, have_offsets)
       EXPECT_NEAR(std::abs(offset.coordinates[i + 1] - 2), offset.distance, 0.01);
   }
   const auto middle = m_curves.curve({Solver_point::at_vertex(40)}, false);
-  const auto circle = m_curves.offsets(middle, {2}).at(0).coordinates;
-  EXPECT_EQ(circle.front(), circle[circle.size() - 3]);
+  const auto ring = m_curves.offsets(middle, {2}).at(0).coordinates;
+  EXPECT_EQ(ring.front(), ring[ring.size() - 3]);
 }
 
 TEST_F(Curves_of_arrays, are_refused_with_elements_that_do_not_exist)
