@@ -136,7 +136,8 @@ TEST(Loops, around_the_hole_of_a_torus_are_its_inner_polygon)
 {
   for(const auto& [n, m] : {std::pair(12, 8), std::pair(31, 20), std::pair(48, 30)})
   {
-    const Mesh mesh = to_mesh(torus(n, m, 3, 1)); // vertex j + m i: j = m / 2 is inside
+    const Mesh mesh =
+        to_mesh(torus(std::size_t(n), std::size_t(m), 3, 1)); // j + m i: m / 2 is inside
     std::vector<Vertex> outer;
     for(int i = 0; i < n; ++i)
       outer.push_back(Vertex(static_cast<Mesh::size_type>(i * m)));

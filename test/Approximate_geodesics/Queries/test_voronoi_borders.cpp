@@ -298,7 +298,7 @@ TEST(VoronoiBorders, divide_sample_meshes)
     const Mesh mesh = sample_mesh(name);
     const std::uint64_t seed = test_seed();
     Random random(seed);
-    for(const std::size_t n : {2, 10, 100})
+    for(const std::size_t n : {2u, 10u, 100u})
     {
       const auto sources = random_sources(mesh, n, random);
       const Cells cells = AG::voronoi_borders(mesh, sources);
