@@ -58,7 +58,7 @@ protected:
   Curve_in_plane()
   {
     AG::Surface_search<Saddle_vertex_graph> search(m_exact);
-    for(const std::size_t i : {63, 300, 415, 189})
+    for(const std::size_t i : {63u, 300u, 415u, 189u})
     {
       const Intrinsic_point p = vertex_with_index(m_triangulation, i);
       m_corners.push_back(m_mesh.point(Vertex(static_cast<unsigned>(i))));
@@ -134,7 +134,7 @@ TEST(Curve, that_goes_straight_on_at_an_edge_is_nearest_there)
   const Polyline_on_surface polyline{vertex(1), Intrinsic_point::on_edge(diagonal, 0.5), vertex(5)};
   const auto expect_distances = [&](const auto& graph) {
     const auto search = search_from(graph, polyline);
-    for(const std::size_t i : {0, 6})
+    for(const std::size_t i : {0u, 6u})
       EXPECT_NEAR(search.distance(vertex(i)), std::sqrt(0.5), 1e-12);
   };
   expect_distances(Saddle_vertex_graph(t));
@@ -360,13 +360,13 @@ TEST(Region, is_at_distance_zero_and_the_rest_as_far_as_from_its_border)
         square.faces.push_back(h);
     }
   auto& border = square.polylines.emplace_back();
-  for(const std::size_t i : {0, 1, 2, 3, 4})
+  for(const std::size_t i : {0u, 1u, 2u, 3u, 4u})
     border.push_back(vertex_with_index(t, 3 + i + 2 * 12));
-  for(const std::size_t i : {1, 2, 3, 4})
+  for(const std::size_t i : {1u, 2u, 3u, 4u})
     border.push_back(vertex_with_index(t, 7 + (2 + i) * 12));
-  for(const std::size_t i : {1, 2, 3, 4})
+  for(const std::size_t i : {1u, 2u, 3u, 4u})
     border.push_back(vertex_with_index(t, 7 - i + 6 * 12));
-  for(const std::size_t i : {1, 2, 3, 4})
+  for(const std::size_t i : {1u, 2u, 3u, 4u})
     border.push_back(vertex_with_index(t, 3 + (6 - i) * 12));
   AG::Surface_search<Saddle_vertex_graph> search(graph);
   search.run_from_curves({square});
