@@ -62,7 +62,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
   std::cout << "sources  distances, s  cells, s  ratio  borders\n";
-  for(const std::size_t number : {10, 100, 1000})
+  for(const std::size_t number : {10u, 100u, 1000u})
   {
     const std::vector<Location> sources = random_points(mesh, number);
     std::size_t borders = 0;

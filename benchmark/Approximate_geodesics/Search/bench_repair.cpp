@@ -67,7 +67,7 @@ public:
     measure("1 % of the faces, one region, closed", near(few), closed, table);
     measure(
         "1 % of the faces, scattered, times 1.5", [=] { return scattered(few); }, 1.5, table);
-    for(const std::size_t number : {2, 10, 100})
+    for(const std::size_t number : {2u, 10u, 100u})
       measure_sources(number, table);
   }
 

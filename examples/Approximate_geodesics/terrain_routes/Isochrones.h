@@ -82,9 +82,9 @@ private:
   {
     std::array<int, 4> crossed = {};
     std::size_t number = 0;
-    for(int side = 0; side < 4; ++side)
+    for(std::size_t side = 0; side < 4; ++side)
       if((corners[side] < value) != (corners[(side + 1) % 4] < value))
-        crossed[number++] = side;
+        crossed[number++] = static_cast<int>(side);
     if(number == 2)
       add_segment(contour, value, column, corners, crossed[0], crossed[1]);
     if(number < 4)

@@ -118,7 +118,7 @@ private:
       list_knots(a, b, start, angle, number);
       const auto [step, interval] = step_between_knots(error);
       result = (std::max)(result, step);
-      const double needed = parts_of_interval * angle / interval;
+      const double needed = interval > 0 ? parts_of_interval * angle / interval : infinity;
       if(double(number) >= needed)
         break;
       number = (std::max)(2 * number,
@@ -139,7 +139,8 @@ private:
     std::size_t i = sector(start);
     m_knots.clear();
     const auto add = [&](const Plane_vector d) {
-      m_knots.push_back({d, i, std::abs(cross(a, d) / cross(b, d))}); // signs may be rounded
+      const double to_a = std::abs(cross(a, d)), to_b = std::abs(cross(b, d)); // may be rounded
+      m_knots.push_back({d, i, to_b > 0 ? to_a / to_b : infinity});
     };
     Plane_vector d = start;
     for(std::size_t k = 0; k <= number; ++k, d = turned_left(d, turn))
