@@ -15,6 +15,9 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
+// The inverse of a number, also of zero: a signed infinity.
+inline double inverse(const double x) { return x != 0 ? 1 / x : std::copysign(infinity, x); }
+
 // Whether `v` is to the left of `u`: never both ways, and not for equal vectors. The sign of
 // `cross(u, v)` has neither property where the compiler contracts it to a fused operation.
 inline bool is_before(const Plane_vector u, const Plane_vector v) { return u.x * v.y > u.y * v.x; }
@@ -31,7 +34,7 @@ struct Direction_range
   Plane_vector middle() const
   {
     const Plane_vector sum = begin + end;
-    return 1 / length(sum) * sum;
+    return inverse(length(sum)) * sum;
   }
 };
 
@@ -49,7 +52,7 @@ struct Focal_curve
   // The line through `p` in direction `d`.
   static Focal_curve line(const Plane_vector p, const Plane_vector d)
   {
-    const double factor = 1 / cross(d, p);
+    const double factor = inverse(cross(d, p));
     return {0, {-factor * d.y, factor * d.x}};
   }
 
@@ -58,13 +61,13 @@ struct Focal_curve
   static Focal_curve hyperbola(const Plane_vector focus, const double difference)
   {
     const double distance = length(focus);
-    const double factor = 2 / ((distance - difference) * (distance + difference));
+    const double factor = 2 * inverse((distance - difference) * (distance + difference));
     return {factor * difference, factor * focus};
   }
 
   double at(const Plane_vector u) const { return constant + dot(linear, u); }
 
-  Plane_vector point(const Plane_vector u) const { return 1 / at(u) * u; }
+  Plane_vector point(const Plane_vector u) const { return inverse(at(u)) * u; }
 
   friend Focal_curve operator-(const Focal_curve& a, const Focal_curve& b)
   {

@@ -50,9 +50,10 @@ public:
     Gauge_formula result;
     const double determinant = xx * yy - xy * xy, trace = xx + yy;
     const double x = linear.x, y = linear.y;
+    if(!(xx > 0 && determinant > SMALLEST_RATIO * trace * trace))
+      return result;
     const double square_of_drift = (yy * x * x - 2 * xy * x * y + xx * y * y) / determinant;
-    if(!(xx > 0 && determinant > SMALLEST_RATIO * trace * trace) ||
-       !(square_of_drift <= LARGEST_DRIFT * LARGEST_DRIFT))
+    if(!(square_of_drift <= LARGEST_DRIFT * LARGEST_DRIFT))
       return result;
     result.m_factor = std::sqrt(xx);
     result.m_shear = xy / xx;
