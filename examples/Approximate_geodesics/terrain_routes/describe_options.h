@@ -1,6 +1,7 @@
 #ifndef TERRAIN_ROUTES_DESCRIBE_OPTIONS_H
 #define TERRAIN_ROUTES_DESCRIBE_OPTIONS_H
 
+#include "../command_line/describe_option.h"
 #include "Options.h"
 #include "rasters/gdal.h"
 
@@ -11,21 +12,6 @@
 #include <vector>
 
 // The options as --help shows them, in groups.
-
-namespace po = boost::program_options;
-
-inline auto text_option(const char* name) { return po::value<std::string>()->value_name(name); }
-
-inline auto texts_option(const char* name)
-{
-  return po::value<std::vector<std::string>>()->multitoken()->value_name(name);
-}
-
-inline po::options_description make_group(const char* title)
-{
-  constexpr unsigned width = 88, width_of_descriptions = 60;
-  return po::options_description(title, width, width_of_descriptions);
-}
 
 inline po::options_description describe_raster(Options& options)
 {

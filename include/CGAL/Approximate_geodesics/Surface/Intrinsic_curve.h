@@ -222,10 +222,10 @@ public:
       for(const auto& polyline : curves[i].polylines)
         for(std::size_t j = 0; j + 1 < (std::max)(polyline.size(), std::size_t(2)); ++j)
           add(polyline[j], polyline.size() == 1 ? polyline[j] : polyline[j + 1], i);
-    std::sort(m_entries.begin(), m_entries.end());
+    m_numbers.sort();
   }
 
-  bool is_empty() const { return m_entries.empty(); }
+  bool is_empty() const { return m_numbers.is_empty(); }
 
   const Curve_segment& operator[](const std::size_t i) const { return m_segments[i]; }
 
@@ -233,12 +233,8 @@ public:
   template <typename F>
   void for_each_in_face(const Index h, F f) const
   {
-    if(is_empty())
-      return;
-    const Index wanted = m_triangulation->first_of_face(h);
-    for(auto it = std::lower_bound(m_entries.begin(), m_entries.end(), Entry(wanted, 0));
-        it != m_entries.end() && it->first == wanted; ++it)
-      f(it->second);
+    if(!is_empty())
+      m_numbers.for_each(*m_triangulation, h, f);
   }
 
   // Calls `f(i, t, position)` for them, and the part `t` of the way that is nearest to the origin.
@@ -258,23 +254,20 @@ public:
   }
 
 private:
-  using Entry = std::pair<Index, std::size_t>; // a face, and the number of a segment
-
   void add(const Intrinsic_point& p, const Intrinsic_point& q, const std::size_t curve)
   {
     if(p.is_same(q, *m_triangulation) && p.is_vertex()) // it is a node
       return;
     for_each_segment(*m_triangulation, p, q, [&](Curve_segment segment) {
       segment.curve = curve;
-      m_entries.emplace_back(m_triangulation->first_of_face(segment.from.halfedge),
-                             m_segments.size());
+      m_numbers.add(*m_triangulation, segment.from.halfedge, m_segments.size());
       m_segments.push_back(segment);
     });
   }
 
   const Intrinsic_triangulation* m_triangulation = nullptr;
   std::vector<Curve_segment> m_segments;
-  std::vector<Entry> m_entries; // sorted
+  Numbers_by_face m_numbers;
 };
 
 } // namespace internal

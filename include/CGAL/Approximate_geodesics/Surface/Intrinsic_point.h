@@ -136,6 +136,41 @@ struct Intrinsic_point
   double s;       ///< the weight of the third vertex of its face
 };
 
+namespace internal {
+
+// Numbers of things that lie in faces, sorted by these.
+class Numbers_by_face
+{
+  using Index = Intrinsic_triangulation::Index;
+  using Entry = std::pair<Index, std::size_t>; // the first halfedge of a face, and a number
+
+public:
+  bool is_empty() const { return m_entries.empty(); }
+
+  // Adds a number to the face to the left of `h`. `sort()` follows.
+  void add(const Intrinsic_triangulation& triangulation, const Index h, const std::size_t number)
+  {
+    m_entries.emplace_back(triangulation.first_of_face(h), number);
+  }
+
+  void sort() { std::sort(m_entries.begin(), m_entries.end()); }
+
+  // Calls `f(number)` for those in the face to the left of `h`.
+  template <typename F>
+  void for_each(const Intrinsic_triangulation& triangulation, const Index h, F f) const
+  {
+    const Index wanted = triangulation.first_of_face(h);
+    for(auto it = std::lower_bound(m_entries.begin(), m_entries.end(), Entry(wanted, 0));
+        it != m_entries.end() && it->first == wanted; ++it)
+      f(it->second);
+  }
+
+private:
+  std::vector<Entry> m_entries;
+};
+
+} // namespace internal
+
 /*!
  * \ingroup PkgApproximateGeodesicsSurface
  *
@@ -158,14 +193,13 @@ public:
   {
     for(std::size_t i = 0; i < m_points.size(); ++i)
       if(!m_points[i].is_vertex())
-        m_points[i].for_each_face(triangulation, [&](const Index h) {
-          m_entries.emplace_back(m_triangulation->first_of_face(h), i);
-        });
-    std::sort(m_entries.begin(), m_entries.end());
+        m_points[i].for_each_face(triangulation,
+                                  [&](const Index h) { m_numbers.add(triangulation, h, i); });
+    m_numbers.sort();
   }
 
   /// returns whether there are no points other than vertices.
-  bool is_empty() const { return m_entries.empty(); }
+  bool is_empty() const { return m_numbers.is_empty(); }
 
   /// returns the point with number `i`.
   const Intrinsic_point& operator[](const std::size_t i) const { return m_points[i]; }
@@ -175,20 +209,14 @@ public:
   template <typename F>
   void for_each_in_face(const Index h, F f) const
   {
-    if(is_empty())
-      return;
-    const Index wanted = m_triangulation->first_of_face(h);
-    for(auto it = std::lower_bound(m_entries.begin(), m_entries.end(), Entry(wanted, 0));
-        it != m_entries.end() && it->first == wanted; ++it)
-      f(it->second);
+    if(!is_empty())
+      m_numbers.for_each(*m_triangulation, h, f);
   }
 
 private:
-  using Entry = std::pair<Index, std::size_t>; // a face, and the number of a point
-
   const Intrinsic_triangulation* m_triangulation = nullptr;
   std::vector<Intrinsic_point> m_points;
-  std::vector<Entry> m_entries; // sorted
+  internal::Numbers_by_face m_numbers;
 };
 
 } // namespace CGAL::Approximate_geodesics
