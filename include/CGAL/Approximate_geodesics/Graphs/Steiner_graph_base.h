@@ -405,8 +405,8 @@ public:
   /// returns the unit of costs, in the unit of the mesh times that of the costs per unit of length.
   double unit() const { return m_triangulation.unit() * Costs::unit(m_triangulation); }
 
-  /// returns a summary of the costs of the arcs along edges, as if
-  /// points divided every edge into equal parts.
+  /// returns a summary of the costs of the arcs along edges, as if points divided every edge into
+  /// equal parts. It is updated whenever many weights have changed.
   const Arc_lengths& arc_lengths() const { return m_arc_lengths; }
 
   /// returns an upper bound of the number of arcs that start from a node.
@@ -503,23 +503,41 @@ protected:
   // Must be called after the arcs of a group have become shorter or longer.
   void add_change(const std::size_t group, const bool is_shorter)
   {
-    constexpr std::size_t groups_per_change = 8; // more change results of most nodes
-    m_changes.add({group, is_shorter, !is_shorter}, number_of_groups() / groups_per_change);
+    m_changes.add({group, is_shorter, !is_shorter}, most_changes());
   }
 
-  void summarize_arcs() { m_arc_lengths = arcs().along_edges(); }
+  void summarize_arcs()
+  {
+    m_arc_lengths = arcs().along_edges();
+    m_number_of_changes = m_changes.number();
+  }
+
+  // Summarizes arcs again if so many have changed that this takes no longer than the changes.
+  void update_summary()
+  {
+    if(m_changes.number() - m_number_of_changes > most_changes())
+      summarize_arcs();
+  }
 
   Intrinsic_triangulation m_triangulation;
   Placement m_placement;
   typename Costs::Edges m_edges;
   internal::Steiner_nodes m_nodes;
-  Arc_lengths m_arc_lengths;
   Arc_changes m_changes;
+  Arc_lengths m_arc_lengths;
+  std::size_t m_number_of_changes = 0; // before arcs were summarized
   bool m_is_backward; // whether distances are those to the sources of a search
 
   internal::Steiner_groups groups() const { return {m_triangulation, m_nodes}; }
 
 private:
+  // The number of changes after which those before are dropped, as they change most results.
+  std::size_t most_changes() const
+  {
+    constexpr std::size_t groups_per_change = 8;
+    return number_of_groups() / groups_per_change;
+  }
+
   Costs costs(const bool is_backward) const
   {
     return {m_triangulation, m_nodes, m_edges, is_backward};

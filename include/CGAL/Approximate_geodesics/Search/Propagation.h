@@ -311,7 +311,6 @@ public:
           search(seeds, Stop_rule(), visitor, internal::No_heuristic(), {},
                  m_repair.border(*m_graph, m_labels));
           m_repair.tidy(m_labels);
-          count_all();
           m_repair.finish();
           return;
         }
@@ -428,8 +427,8 @@ private:
     // The largest label of the search, in units of the graph.
     double limit() const { return search.largest_label(stop); }
 
-    // Whether seeds are found after the start, and are those of curves if lines are not found from
-    // labels.
+    // Whether the search starts from curves. Other seeds are only found after the start if lines
+    // are found from labels.
     bool starts_from_curves() const { return finds_entries && !Run::attaches_by_labels; }
 
     // A lower bound on the distance to the goal, valid during the search; empty without heuristic.
@@ -606,10 +605,12 @@ private:
   template <typename Visitor, typename Heuristic>
   void propagate_all(const Stop_rule& stop, Visitor&& visitor, const Heuristic& heuristic)
   {
+    const std::size_t number_of_earlier = m_labels.order().size();
     propagate(stop,
               internal::Watch(m_labels, goal(stop, heuristic), visitor, m_graph->unit(), m_counts),
               heuristic);
-    count_all();
+    if(m_counts)
+      count_all(m_labels.order().size() - number_of_earlier);
     m_is_complete = m_is_complete && !m_ended_early;
     m_sources.forget_all(); // a visitor may have queried them before they were final
   }
@@ -703,11 +704,10 @@ private:
                                             std::move(points)};
   }
 
-  void count_all()
+  // The nodes of the run occur once in the order, as they are sorted.
+  void count_all(const std::size_t number_of_nodes)
   {
-    if(!m_counts)
-      return;
-    m_statistics.settled_nodes = m_labels.order().size(); // sorted, so each node occurs once
+    m_statistics.settled_nodes = number_of_nodes;
     if constexpr(internal::counts_comparisons<Queue>)
       m_statistics.queue_comparisons =
           m_queue.statistics().visited_buckets + m_queue.statistics().comparisons;

@@ -98,6 +98,13 @@ struct Propagation_statistics
 
 namespace internal {
 
+inline void check_initial_distance(const double distance, const std::size_t number_of_source)
+{
+  if(!(distance >= 0) || std::isinf(distance))
+    reject("the initial distance of source " + std::to_string(number_of_source) + " is " +
+           text_of(distance) + "; it must be a finite number that is not negative");
+}
+
 // Rejects invalid seeds and stop rules for a graph of this size and unit.
 inline void check_input(const std::vector<Seed>& seeds,
                         const Stop_rule& stop,

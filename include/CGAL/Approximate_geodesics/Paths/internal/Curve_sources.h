@@ -8,7 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
+#include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
 #include <boost/type_traits/is_detected.hpp>
@@ -33,9 +34,15 @@ using Nodes_beside = decltype(std::declval<Attachment_of<Graph>>().for_each_node
     std::declval<void (*)(Index, double, Intrinsic_point)>(),
     std::declval<void (*)(Intrinsic_point)>()));
 
-// Whether a graph can start at curves.
+template <typename Run>
+using Starts_from_curve = decltype(std::declval<const Run&>().for_each_line_from_curve(
+    std::declval<Intrinsic_curve>(), 0., std::declval<Some_function>()));
+
+// Whether searches of a graph can start from curves.
 template <typename Graph>
-constexpr bool has_curves = boost::is_detected_v<Nodes_beside, Graph>;
+constexpr bool has_curves = boost::is_detected_v<Nodes_beside, Graph> &&
+                            (!Run_of<Graph>::attaches_by_labels ||
+                             boost::is_detected_v<Starts_from_curve, Run_of<Graph>>);
 
 template <typename Graph>
 using Looks_across_edges = std::bool_constant<Attachment_of<Graph>::looks_across_edges>;
@@ -55,10 +62,11 @@ public:
 
   Curve_sources() = default;
 
-  // Checks the curves, except for the validity of their points. The triangulation is referred to.
+  // Checks the curves. The triangulation is referred to.
   Curve_sources(const Intrinsic_triangulation& triangulation, std::vector<Intrinsic_curve> curves)
     : m_curves(std::move(curves))
   {
+    check(triangulation);
     for(std::size_t i = 0; i < m_curves.size(); ++i)
     {
       for(auto& polyline : m_curves[i].polylines)
@@ -74,15 +82,6 @@ public:
   const std::vector<Intrinsic_curve>& curves() const { return m_curves; }
   const Segments_by_face& segments() const { return m_segments; }
   const Foot& foot(const std::size_t i) const { return m_feet[i]; }
-
-  // Adds a foot, and returns its number.
-  std::size_t add_foot(const Intrinsic_point& point, const std::size_t curve)
-  {
-    m_feet.push_back({point, curve});
-    return m_feet.size() - 1;
-  }
-
-  void clear_feet() { m_feet.clear(); }
 
   // The nearest of the curves that have the point in one of their faces; null_index if there is
   // none.
@@ -100,6 +99,64 @@ public:
             result = it->second;
       });
     return result;
+  }
+
+  // Returns a seed for each line to a node of a graph, with the number of its foot as its source.
+  template <typename Graph>
+  std::vector<Seed> seeds(const Graph& graph)
+  {
+    std::vector<Seed> result;
+    for(std::size_t i = 0; i < m_curves.size(); ++i)
+      for_each_line(graph, m_curves[i],
+                    [&](const Index node, const double length, const Intrinsic_point& foot) {
+                      if(length < infinity)
+                        result.push_back({node, m_curves[i].distance + length * graph.unit(),
+                                          add_foot(foot, i)});
+                    });
+    return result;
+  }
+
+  // The same for the lines that the run of a graph finds from labels. They replace the seeds.
+  template <typename Search>
+  std::vector<typename Search::Entry> entries(const typename Search::Run& run, const double unit)
+  {
+    m_feet.clear();
+    std::vector<typename Search::Entry> result;
+    for(std::size_t i = 0; i < m_curves.size(); ++i)
+    {
+      const double distance = m_curves[i].distance;
+      run.for_each_line_from_curve(
+          m_curves[i], distance / unit,
+          [&](const Index node, const double length, const auto& payload,
+              const Intrinsic_point& foot) {
+            result.push_back({{node, distance + length * unit, add_foot(foot, i)}, payload});
+          });
+    }
+    return result;
+  }
+
+private:
+  void check(const Intrinsic_triangulation& triangulation) const
+  {
+    if(triangulation.has_directional_costs())
+      reject("Directional_graph: curves are no sources where costs depend on the direction");
+    for(std::size_t i = 0; i < m_curves.size(); ++i)
+    {
+      check_initial_distance(m_curves[i].distance, i);
+      for(const auto& polyline : m_curves[i].polylines)
+        for(const Intrinsic_point& p : polyline)
+          check_point(p, triangulation);
+      for(const Index h : m_curves[i].faces)
+        if(!(h < triangulation.number_of_halfedges()) || triangulation.is_border(h))
+          reject("source " + std::to_string(i) + " has a face that does not exist");
+    }
+  }
+
+  // Adds a foot, and returns its number.
+  std::size_t add_foot(const Intrinsic_point& point, const std::size_t curve)
+  {
+    m_feet.push_back({point, curve});
+    return m_feet.size() - 1;
   }
 
   // Calls `f(node, length, foot)` for the lines from a curve to nodes of a graph.
@@ -133,7 +190,6 @@ public:
     }
   }
 
-private:
   // Upper bounds of distances from a curve.
   class Known_labels
   {
