@@ -152,13 +152,7 @@ public:
    */
   void set_weights(const std::vector<Weight_change>& changes)
   {
-    using Index = Intrinsic_triangulation::Index;
-    this->m_changes.reserve(changes.size());
-    this->m_triangulation.set_weights(
-        changes, [this](const Index h, const double before, const double after) {
-          if(after != before)
-            this->add_change(this->groups().group_of_face(h), after < before);
-        });
+    this->change_weights(changes);
     this->update_summary();
   }
 
@@ -181,13 +175,7 @@ public:
    *
    * Run time is linear in the number of changes; at the first call, it is \cgalBigO{n}.
    */
-  void set_barriers(const std::vector<Barrier_change>& changes)
-  {
-    this->m_changes.reserve(changes.size());
-    this->m_triangulation.set_barriers(changes);
-    for(const Barrier_change& change : changes)
-      this->add_change(this->groups().group_of_barrier(change.halfedge), !change.is_barrier);
-  }
+  void set_barriers(const std::vector<Barrier_change>& changes) { this->change_barriers(changes); }
 
   /// @}
 };

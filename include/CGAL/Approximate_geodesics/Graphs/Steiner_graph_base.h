@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/Arc_changes.h>
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_groups.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
@@ -346,13 +345,14 @@ private:
  * \ingroup PkgApproximateGeodesicsGraphs
  *
  * The common base class of `Steiner_graph` and `Directional_graph`: the nodes of a mesh with
- * Steiner points, and their arcs.
+ * Steiner points, and their arcs. The nodes at the border of a face are a group, see
+ * `GeodesicGraph`.
  *
  * \tparam Placement a model of `SteinerPointPlacement`
  * \tparam Costs determines the costs of arcs: by the weights of faces, or by their gauges
  */
 template <typename Placement, typename Costs>
-class Steiner_graph_base
+class Steiner_graph_base : public internal::Steiner_groups
 {
 public:
   /// the number of a node; those of the vertices come first.
@@ -447,33 +447,6 @@ public:
   /// prefetches the data from which the arcs of `node` are computed.
   void prefetch(const Node node) const { m_nodes.prefetch(m_triangulation, node); }
 
-  /// \name Groups of Nodes
-  /// A search that is repaired reads these, see `GeodesicGraph`. The nodes at the border of a face
-  /// are a group.
-  /// @{
-
-  /// returns the number of groups.
-  std::size_t number_of_groups() const { return groups().number_of_groups(); }
-
-  /// calls `f(group)` for the groups that a node is in, and maybe several times.
-  template <typename F>
-  void for_each_group(const Node node, F f) const
-  {
-    groups().for_each_group(node, f);
-  }
-
-  /// calls `f(node)` for the nodes of a group, and maybe several times.
-  template <typename F>
-  void for_each_node_of_group(const std::size_t group, F f) const
-  {
-    groups().for_each_node(group, f);
-  }
-
-  /// returns what has changed since the graph was built.
-  const Arc_changes& arc_changes() const { return m_changes; }
-
-  /// @}
-
   /// returns the number of bytes that the graph takes, its triangulation included.
   std::size_t memory() const
   {
@@ -491,19 +464,13 @@ protected:
                      Placement placement,
                      const std::size_t maximum_number_of_points,
                      const bool is_backward = false)
-    : m_triangulation(std::move(triangulation)),
+    : Steiner_groups(std::move(triangulation)),
       m_placement(std::move(placement)),
       m_edges(m_triangulation),
       m_is_backward(is_backward)
   {
     m_nodes = internal::Steiner_nodes(m_triangulation, m_placement, maximum_number_of_points);
     summarize_arcs();
-  }
-
-  // Must be called after the arcs of a group have become shorter or longer.
-  void add_change(const std::size_t group, const bool is_shorter)
-  {
-    m_changes.add({group, is_shorter, !is_shorter}, most_changes());
   }
 
   void summarize_arcs()
@@ -519,25 +486,13 @@ protected:
       summarize_arcs();
   }
 
-  Intrinsic_triangulation m_triangulation;
   Placement m_placement;
   typename Costs::Edges m_edges;
-  internal::Steiner_nodes m_nodes;
-  Arc_changes m_changes;
   Arc_lengths m_arc_lengths;
   std::size_t m_number_of_changes = 0; // before arcs were summarized
-  bool m_is_backward; // whether distances are those to the sources of a search
-
-  internal::Steiner_groups groups() const { return {m_triangulation, m_nodes}; }
+  bool m_is_backward;                  // whether distances are those to the sources of a search
 
 private:
-  // The number of changes after which those before are dropped, as they change most results.
-  std::size_t most_changes() const
-  {
-    constexpr std::size_t groups_per_change = 8;
-    return number_of_groups() / groups_per_change;
-  }
-
   Costs costs(const bool is_backward) const
   {
     return {m_triangulation, m_nodes, m_edges, is_backward};

@@ -80,7 +80,7 @@ Intrinsic_curve intrinsic_curve(const Translation& translation,
   std::set<Index> faces; // their smallest halfedges
   for(const auto f : region.faces)
   {
-    const Index h = translation.halfedge_of_face(f);
+    const Index h = translation.halfedge_of(f);
     if(faces.insert(triangulation.first_of_face(h)).second)
       result.faces.push_back(h);
   }

@@ -24,7 +24,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -331,50 +330,6 @@ private:
       };
   }
 
-  // The same for curves, which have these seeds.
-  typename Search::Find_entries
-  find_entries(internal::Curve_sources& curves,
-               [[maybe_unused]] const std::vector<typename Search::Seed>& seeds) const
-  {
-    return [&] {
-      if constexpr(Run::attaches_by_labels)
-        return curves.template entries<Search>(m_search.graph_run(), m_graph->unit());
-      else
-      {
-        std::vector<typename Search::Entry> result;
-        for(const auto& seed : seeds)
-          result.push_back({seed, {}});
-        return result;
-      }
-    };
-  }
-
-  // Considers the lines from curves in sight, and faces around the point.
-  void consider_curves(const Intrinsic_point& point, Answer& best) const
-  {
-    const std::size_t around = m_curves.curve_around(m_graph->triangulation(), point);
-    if(around != internal::null_index && curves()[around].distance < best.distance)
-      best = {curves()[around].distance, around, Search::null_node, 0, point};
-    if(point.is_vertex())
-      return;
-    if constexpr(internal::has_curves<Graph>)
-      internal::attach_target(*m_graph, point)
-          .for_each_point(m_curves.segments(),
-                          [&](const std::size_t i, const double length, const double t) {
-                            consider_segment(i, length, t, best);
-                          });
-  }
-
-  void
-  consider_segment(const std::size_t i, const double length, const double t, Answer& best) const
-  {
-    const internal::Curve_segment& segment = m_curves.segments()[i];
-    const double distance = curves()[segment.curve].distance + length * m_graph->unit();
-    if(distance < best.distance)
-      best = {distance, segment.curve, Search::null_node, length,
-              segment.point(m_graph->triangulation(), t)};
-  }
-
   // Considers lines from nodes and sources in other faces.
   void consider_lines([[maybe_unused]] const Intrinsic_point& point,
                       [[maybe_unused]] Answer& best) const
@@ -395,7 +350,7 @@ private:
         });
       else if constexpr(internal::has_curves<Graph>)
         look(m_curves.segments(), [&](const std::size_t i, const double length, const double t) {
-          consider_segment(i, length, t, best);
+          m_curves.consider(*m_graph, i, length, t, best);
         });
     }
   }
@@ -590,11 +545,11 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_from_curves(
   else
   {
     internal::Curve_sources sources(m_graph->triangulation(), std::move(curves));
-    run_and_adopt({}, {}, stop, stop.maximum_distance,
-                  [&](const auto&, const auto& rule, const auto&) {
-                    const auto seeds = sources.seeds(*m_graph);
-                    m_search.run(seeds, rule, visitor, find_entries(sources, seeds));
-                  });
+    run_and_adopt(
+        {}, {}, stop, stop.maximum_distance, [&](const auto&, const auto& rule, const auto&) {
+          const auto seeds = sources.seeds(*m_graph);
+          m_search.run(seeds, rule, visitor, [&] { return sources.entries(m_search, seeds); });
+        });
     m_curves = std::move(sources);
   }
 }
@@ -626,42 +581,6 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
 }
 
 template <typename SurfaceGraph, typename PriorityQueue>
-std::vector<double>
-Surface_search<SurfaceGraph, PriorityQueue>::distances(const std::vector<Point_pair>& pairs,
-                                                       const double maximum_distance)
-{
-  return internal::Pairs_by_start(*m_graph, pairs)
-      .find_all(*this, maximum_distance,
-                [](const Surface_search& search, const Intrinsic_point& p) {
-                  return search.distance(p);
-                });
-}
-
-template <typename SurfaceGraph, typename PriorityQueue>
-std::vector<std::pair<double, double>>
-Surface_search<SurfaceGraph, PriorityQueue>::distance_intervals(
-    const std::vector<Point_pair>& pairs, const double maximum_distance)
-{
-  return internal::Pairs_by_start(*m_graph, pairs)
-      .find_all(*this, maximum_distance,
-                [&](const Surface_search& search, const Intrinsic_point& p) {
-                  return internal::distance_interval(search, p, maximum_distance);
-                });
-}
-
-template <typename SurfaceGraph, typename PriorityQueue>
-std::vector<Path>
-Surface_search<SurfaceGraph, PriorityQueue>::paths(const std::vector<Point_pair>& pairs,
-                                                   const double maximum_distance)
-{
-  return internal::Pairs_by_start(*m_graph, pairs)
-      .find_all(*this, maximum_distance,
-                [](const Surface_search& search, const Intrinsic_point& p) {
-                  return internal::from_source_to_target(search.graph(), search.find_path(p));
-                });
-}
-
-template <typename SurfaceGraph, typename PriorityQueue>
 void Surface_search<SurfaceGraph, PriorityQueue>::restart()
 {
   Search search(*m_graph);
@@ -677,7 +596,7 @@ auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point&
   check(point);
   Answer result = nearest_by_line(point, m_sources, m_points);
   if(!m_curves.is_empty())
-    consider_curves(point, result);
+    m_curves.consider(*m_graph, point, result);
   if(point.is_vertex())
     consider(point.vertex, 0, result);
   else
@@ -722,5 +641,7 @@ Path Surface_search<SurfaceGraph, PriorityQueue>::find_path(const Intrinsic_poin
 }
 
 } // namespace CGAL::Approximate_geodesics
+
+#include <CGAL/Approximate_geodesics/Paths/internal/search_pairs.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_SURFACE_SEARCH_H

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -83,6 +83,80 @@ public:
   const Segments_by_face& segments() const { return m_segments; }
   const Foot& foot(const std::size_t i) const { return m_feet[i]; }
 
+  // Returns a seed for each line to a node of a graph, with the number of its foot as its source.
+  template <typename Graph>
+  std::vector<Seed> seeds(const Graph& graph)
+  {
+    std::vector<Seed> result;
+    for(std::size_t i = 0; i < m_curves.size(); ++i)
+      for_each_line(graph, m_curves[i],
+                    [&](const Index node, const double length, const Intrinsic_point& foot) {
+                      if(length < infinity)
+                        result.push_back({node, m_curves[i].distance + length * graph.unit(),
+                                          add_foot(foot, i)});
+                    });
+    return result;
+  }
+
+  // Returns the lines where a search of a graph starts that has these seeds. If its run finds lines
+  // from labels, the seeds are only upper bounds.
+  template <typename Search>
+  std::vector<typename Search::Entry> entries(const Search& search,
+                                              [[maybe_unused]] const std::vector<Seed>& seeds)
+  {
+    std::vector<typename Search::Entry> result;
+    if constexpr(!Search::Run::attaches_by_labels)
+      for(const Seed& seed : seeds)
+        result.push_back({seed, {}});
+    else
+    {
+      m_feet.clear();
+      const double unit = search.graph().unit();
+      for(std::size_t i = 0; i < m_curves.size(); ++i)
+        search.graph_run().for_each_line_from_curve(
+            m_curves[i], m_curves[i].distance / unit,
+            [&](const Index node, const double length, const auto& payload,
+                const Intrinsic_point& foot) {
+              result.push_back(
+                  {{node, m_curves[i].distance + length * unit, add_foot(foot, i)}, payload});
+            });
+    }
+    return result;
+  }
+
+  // Considers, for the answer of a search at a point, the curves with faces around it, and the
+  // lines from curves that do not depend on labels.
+  template <typename Graph, typename Answer>
+  void consider(const Graph& graph, const Intrinsic_point& point, Answer& best) const
+  {
+    const std::size_t around = curve_around(graph.triangulation(), point);
+    if(around != null_index && m_curves[around].distance < best.distance)
+      best = {m_curves[around].distance, around, null_index, 0, point};
+    if constexpr(has_curves<Graph>)
+      if(!point.is_vertex())
+        attach_target(graph, point)
+            .for_each_point(m_segments,
+                            [&](const std::size_t i, const double length, const double t) {
+                              consider(graph, i, length, t, best);
+                            });
+  }
+
+  // Considers the line of this length from the part `t` of a segment.
+  template <typename Graph, typename Answer>
+  void consider(const Graph& graph,
+                const std::size_t segment,
+                const double length,
+                const double t,
+                Answer& best) const
+  {
+    const auto& [from, to, curve] = m_segments[segment];
+    const double distance = m_curves[curve].distance + length * graph.unit();
+    if(distance < best.distance)
+      best = {distance, curve, null_index, length,
+              m_segments[segment].point(graph.triangulation(), t)};
+  }
+
+private:
   // The nearest of the curves that have the point in one of their faces; null_index if there is
   // none.
   std::size_t curve_around(const Intrinsic_triangulation& triangulation,
@@ -101,41 +175,6 @@ public:
     return result;
   }
 
-  // Returns a seed for each line to a node of a graph, with the number of its foot as its source.
-  template <typename Graph>
-  std::vector<Seed> seeds(const Graph& graph)
-  {
-    std::vector<Seed> result;
-    for(std::size_t i = 0; i < m_curves.size(); ++i)
-      for_each_line(graph, m_curves[i],
-                    [&](const Index node, const double length, const Intrinsic_point& foot) {
-                      if(length < infinity)
-                        result.push_back({node, m_curves[i].distance + length * graph.unit(),
-                                          add_foot(foot, i)});
-                    });
-    return result;
-  }
-
-  // The same for the lines that the run of a graph finds from labels. They replace the seeds.
-  template <typename Search>
-  std::vector<typename Search::Entry> entries(const typename Search::Run& run, const double unit)
-  {
-    m_feet.clear();
-    std::vector<typename Search::Entry> result;
-    for(std::size_t i = 0; i < m_curves.size(); ++i)
-    {
-      const double distance = m_curves[i].distance;
-      run.for_each_line_from_curve(
-          m_curves[i], distance / unit,
-          [&](const Index node, const double length, const auto& payload,
-              const Intrinsic_point& foot) {
-            result.push_back({{node, distance + length * unit, add_foot(foot, i)}, payload});
-          });
-    }
-    return result;
-  }
-
-private:
   void check(const Intrinsic_triangulation& triangulation) const
   {
     if(triangulation.has_directional_costs())

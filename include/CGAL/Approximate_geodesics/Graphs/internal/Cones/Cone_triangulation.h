@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Lines_by_direction.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -99,7 +99,7 @@ public:
     }
     const Intrinsic_point end = position(target);
     const Cone_rules latest(1e-300); // cones end as late as possible
-    const Cones_of_point lines(m_mesh, latest, position(source));
+    const Lines_by_direction lines(m_mesh, latest, position(source));
     Line_search line(length, rounding);
     lines.consider_lines_in_faces(end, line);
     if(!line.is_found())

@@ -8,10 +8,10 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -33,6 +33,29 @@ class Gauge_polygon
 public:
   // steps are not larger
   static constexpr double LARGEST_STEP = 40;
+
+  // Copies the polygon of the face to the left of `h`. If its gauge has a formula, it is sampled so
+  // that the relative error is about `epsilon`. Returns a bound of this error.
+  double assign(const Intrinsic_triangulation& triangulation,
+                const Index h,
+                const double epsilon,
+                Gauge_samples& samples)
+  {
+    const Face_gauges& gauges = triangulation.gauges();
+    const Index face = gauges.face(h);
+    if(!gauges.has_formula(face))
+    {
+      assign(gauges, face);
+      return 0; // the graph has the costs of the polygon
+    }
+    std::array<Plane_vector, 3> sides;
+    const auto halfedges = triangulation.halfedges_of_face(h);
+    std::transform(halfedges.begin(), halfedges.end(), sides.begin(),
+                   [&](const Index g) { return gauges.side(g); });
+    samples.sample(sides, epsilon, gauges.formula(face));
+    assign(samples.hull());
+    return samples.hull().largest_error();
+  }
 
   // Copies the polygon of a face without a formula.
   void assign(const Face_gauges& gauges, const Index face)
