@@ -32,8 +32,6 @@
 
 namespace AG = CGAL::Approximate_geodesics;
 
-namespace {
-
 // A graph and a run as the pages of their concepts ask for, which finds lines from labels.
 template <typename Graph>
 class Run_with_lines : public AG::Geodesic_run_base<Graph>
@@ -98,8 +96,6 @@ public:
 private:
   AG::Edge_graph m_edges;
 };
-
-} // namespace
 
 // All members compile for every graph, called or not.
 template class AG::Surface_search<Graph_with_lines>;

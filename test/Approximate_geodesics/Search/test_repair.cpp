@@ -249,15 +249,15 @@ TEST(Repaired_search, has_the_bits_of_a_fresh_one_where_many_paths_are_equal)
   }
 }
 
-// Seeds come and go.
+// Seeds come and go. Returns how many arcs are read, relative to those of fresh searches.
 template <typename Graph>
-void repair_after_moves(const Graph& graph, Random& random)
+double repair_after_moves(const Graph& graph, Random& random)
 {
   AG::Propagation<Graph> repaired(graph), fresh(graph);
   repaired.collect_statistics(true);
   fresh.collect_statistics(true);
   std::vector<AG::Seed> seeds;
-  std::size_t repaired_arcs = 0, fresh_arcs = 0;
+  double repaired_arcs = 0, fresh_arcs = 0;
   for(int i = 0; i < 40; ++i)
   {
     if(seeds.size() > 5)
@@ -267,11 +267,11 @@ void repair_after_moves(const Graph& graph, Random& random)
     repaired.repair(seeds);
     fresh.run(seeds);
     for(std::uint32_t n = 0; n < graph.number_of_nodes(); ++n)
-      ASSERT_EQ(repaired.distance(n), fresh.distance(n)) << i;
-    repaired_arcs += repaired.statistics().relaxations;
-    fresh_arcs += fresh.statistics().relaxations;
+      EXPECT_EQ(repaired.distance(n), fresh.distance(n)) << i;
+    repaired_arcs += static_cast<double>(repaired.statistics().relaxations);
+    fresh_arcs += static_cast<double>(fresh.statistics().relaxations);
   }
-  EXPECT_LT(2 * repaired_arcs, fresh_arcs);
+  return repaired_arcs / fresh_arcs;
 }
 
 TEST(Repaired_search, has_the_bits_of_a_fresh_one_where_costs_depend_on_the_direction)
@@ -279,10 +279,10 @@ TEST(Repaired_search, has_the_bits_of_a_fresh_one_where_costs_depend_on_the_dire
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(12, 9, random));
   using Graph = AG::Directional_graph<Fixed_number_of_points>;
-  repair_after_moves(Graph(Triangulation(mesh, CGAL::parameters::face_weight_map(
-                                                   AG::directional_cost(AG::Hiking_time()))),
-                           Fixed_number_of_points(3)),
-                     random);
+  const Graph graph(Triangulation(mesh, CGAL::parameters::face_weight_map(
+                                            AG::directional_cost(AG::Hiking_time()))),
+                    Fixed_number_of_points(3));
+  EXPECT_LT(repair_after_moves(graph, random), 0.5);
 }
 
 TEST(Repaired_search, has_the_bits_of_a_fresh_one_along_edges)
@@ -291,6 +291,9 @@ TEST(Repaired_search, has_the_bits_of_a_fresh_one_along_edges)
     const AG::Edge_graph graph{Triangulation(mesh)};
     repair_after_moves(graph, random);
   });
+  Random random(test_seed());
+  const AG::Edge_graph without_hubs{Triangulation(to_mesh(terrain(30, 20, random)))};
+  EXPECT_LT(repair_after_moves(without_hubs, random), 0.5);
 }
 
 TEST(Repaired_search, reads_few_arcs)

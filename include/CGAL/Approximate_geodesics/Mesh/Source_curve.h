@@ -68,6 +68,15 @@ template <typename TriangleMesh, typename T>
 constexpr bool are_curves =
     is_curve<TriangleMesh, T> || is_curve<TriangleMesh, Element_of_range<T>>;
 
+// Returns the first point of a curve, or a corner of one of its faces.
+inline Intrinsic_point first_point(const Intrinsic_triangulation& triangulation,
+                                   const Intrinsic_curve& curve)
+{
+  return curve.polylines.empty()
+             ? Intrinsic_point::at_vertex(triangulation.source(curve.faces.front()))
+             : curve.polylines.front().front();
+}
+
 // Converts a region. Its border is divided into closed polylines.
 template <typename Translation>
 Intrinsic_curve intrinsic_curve(const Translation& translation,
