@@ -8,15 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Workspaces.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_matrices.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 

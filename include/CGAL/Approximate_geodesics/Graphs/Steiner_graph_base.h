@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Nodes_beside.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_groups.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -88,7 +89,7 @@ private:
     } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
     // the side of a barrier that belongs to the sector
     expand_edge(m_triangulation.opposite(h), false, f);
-    m_nodes.for_each_joined_sector(m_triangulation, node, [&](const Node next) { f(next, 0.); });
+    for_each_joined_sector(m_triangulation, m_nodes, node, [&](const Node next) { f(next, 0.); });
   }
 
   template <typename F>
@@ -261,29 +262,11 @@ public:
     }
   }
 
-  // Calls `f(node, cost, foot)` for the nodes of the faces that contain the segment to `end`, if
-  // they are nearest to a point inside it. Costs must not depend on the direction.
+  // Calls `f(node, cost, foot)` for the nodes beside the segment to `end`.
   template <typename F, typename OnSample>
   void for_each_node_beside(const Intrinsic_point& end, F f, OnSample /* on_sample */) const
   {
-    for_each_segment(m_triangulation, m_point, end, [&](const Curve_segment& segment) {
-      const Index h = segment.from.halfedge;
-      if(!m_triangulation.is_open(h))
-        return;
-      const Segment_layout layout(m_triangulation, segment);
-      const auto offer = [&](const Node node, const Plane_vector position) {
-        if(const double t = layout.nearest_part(position); t > 0 && t < 1)
-          f(node, m_costs.across(h, {0, position.y}), segment.point(m_triangulation, t));
-      };
-      for(std::size_t i = 0; i < 3; ++i)
-      {
-        const Index side = layout.halfedge(i);
-        offer(m_nodes.at_corner(m_triangulation.source(side), side), layout.corner(i));
-        for_each_node_on_edge(side, [&](const Node node, const double part) {
-          offer(node, layout.corner(i) + part * layout.edge(i, (i + 1) % 3));
-        });
-      }
-    });
+    internal::for_each_node_beside(m_triangulation, m_nodes, m_costs, m_point, end, f);
   }
 
 private:
@@ -303,7 +286,7 @@ private:
         offer(m_nodes.at_corner(m_triangulation.source(side), side),
               m_costs.across(h, start - position), f);
         if(!m_point.is_on_edge_of(side, m_triangulation))
-          for_each_node_on_edge(side, [&](const Node node, const double part) {
+          m_nodes.for_each_node_on_edge(side, [&](const Node node, const double part) {
             offer(node, m_costs.across(h, start + part * (end - start) - position), f);
           });
       }
@@ -323,17 +306,7 @@ private:
     };
     offer_at(m_nodes.at_source(m_triangulation, h), 0);
     offer_at(m_nodes.at_target(m_triangulation, h), 1);
-    for_each_node_on_edge(h, offer_at);
-  }
-
-  // Calls `f(node, part)` for the points at a part of `h`, or of its left side.
-  template <typename F>
-  void for_each_node_on_edge(const Index h, F f) const
-  {
-    const Index e = m_points.edge(h);
-    for(Index p = m_points.first_point(e); p < m_points.beyond_point(e); ++p)
-      f(m_nodes.node_of_point(p),
-        m_points.is_first(h) ? m_points.part_before(e, p) : m_points.part_behind(e, p));
+    m_nodes.for_each_node_on_edge(h, offer_at);
   }
 
   using Steiner_view::m_triangulation;

@@ -12,11 +12,8 @@
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <set>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {

@@ -536,25 +536,6 @@ void Surface_search<SurfaceGraph, PriorityQueue>::repair(std::vector<Source_poin
 }
 
 template <typename SurfaceGraph, typename PriorityQueue>
-template <typename Visitor>
-void Surface_search<SurfaceGraph, PriorityQueue>::run_from_curves(
-    std::vector<Intrinsic_curve> curves, const Stop_rule& stop, Visitor&& visitor)
-{
-  if constexpr(!internal::has_curves<Graph>)
-    internal::reject("this graph does not support curves as sources");
-  else
-  {
-    internal::Curve_sources sources(m_graph->triangulation(), std::move(curves));
-    run_and_adopt(
-        {}, {}, stop, stop.maximum_distance, [&](const auto&, const auto& rule, const auto&) {
-          const auto seeds = sources.seeds(*m_graph);
-          m_search.run(seeds, rule, visitor, [&] { return sources.entries(m_search, seeds); });
-        });
-    m_curves = std::move(sources);
-  }
-}
-
-template <typename SurfaceGraph, typename PriorityQueue>
 void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& target,
                                                          std::vector<Source_point> sources,
                                                          const Vertex_positions& positions,
@@ -642,6 +623,7 @@ Path Surface_search<SurfaceGraph, PriorityQueue>::find_path(const Intrinsic_poin
 
 } // namespace CGAL::Approximate_geodesics
 
+#include <CGAL/Approximate_geodesics/Paths/internal/search_from_curves.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/search_pairs.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_SURFACE_SEARCH_H

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Balanced_fans.h>
 
 #include <algorithm>
@@ -258,6 +259,20 @@ private:
   std::vector<Index> m_near_edges, m_far_edges; // that may have to be flipped
   std::vector<double> m_covered; // per vertex of the mesh, how far from it there are added ones
 };
+
+// Returns a summary of the lengths of edges. Nodes in needles are far closer to each other than
+// most edges are long, so the mean is that of the shortest edge of each node.
+inline Arc_lengths summarize_edges(const Intrinsic_triangulation& refined)
+{
+  Arc_lengths result = summarize_arc_lengths(refined.lengths());
+  double sum = 0;
+  for(Index v = 0; v < refined.number_of_vertices(); ++v)
+    if(refined.degree(v) > 0)
+      sum += *std::min_element(refined.lengths().begin() + refined.first_halfedge(v),
+                               refined.lengths().begin() + refined.beyond_halfedge(v));
+  result.mean = sum / refined.number_of_vertices();
+  return result;
+}
 
 } // namespace CGAL::Approximate_geodesics::internal
 

@@ -38,21 +38,11 @@ public:
 
   const Intrinsic_triangulation& get() const { return m_other ? m_other->triangulation() : m_mesh; }
 
-  // A summary of the lengths of edges. Nodes in needles are far closer to each other than most
-  // edges are long, so the mean is that of the shortest edge of each node.
+  // A summary of the lengths of edges.
   Arc_lengths edge_lengths() const
   {
-    if(!m_other || !m_other->has_refined_needles())
-      return summarize_arc_lengths(m_mesh.lengths());
-    const Intrinsic_triangulation& t = m_other->triangulation();
-    Arc_lengths result = summarize_arc_lengths(t.lengths());
-    double sum = 0;
-    for(Index v = 0; v < t.number_of_vertices(); ++v)
-      if(t.degree(v) > 0)
-        sum += *std::min_element(t.lengths().begin() + t.first_halfedge(v),
-                                 t.lengths().begin() + t.beyond_halfedge(v));
-    result.mean = sum / t.number_of_vertices();
-    return result;
+    return m_other && m_other->has_refined_needles() ? summarize_edges(m_other->triangulation())
+                                                     : summarize_arc_lengths(m_mesh.lengths());
   }
 
   // Where a node is in the mesh.

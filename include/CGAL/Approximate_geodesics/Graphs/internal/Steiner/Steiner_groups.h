@@ -19,6 +19,24 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
+// Calls `f(node)` for the sectors of a vertex that lifted barriers join to the one of `node`.
+template <typename F>
+void for_each_joined_sector(const Intrinsic_triangulation& triangulation,
+                            const Steiner_nodes& nodes,
+                            const Index node,
+                            F f)
+{
+  const Index sector = nodes.sector(node), v = nodes.sectors().vertex(sector);
+  Index h = nodes.sectors().first_halfedge(sector);
+  if(triangulation.is_lifted(h))
+    f(nodes.at_corner(v, triangulation.clockwise(v, h)));
+  do
+    h = triangulation.counterclockwise(v, h);
+  while(!triangulation.is_border(h) && !triangulation.is_barrier(h));
+  if(triangulation.is_lifted(h))
+    f(nodes.at_corner(v, h));
+}
+
 /*
  * The triangulation and the nodes of a Steiner graph whose weights and barriers may change, and
  * what has changed since the graph was built, as `GeodesicGraph` says for searches that are
