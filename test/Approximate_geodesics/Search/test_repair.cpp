@@ -296,6 +296,22 @@ TEST(Repaired_search, has_the_bits_of_a_fresh_one_along_edges)
   EXPECT_LT(repair_after_moves(without_hubs, random), 0.5);
 }
 
+// Few nodes are expanded, and all count as settled.
+TEST(Repaired_search, counts_no_repetitions_that_there_are_not)
+{
+  const AG::Edge_graph graph{Triangulation(to_mesh(flat_grid(40, 40)))};
+  AG::Propagation<AG::Edge_graph> search(graph);
+  search.collect_statistics(true);
+  search.run_from(0);
+  for(const std::uint32_t node : {5, 9})
+  {
+    search.run_further({{node}});
+    EXPECT_LE(search.statistics().repeated_pops(), search.statistics().pops);
+  }
+  search.repair({{0}, {5}});
+  EXPECT_LE(search.statistics().repeated_pops(), search.statistics().pops);
+}
+
 TEST(Repaired_search, reads_few_arcs)
 {
   const Mesh mesh = to_mesh(flat_grid(40, 40));

@@ -540,12 +540,10 @@ private:
   template <typename Visitor, typename Heuristic>
   void propagate_all(const Stop_rule& stop, Visitor&& visitor, const Heuristic& heuristic)
   {
-    const std::size_t number_of_earlier = m_labels.order().size();
     propagate(stop,
               internal::Watch(m_labels, goal(stop, heuristic), visitor, m_graph->unit(), m_counts),
               heuristic);
-    if(m_counts)
-      count_all(m_labels.order().size() - number_of_earlier);
+    count_all();
     m_is_complete = m_is_complete && !m_ended_early;
     m_sources.forget_all(); // a visitor may have queried them before they were final
   }
@@ -625,10 +623,11 @@ private:
                                             std::move(points)};
   }
 
-  // The nodes of the run occur once in the order, as they are sorted.
-  void count_all(const std::size_t number_of_nodes)
+  void count_all()
   {
-    m_statistics.settled_nodes = number_of_nodes;
+    if(!m_counts)
+      return;
+    m_statistics.settled_nodes = m_labels.order().size(); // sorted, so each node occurs once
     if constexpr(internal::counts_comparisons<Queue>)
       m_statistics.queue_comparisons =
           m_queue.statistics().visited_buckets + m_queue.statistics().comparisons;

@@ -130,8 +130,8 @@ template <typename Goal, typename Visitor>
 class Watch
 {
 public:
-  // `unit` converts labels to distances for the visitor. If `counts` is set, the nodes that the run
-  // appends to the order are sorted, and each of them occurs once.
+  // `unit` converts labels to distances for the visitor. If `counts` is set, the order is sorted,
+  // and each node occurs once.
   Watch(Labels& labels, Goal goal, Visitor& visitor, const double unit, const bool counts)
     : m_labels(labels),
       m_goal(std::move(goal)),
@@ -139,9 +139,7 @@ public:
       m_unit(unit),
       m_sorts(counts || is_told_of_nodes<Visitor>),
       m_has_goal(!m_goal.is_empty()),
-      m_is_needed(m_has_goal || m_sorts || !is_idle_visitor<Visitor>),
-      m_first(labels.order().size()),
-      m_number_final(m_first)
+      m_is_needed(m_has_goal || m_sorts || !is_idle_visitor<Visitor>)
   {
   }
 
@@ -173,7 +171,7 @@ private:
         const Labels::Node node = m_labels.order()[i];
         m_visitor.on_settled(node, m_labels.distance(node) * m_unit);
       }
-    m_visitor.on_progress(m_number_final - m_first, m_labels.number_of_nodes());
+    m_visitor.on_progress(m_number_final, m_labels.number_of_nodes());
   }
 
   Labels& m_labels;
@@ -181,8 +179,7 @@ private:
   Visitor& m_visitor;
   double m_unit;
   bool m_sorts, m_has_goal, m_is_needed;
-  std::size_t m_first;        // nodes in the order before the run
-  std::size_t m_number_final; // nodes in the order that are final
+  std::size_t m_number_final = 0;
 };
 
 // A path that ends with a scanned arc, and the graph's data about it.

@@ -79,6 +79,7 @@ void Propagation<GeodesicGraph, PriorityQueue>::repair(const std::vector<Seed>& 
         search(seeds, Stop_rule(), visitor, internal::No_heuristic(), {},
                m_repair.border(*m_graph, m_labels));
         m_repair.tidy(m_labels);
+        count_all();
         m_repair.finish();
         return;
       }
