@@ -108,10 +108,9 @@ inline std::size_t checked_index(const Grid_shape& shape, const Grid_cell& cell,
   return shape.index(cell);
 }
 
-inline bool is_no_data(const Grid_shape& shape, const double value)
+inline bool is_no_data(const std::optional<double>& no_data, const double value)
 {
-  return shape.no_data &&
-         (value == *shape.no_data || (std::isnan(value) && std::isnan(*shape.no_data)));
+  return no_data && (value == *no_data || (std::isnan(value) && std::isnan(*no_data)));
 }
 
 // The value of a cell, in messages.

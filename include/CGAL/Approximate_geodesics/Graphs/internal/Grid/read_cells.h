@@ -62,7 +62,7 @@ std::vector<double> read_friction(const Grid_shape& shape, const FrictionRange& 
     return std::vector<double>(shape.number_of_cells(), checked_friction(friction, {}));
   else
     return read_cells(shape, friction, "friction", [&](const double value, const Grid_cell& cell) {
-      return is_no_data(shape, value) ? infinity : checked_friction(value, cell);
+      return is_no_data(shape.no_data, value) ? infinity : checked_friction(value, cell);
     });
 }
 
@@ -94,7 +94,7 @@ read_heights(const Grid_shape& shape, const HeightRange& range, std::vector<doub
   std::vector<std::size_t> without;
   std::vector<double> result =
       read_cells(shape, range, "height", [&](const double height, const Grid_cell& cell) {
-        if(is_no_data(shape, height))
+        if(is_no_data(shape.no_data, height))
         {
           without.push_back(shape.index(cell));
           friction[without.back()] = infinity;
