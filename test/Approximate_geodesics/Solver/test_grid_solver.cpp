@@ -146,6 +146,20 @@ TEST(Grid_solver, finds_sources_predecessors_paths_and_isolines)
   }
 }
 
+TEST(Grid_solver, has_isolines_around_sources_whatever_friction_has_for_no_data)
+{
+  Grid_shape shape = shape_of_solver;
+  shape.no_data = 0;
+  std::vector<double> friction(shape.number_of_cells(), 1);
+  friction.back() = 0;
+  Grid_solver_options options;
+  options.friction = friction.data();
+  const Grid_solver solver(shape, options);
+  const std::vector<double> costs = costs_of_solver(solver);
+  EXPECT_TRUE(std::isinf(costs.back()));
+  EXPECT_EQ(solver.find_isolines(costs.data(), 3).size(), 1u);
+}
+
 TEST(Grid_solver, can_be_interrupted)
 {
   const Grid_shape shape{400, 400, 1, 1, {}};

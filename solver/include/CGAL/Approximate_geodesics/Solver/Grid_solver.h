@@ -146,13 +146,15 @@ public:
   }
 
   /// returns the lines where a function, given by one value per cell, has a value: see
-  /// `isolines_on_grid()`.
+  /// `isolines_on_grid()`. Values are costs, or others without `Grid_shape::no_data`; where there
+  /// is no value, it is infinite or NaN.
   std::vector<std::vector<Grid_point>> find_isolines(const double* const values,
                                                      const double isovalue) const
   {
     std::vector<std::vector<Grid_point>> result;
-    const std::size_t number = m_graph.shape().number_of_cells();
-    isolines_on_grid(m_graph.shape(), CGAL::make_range(values, values + number), isovalue,
+    Grid_shape shape = m_graph.shape();
+    shape.no_data.reset(); // that of friction can be a cost
+    isolines_on_grid(shape, CGAL::make_range(values, values + shape.number_of_cells()), isovalue,
                      std::back_inserter(result));
     return result;
   }
