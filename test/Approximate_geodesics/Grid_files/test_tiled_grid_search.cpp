@@ -380,7 +380,7 @@ TEST(Tiled_grid_search, resumes_with_tiles_of_any_size)
   }
 }
 
-TEST(Tiled_grid_search, follows_all_arcs_again_after_a_stop_of_the_machine)
+TEST(Tiled_grid_search, follows_all_arcs_again_after_a_crash_of_the_system)
 {
   Random random(test_seed());
   const Temporary_folder folder;
@@ -403,7 +403,7 @@ TEST(Tiled_grid_search, follows_all_arcs_again_after_a_stop_of_the_machine)
   expect_distances_of_one_graph(terrain, sources, tiled);
 }
 
-TEST(Tiled_grid_search, finds_lost_sources_and_predecessors_after_a_stop_of_the_machine)
+TEST(Tiled_grid_search, finds_lost_sources_and_predecessors_after_a_crash_of_the_system)
 {
   Random random(test_seed());
   for(const char* const name : {"labels", "predecessors"})

@@ -98,6 +98,13 @@ struct Grid_shape
 
 namespace internal {
 
+inline void check_has_cells(const std::size_t columns, const std::size_t rows)
+{
+  if(columns == 0 || rows == 0)
+    reject("the grid has no cells: " + std::to_string(columns) + " columns and " +
+           std::to_string(rows) + " rows");
+}
+
 // Returns where the cell of a query is. Throws an error if it is not in the grid.
 inline std::size_t checked_index(const Grid_shape& shape, const Grid_cell& cell, const char* role)
 {

@@ -66,8 +66,8 @@ std::vector<double> read_friction(const Grid_shape& shape, const FrictionRange& 
     });
 }
 
-// Gives a cell without a height the mean of its neighbors that can be entered, from which lines may
-// pass beside it.
+// Gives a cell without a height the mean of its neighbors that can be entered: a line that passes
+// beside it interpolates between its height and that of a neighbor.
 inline void extend_height(const Grid_shape& shape,
                           const std::vector<double>& friction,
                           std::vector<double>& heights,
