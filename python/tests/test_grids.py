@@ -126,6 +126,17 @@ def test_no_path_leads_from_a_source_that_cannot_be_entered():
         assert grid.path((1, 1), (0, 0)).shape == (0, 2)
 
 
+def test_rasters_of_one_cell_and_of_none_that_can_be_entered():
+    grid = ag.Grid([[2]], epsilon=0.1)
+    assert grid.distances((0, 0)) == [[0]]
+    assert grid.path((0, 0), (0, 0)).tolist() == [[0, 0]]
+    assert grid.isolines([[1]], 1) == []
+    nowhere = ag.Grid(heights=np.full((2, 3), np.nan), cost="hiking_time")
+    np.testing.assert_array_equal(
+        nowhere.distances((1, 1)), [[np.inf, np.inf, np.inf], [np.inf, 0, np.inf]]
+    )
+
+
 def test_isolines_are_circles():
     grid = ag.Grid(np.ones((31, 43)), cell_size=2)
     costs = grid.distances((15, 20))
