@@ -185,6 +185,7 @@ private:
       return y_sign * j * m_stride + x_sign * i;
     };
     std::vector<End> ends;
+    ends.reserve(static_cast<std::size_t>(v.columns + v.rows + 1));
     std::ptrdiff_t i = 0, j = 0;
     while(i < v.columns || j < v.rows)
     {
@@ -227,6 +228,7 @@ private:
   static std::vector<Cut> cuts(const Vector& v, const Offset& offset)
   {
     std::vector<Cut> result;
+    result.reserve(static_cast<std::size_t>(v.columns + v.rows + 1));
     const auto add_cut = [&](const double at, const std::ptrdiff_t first,
                              const std::ptrdiff_t second, const double share) {
       result.push_back({at, first, second, share});
