@@ -171,7 +171,12 @@ class Solver:
         progress: _Progress,
     ) -> _Integers: ...
     def cells(
-        self, elements: _Integers, coordinates: Optional[_Floats], within_cells: bool
+        self,
+        elements: _Integers,
+        coordinates: Optional[_Floats],
+        within_cells: bool,
+        initial_distances: List[float],
+        chord_error: Optional[float],
     ) -> Tuple[_Floats, list[_Floats], _Integers, _Integers, _Integers]: ...
     def farthest_points(
         self, number: int, sources: _Integers, progress: _Progress

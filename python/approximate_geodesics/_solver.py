@@ -604,7 +604,13 @@ class Solver:
             elements, coordinates, direction_to_source, _checked(progress)
         )
 
-    def voronoi_borders(self, sources: Any) -> Cells:
+    def voronoi_borders(
+        self,
+        sources: Any,
+        *,
+        initial_distances: Optional[npt.ArrayLike] = None,
+        chord_error: Optional[float] = None,
+    ) -> Cells:
         """The exact borders between the cells of sources, which depend on the surface only.
 
         Like `logarithmic_map`, it depends neither on `epsilon` nor on costs or barriers.
@@ -612,6 +618,11 @@ class Solver:
         Parameters
         ----------
         sources : points
+        initial_distances : array of float, optional
+            A distance to add for each source, (k,): 0 by default.
+        chord_error : float, optional
+            The largest distance of an arc from its polyline: a thousandth of the mean length of
+            edges by default.
 
         Returns
         -------
@@ -619,21 +630,39 @@ class Solver:
             The areas of the cells, their borders as polylines, the two sources of each border, which
             cells are neighbors, and the dual triangulation.
         """
-        return self._cells(sources, False)
+        return self._cells(sources, False, initial_distances, chord_error)
 
-    def cut_locus(self, source: Any) -> Cells:
+    def cut_locus(
+        self,
+        source: Any,
+        *,
+        initial_distances: Optional[npt.ArrayLike] = None,
+        chord_error: Optional[float] = None,
+    ) -> Cells:
         """The points that several shortest paths lead to from a source, or from several ones.
+
+        Parameters are those of `voronoi_borders`.
 
         Returns
         -------
         Cells
             As of `voronoi_borders`; the two sources of a border can be the same.
         """
-        return self._cells(source, True)
+        return self._cells(source, True, initial_distances, chord_error)
 
-    def _cells(self, sources: Any, within_cells: bool) -> Cells:
+    def _cells(
+        self,
+        sources: Any,
+        within_cells: bool,
+        initial_distances: Optional[npt.ArrayLike],
+        chord_error: Optional[float],
+    ) -> Cells:
         (elements, coordinates), _ = _arrays.points(sources, "source")
-        return Cells(*self._solver.cells(elements, coordinates, within_cells))
+        size = len(elements)
+        initial = np.zeros(size) if initial_distances is None else initial_distances
+        distances = _arrays.numbers(initial, "initial_distances", (size,)).tolist()
+        error = None if chord_error is None else _number(chord_error, "chord_error")
+        return Cells(*self._solver.cells(elements, coordinates, within_cells, distances, error))
 
     @overload
     def farthest_points(
