@@ -36,8 +36,9 @@ py::tuple cells(const AG::Solver& solver,
                 const bool within_cells)
 {
   const auto sources = points(elements, coordinates);
-  const auto found =
-      run(py::none(), [&](const auto&) { return AG::Solver_cells(solver, sources, within_cells); });
+  const auto found = run(py::none(), [&](const AG::Solver_watch& watch) {
+    return AG::Solver_cells(solver, sources, within_cells, watch);
+  });
   py::list borders;
   std::vector<std::array<std::size_t, 2>> sources_of_borders;
   for(const auto& border : found.borders())

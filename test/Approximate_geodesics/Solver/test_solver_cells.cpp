@@ -6,6 +6,8 @@
 #include <CGAL/Approximate_geodesics/Solver/Solver_cells.h>
 
 #include "checks/expect_message.h"
+#include "checks/solvers.h"
+#include "meshes/test_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +48,16 @@ TEST(SolverCells, divide_a_square)
         Solver_cells(solver, {Solver_point::at_vertex(0), Solver_point::at_vertex(9)});
       },
       "source 1 is vertex 9");
+}
+
+TEST(SolverCells, can_be_interrupted)
+{
+  using namespace geodesics_test;
+  const Solver_of solver(Soup_arrays(sphere(150, 100)));
+  const auto divide = [&](const AG::Solver_watch& watch) {
+    Solver_cells(solver, {Solver_point::at_vertex(7)}, true, watch);
+  };
+  EXPECT_THROW(divide(impatient_watch()), AG::Solver_interrupted);
 }
 
 } // namespace

@@ -46,8 +46,10 @@ public:
   /// \throws std::invalid_argument as `voronoi_borders()` does.
   Solver_cells(const Solver& solver,
                const std::vector<Solver_point>& sources,
-               const bool within_cells = false)
+               const bool within_cells = false,
+               const Solver_watch& watch = Solver_watch())
   {
+    internal::Solver_visitor visitor(watch);
     std::vector<Surface_point<Mesh>> points;
     for(const Solver_point& p : sources)
       points.push_back(solver.surface_point(p, "source " + std::to_string(points.size())));
@@ -66,6 +68,7 @@ public:
                                             {p.x(), p.y(), p.z()});
       }
     }
+    visitor.finish();
   }
 
   /// returns the area of the cell of each source.

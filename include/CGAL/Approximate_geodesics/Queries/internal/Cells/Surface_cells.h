@@ -125,6 +125,7 @@ private:
     std::vector<Face_window> windows;
     for(auto it = order.begin(); it != order.end();)
     {
+      check_for_interruption();
       const Index h = it->first;
       windows.clear();
       for(; it != order.end() && it->first == h; ++it)
