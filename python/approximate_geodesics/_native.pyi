@@ -77,10 +77,16 @@ class Walks:
         target_coordinates: Optional[_Floats],
         vector: _Floats,
     ) -> _Floats: ...
+    def extend_vectors(
+        self, elements: _Integers, coordinates: Optional[_Floats], vectors: _Floats
+    ) -> _Floats: ...
     def mean(
         self, elements: _Integers, coordinates: Optional[_Floats], weights: _Floats
     ) -> Tuple[Any, float, bool]: ...
     def shorten_loop(
+        self, elements: _Integers, coordinates: Optional[_Floats]
+    ) -> Tuple[_Floats, float]: ...
+    def shorten_curve(
         self, elements: _Integers, coordinates: Optional[_Floats]
     ) -> Tuple[_Floats, float]: ...
     def shortest_loop_through(

@@ -337,7 +337,7 @@ class Solver:
         )
         return (points, length) if return_length else points
 
-    # Lists of pairs
+    # Changes
 
     def set_weights(self, faces: npt.ArrayLike, weights: npt.ArrayLike) -> None:
         """Change the weights of some faces.
@@ -379,6 +379,8 @@ class Solver:
         ends = _arrays.integers(edges, "edges", (-1, 2)).astype(np.int64, copy=False)
         are_closed = np.ascontiguousarray(np.broadcast_to(np.asarray(closed, bool), len(ends)))
         self._solver.set_barriers(np.ascontiguousarray(ends), are_closed)
+
+    # Lists of pairs
 
     def pair_distances(
         self,
@@ -899,6 +901,17 @@ class Solver:
             _vector(vector, "vector"),
         )
 
+    def extend_vectors(self, points: Any, vectors: npt.ArrayLike) -> _arrays.Floats:
+        """The vector of the nearest of several points, carried to each vertex, (n, 2) float64.
+
+        `vectors` has a row for each point, (k, 2), in its frame, and the result one for each
+        vertex: parallel transport along an exact shortest path. It is zero at vertices that are not
+        reached.
+        """
+        (elements, coordinates), _ = _arrays.points(points, "point")
+        values = _arrays.numbers(vectors, "vectors", (len(elements), 2))
+        return self._walks.extend_vectors(elements, coordinates, values)
+
     @overload
     def karcher_mean(
         self,
@@ -987,6 +1000,26 @@ class Solver:
         (elements, coordinates), _ = _arrays.points(points, "point")
         loop, length = self._walks.shorten_loop(elements, coordinates)
         return (loop, length) if return_length else loop
+
+    @overload
+    def shorten_curve(
+        self, points: Any, *, return_length: Literal[False] = False
+    ) -> _arrays.Floats: ...
+
+    @overload
+    def shorten_curve(
+        self, points: Any, *, return_length: Literal[True]
+    ) -> tuple[_arrays.Floats, float]: ...
+
+    def shorten_curve(self, points: Any, *, return_length: bool = False) -> Any:
+        """A geodesic that a curve can be moved to on the surface, with the same ends.
+
+        It is locally shortest, and not always the shortest one: see `path` for that. Arguments and
+        results are those of `shorten_loop`, but the last point is not joined with the first one.
+        """
+        (elements, coordinates), _ = _arrays.points(points, "point")
+        curve, length = self._walks.shorten_curve(elements, coordinates)
+        return (curve, length) if return_length else curve
 
     @overload
     def shortest_loop_through(

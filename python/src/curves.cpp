@@ -22,9 +22,9 @@ Array<double> distances_from(const AG::Solver& solver, const MakeSource& make_so
 {
   Array<double> result(static_cast<py::ssize_t>(solver.number_of_vertices()));
   double* const data = result.mutable_data();
-  run(py::none(), [&](const AG::Solver_watch&) {
+  run(py::none(), [&](const AG::Solver_watch& watch) {
     const AG::Solver_curves curves(solver);
-    curves.find_distances(make_source(curves), data);
+    curves.find_distances(make_source(curves), data, watch);
   });
   return result;
 }
@@ -55,9 +55,9 @@ py::list offsets_of_curve(const AG::Solver& solver,
                           const std::vector<double>& distances)
 {
   const auto places = points(elements, coordinates);
-  auto offsets = run(py::none(), [&](const AG::Solver_watch&) {
+  auto offsets = run(py::none(), [&](const AG::Solver_watch& watch) {
     const AG::Solver_curves curves(solver);
-    return curves.offsets(curves.curve(places, is_closed), distances);
+    return curves.offsets(curves.curve(places, is_closed), distances, watch);
   });
   py::list result;
   for(auto& offset : offsets)

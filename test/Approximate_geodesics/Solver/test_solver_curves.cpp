@@ -6,6 +6,8 @@
 #include <CGAL/Approximate_geodesics/Solver/Solver_curves.h>
 
 #include "checks/expect_message.h"
+#include "checks/solvers.h"
+#include "meshes/test_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -84,6 +86,21 @@ TEST_F(Curves_of_arrays, have_offsets)
   const auto middle = m_curves.curve({Solver_point::at_vertex(40)}, false);
   const auto ring = m_curves.offsets(middle, {2}).at(0).coordinates;
   EXPECT_EQ(ring.front(), ring[ring.size() - 3]);
+}
+
+TEST(Curves_of_arrays_that_take_long, can_be_interrupted)
+{
+  const Solver_of solver(Soup_arrays(flat_grid(250, 200)));
+  const Solver_curves curves(solver);
+  std::vector<Solver_point> points;
+  for(std::int64_t i = 0; i < 300; ++i)
+    points.push_back(Solver_point::at_vertex(i * 7919 % 50000));
+  std::vector<double> distances(solver.number_of_vertices());
+  EXPECT_THROW(
+      curves.find_distances(curves.curve(points, false), distances.data(), impatient_watch()),
+      AG::Solver_interrupted);
+  EXPECT_THROW(curves.offsets(curves.curve({points[9]}, false), {10, 20, 30}, impatient_watch()),
+               AG::Solver_interrupted);
 }
 
 TEST_F(Curves_of_arrays, are_refused_with_elements_that_do_not_exist)

@@ -83,18 +83,25 @@ public:
 
   /// writes the distance of each vertex from a curve or a region, infinity if it is not reached.
   template <typename Source>
-  void find_distances(const Source& source, double* const distances) const
+  void find_distances(const Source& source,
+                      double* const distances,
+                      const Solver_watch& watch = Solver_watch()) const
   {
+    internal::Solver_visitor visitor(watch);
     const Mesh& mesh = m_solver.mesh();
     approximate_geodesic_distances(
         mesh, boost::make_iterator_property_map(distances, get(boost::vertex_index, mesh)), source,
         parameters::epsilon(0));
+    visitor.finish();
   }
 
   /// returns the curves at some distances from a curve or a region, ordered by distance.
   template <typename Source>
-  std::vector<Offset> offsets(const Source& source, const std::vector<double>& distances) const
+  std::vector<Offset> offsets(const Source& source,
+                              const std::vector<double>& distances,
+                              const Solver_watch& watch = Solver_watch()) const
   {
+    internal::Solver_visitor visitor(watch);
     std::vector<Offset_curve<Kernel::Point_3>> curves;
     offset_curves(m_solver.mesh(), source, distances, std::back_inserter(curves));
     std::vector<Offset> result;
@@ -107,6 +114,7 @@ public:
       for(const auto& p : c.points)
         offset.coordinates.insert(offset.coordinates.end(), {p.x(), p.y(), p.z()});
     }
+    visitor.finish();
     return result;
   }
 

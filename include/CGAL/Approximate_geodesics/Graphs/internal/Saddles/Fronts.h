@@ -280,6 +280,7 @@ private:
 
   void add(const Sight& sight, const double label)
   {
+    check_for_interruption_at(m_number_of_sights++);
     const Frame frame(sight.edge);
     m_circular.add(sight.halfedge,
                    {label, frame(-1. * sight.left), Short_vector(frame(sight.right_ray.direction)),
@@ -299,6 +300,7 @@ private:
   const double m_limit;
   Fronts_of_sides<Circular_front> m_circular;
   Fronts_of_sides<Straight_front> m_straight;
+  std::size_t m_number_of_sights = 0;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal
