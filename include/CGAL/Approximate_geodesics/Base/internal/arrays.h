@@ -51,16 +51,21 @@ void reset(std::vector<T>& array, const std::vector<Index>& numbers, const T val
 }
 
 // Prefetches the cache line of entry `i` of an array. The entry may lie beyond the end, so the
-// address is computed as an integer, because pointer arithmetic must stay in the array.
+// address is computed as an integer, because pointer arithmetic must stay in the array. WebAssembly
+// cannot prefetch; it loads, which nothing waits for.
 template <typename T>
 void prefetch(const T* const array, const std::size_t i)
 {
-#if defined(__GNUC__)
-  __builtin_prefetch(
-      reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(array) + i * sizeof(T)));
+  [[maybe_unused]] const std::uintptr_t address =
+      reinterpret_cast<std::uintptr_t>(array) + i * sizeof(T);
+#if defined(__wasm__)
+  constexpr int memory = 0;
+  constexpr std::size_t size_of_page = 65536;
+  if(address / size_of_page < __builtin_wasm_memory_size(memory))
+    static_cast<void>(*reinterpret_cast<const volatile char*>(address));
+#elif defined(__GNUC__)
+  __builtin_prefetch(reinterpret_cast<const void*>(address));
   __asm__ volatile(""); // keeps g++ from removing calls as side-effect free
-#else
-  static_cast<void>(array), static_cast<void>(i);
 #endif
 }
 
