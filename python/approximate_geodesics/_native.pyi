@@ -48,15 +48,21 @@ class Grid:
     def memory(self) -> int: ...
 
 def distances_from_curve(
-    solver: Solver, elements: _Integers, coordinates: Optional[_Floats], is_closed: bool
+    solver: Solver,
+    elements: _Integers,
+    coordinates: Optional[_Floats],
+    is_closed: bool,
+    is_signed: bool,
+    progress: _Progress,
 ) -> _Floats: ...
-def distances_from_region(solver: Solver, faces: list[int]) -> _Floats: ...
+def distances_from_region(solver: Solver, faces: list[int], progress: _Progress) -> _Floats: ...
 def offsets_of_curve(
     solver: Solver,
     elements: _Integers,
     coordinates: Optional[_Floats],
     is_closed: bool,
     distances: list[float],
+    progress: _Progress,
 ) -> list[Tuple[float, _Floats]]: ...
 
 class Walks:

@@ -751,7 +751,14 @@ class Solver:
 
     # Curves
 
-    def distances_from_curve(self, points: Any, *, closed: bool = False) -> _arrays.Floats:
+    def distances_from_curve(
+        self,
+        points: Any,
+        *,
+        closed: bool = False,
+        signed: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> _arrays.Floats:
         """Exact distances of all vertices from the nearest point of a curve.
 
         Parameters
@@ -761,6 +768,10 @@ class Solver:
             shortest path.
         closed : bool
             Whether the last point is joined to the first one.
+        signed : bool
+            Whether distances are negative to the left of the curve, seen from outside. The curve
+            has to be closed, or to end at borders, and to separate its two sides.
+        progress : callable, optional
 
         Returns
         -------
@@ -768,16 +779,25 @@ class Solver:
             Infinity for vertices that are not reached. Costs and barriers do not count.
         """
         (elements, coordinates), _ = _arrays.points(points, "point")
-        return _native.distances_from_curve(self._solver, elements, coordinates, closed)
+        return _native.distances_from_curve(
+            self._solver, elements, coordinates, closed, signed, _checked(progress)
+        )
 
-    def distances_from_region(self, faces: npt.ArrayLike) -> _arrays.Floats:
+    def distances_from_region(
+        self, faces: npt.ArrayLike, *, progress: Optional[Progress] = None
+    ) -> _arrays.Floats:
         """Exact distances of all vertices from a set of faces, (k,); `0` in these."""
         numbers = _arrays.integers(faces, "faces", (-1,))
-        return _native.distances_from_region(self._solver, numbers.tolist())
+        return _native.distances_from_region(self._solver, numbers.tolist(), _checked(progress))
 
     @overload
     def offset_curves(
-        self, points: Any, distances: float, *, closed: bool = False
+        self,
+        points: Any,
+        distances: float,
+        *,
+        closed: bool = False,
+        progress: Optional[Progress] = None,
     ) -> list[_arrays.Floats]: ...
 
     @overload
@@ -787,9 +807,17 @@ class Solver:
         distances: Union[Sequence[float], npt.NDArray[Any]],
         *,
         closed: bool = False,
+        progress: Optional[Progress] = None,
     ) -> list[list[_arrays.Floats]]: ...
 
-    def offset_curves(self, points: Any, distances: Any, *, closed: bool = False) -> Any:
+    def offset_curves(
+        self,
+        points: Any,
+        distances: Any,
+        *,
+        closed: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> Any:
         """Curves at exact distances from a curve or a point, such as tool paths.
 
         Parameters
@@ -798,6 +826,7 @@ class Solver:
             As for `distances_from_curve`.
         distances : float or (k,) array of float
             The distances, larger than 0.
+        progress : callable, optional
 
         Returns
         -------
@@ -809,7 +838,7 @@ class Solver:
         wanted = np.atleast_1d(_arrays.numbers(distances, "distances", np.shape(distances)[:1]))
         lines: dict[float, list[_arrays.Floats]] = {d: [] for d in wanted.tolist()}
         for distance, line in _native.offsets_of_curve(
-            self._solver, elements, coordinates, closed, list(lines)
+            self._solver, elements, coordinates, closed, list(lines), _checked(progress)
         ):
             lines[distance].append(line)
         result = [lines[d] for d in wanted.tolist()]

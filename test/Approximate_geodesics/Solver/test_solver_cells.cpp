@@ -107,14 +107,4 @@ TEST(SolverCells, can_be_interrupted)
                AG::Solver_interrupted);
 }
 
-TEST(SolverCells, can_be_interrupted)
-{
-  using namespace geodesics_test;
-  const Solver_of solver(Soup_arrays(sphere(150, 100)));
-  const auto divide = [&](const AG::Solver_watch& watch) {
-    Solver_cells(solver, {Solver_point::at_vertex(7)}, true, watch);
-  };
-  EXPECT_THROW(divide(impatient_watch()), AG::Solver_interrupted);
-}
-
 } // namespace
