@@ -437,7 +437,7 @@ public:
    *        value type to which `double` is convertible
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
    *        `nearest_source_map`, which receives positions in the order of `source_points_begin()`,
-   *        and `predecessor_map`, as for `approximate_geodesic_distances()`
+   *        `predecessor_map` and `signed_distances`, as for `approximate_geodesic_distances()`
    */
   template <typename VertexDistanceMap,
             typename NamedParameters = parameters::Default_named_parameters>
@@ -445,8 +445,10 @@ public:
                                            const NamedParameters& np = parameters::default_values())
   {
     static_assert(!internal::ignores_any<NamedParameters, internal_np::nearest_source_t,
-                                         internal_np::geodesic_predecessor_t>,
-                  "distances to sources read nearest_source_map and predecessor_map; "
+                                         internal_np::geodesic_predecessor_t,
+                                         internal_np::signed_distances_t>,
+                  "distances to sources read nearest_source_map, predecessor_map and "
+                  "signed_distances; "
                   "maximum_distance, targets and visitor are for build_sequence_tree()");
     constexpr bool is_map = internal::takes_distances<VertexDistanceMap, vertex_descriptor>;
     static_assert(is_map,

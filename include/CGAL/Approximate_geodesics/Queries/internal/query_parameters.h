@@ -33,6 +33,14 @@ Graph graph_with_epsilon(Intrinsic_triangulation triangulation, const double eps
                parameters::epsilon(epsilon).concurrency_tag(ConcurrencyTag()));
 }
 
+// Returns the exact graph of a mesh, for queries that are always exact.
+template <typename TriangleMesh, typename NamedParameters>
+Saddle_vertex_graph exact_graph(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  return graph_with_epsilon<Saddle_vertex_graph, Concurrency_tag<NamedParameters>>(
+      Intrinsic_triangulation(tmesh, np), 0);
+}
+
 // Whether a query that reads the parameters of meshes and graphs, and `Read`, ignores a parameter.
 template <typename NamedParameters, typename... Read>
 constexpr bool query_ignores_any = ignores_any<NamedParameters,
