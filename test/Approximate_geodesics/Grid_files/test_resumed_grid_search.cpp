@@ -187,8 +187,12 @@ TEST(Resumed_grid_search, is_killed_and_resumed)
                    5 + random.below(20), folder.name());
     };
     std::size_t number_of_kills = 0;
-    while(!ends_before([&] { make().run(); }, 500 + random.below(1000 + 300 * number_of_kills)))
+    std::size_t longest = 1000;
+    while(!ends_before([&] { make().run(); }, 500 + random.below(longest)))
+    {
       ++number_of_kills;
+      longest += 300 + longest / 20; // so that slow machines come to an end, too
+    }
     std::cout << number_of_kills << " kills" << std::endl;
     Tiled tiled = make();
     EXPECT_EQ(tiled.run(), true);
