@@ -33,6 +33,7 @@ def check(solver: ag.Solver, values: Floats) -> None:
     assert_type(solver.isolines(values, 0.5), list[Floats])
     assert_type(solver.isolines(values, [0.5, 1]), list[list[Floats]])
     assert_type(solver.voronoi_borders([0, 1]), ag.Cells)
+    assert_type(solver.voronoi_borders([0, 1], initial_distances=[0, 1.5], chord_error=1), ag.Cells)
     assert_type(solver.cut_locus(0).areas, Floats)
     assert_type(solver.trace(0, [1, 0, 0]), Floats)
     assert_type(solver.trace(0, [1, 0], 2, return_end=True), tuple[Floats, Floats, float])

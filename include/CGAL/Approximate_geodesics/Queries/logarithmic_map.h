@@ -266,9 +266,7 @@ void logarithmic_map(const TriangleMesh& tmesh,
   static_assert(!internal::ignores_any<NamedParameters, internal_np::edge_length_t,
                                        internal_np::maximum_distance_t>,
                 "logarithmic_map() is exact, and reads edge_length_map and maximum_distance only");
-  const auto graph =
-      internal::graph_with_epsilon<Saddle_vertex_graph, internal::Concurrency_tag<NamedParameters>>(
-          Intrinsic_triangulation(tmesh, np), 0);
+  const auto graph = internal::exact_graph(tmesh, np);
   const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
                                      graph.triangulation());
   const Intrinsic_point point = internal::intrinsic_point(translation, source, "source");
