@@ -15,7 +15,6 @@
 #include <memory>
 #include <new>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #ifdef __linux__
@@ -48,12 +47,6 @@ struct Uninitialized_allocator : std::allocator<T>
   void construct(U* const entry)
   {
     ::new(static_cast<void*>(entry)) U;
-  }
-
-  template <typename U, typename... Arguments>
-  void construct(U* const entry, Arguments&&... arguments)
-  {
-    ::new(static_cast<void*>(entry)) U(std::forward<Arguments>(arguments)...);
   }
 };
 
