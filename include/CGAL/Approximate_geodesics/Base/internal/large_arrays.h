@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <memory>
 #include <new>
-#include <utility>
 #include <vector>
 
 #ifdef __linux__
@@ -43,12 +42,6 @@ struct Uninitialized_allocator : std::allocator<T>
   void construct(U* const entry)
   {
     ::new(static_cast<void*>(entry)) U;
-  }
-
-  template <typename U, typename... Arguments>
-  void construct(U* const entry, Arguments&&... arguments)
-  {
-    ::new(static_cast<void*>(entry)) U(std::forward<Arguments>(arguments)...);
   }
 };
 
