@@ -119,7 +119,7 @@ void shorten_loops_of_cut_graph(const Graph& graph, const Intrinsic_point& base,
   for(const Cut_graph::Link& link : cut_graph.links())
     if(link.lower_bound * triangulation.unit() < shortest.length)
     {
-      Path loop = straightener.shortened_with_fixed_base({cut_graph.loop(link), 0});
+      Path loop = straightener.shortened_with_fixed_ends({cut_graph.loop(link), 0});
       const bool is_point = loop.points.size() == 1; // of parallel edges, only the shortest counts
       if(!is_point && loop.length < shortest.length)
         shortest = std::move(loop);
