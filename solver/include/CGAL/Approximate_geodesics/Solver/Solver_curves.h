@@ -119,6 +119,7 @@ public:
       for(const auto& p : c.points)
         offset.coordinates.insert(offset.coordinates.end(), {p.x(), p.y(), p.z()});
     }
+    visitor.finish();
     return result;
   }
 

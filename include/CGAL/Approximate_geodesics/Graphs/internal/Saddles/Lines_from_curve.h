@@ -276,6 +276,20 @@ public:
   {
   }
 
+  // Calls `f(v, length, arrival, foot)` for the lines from a curve to vertices, for paths that
+  // start with the label `label` and are no longer than `bound(v)`.
+  template <typename Bound, typename F>
+  void
+  for_each_line(const Intrinsic_curve& curve, const double label, const Bound& bound, F f) const
+  {
+    for(const std::vector<Intrinsic_point>& polyline : curve.polylines)
+      for_each_line(polyline, label, bound, f);
+    for(const Index h : curve.faces)
+      for(const Index side : m_triangulation.halfedges_of_face(h))
+        f(m_triangulation.target(side), 0., Arrival::on_curve(side),
+          Intrinsic_point::at_vertex(m_triangulation.target(side)));
+  }
+
   // Calls `f(v, length, arrival, foot)` for the lines from a polyline to vertices, for paths that
   // start with the label `label` and are no longer than `bound(v)`.
   template <typename Bound, typename F>
