@@ -117,6 +117,11 @@ public:
   /// one of them, or lie on an edge. Only graphs with such nodes have this member function.
   CGAL::Approximate_geodesics::Intrinsic_point position(Node node) const;
 
+  /// returns a bound on how much longer, relatively, the way back along an arc is than the arc: `0`
+  /// if each arc leads back, infinity if nothing is known. The distances of nodes must not depend
+  /// on the search. `CGAL::Approximate_geodesics::Landmarks` need it.
+  double asymmetry() const;
+
   /// replaces the weights of the faces. Only graphs that support weights have this member function;
   /// `set_face_weights()` of the class needs it.
   void set_weights(CGAL::Approximate_geodesics::Face_weights weights);

@@ -8,11 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Curve_sources.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/tree_paths.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
@@ -30,126 +32,6 @@
 namespace CGAL::Approximate_geodesics {
 
 namespace internal {
-
-// Paths in the shortest-path tree of a search. Lengths are in units of the graph, unless noted.
-
-// Appends the edges that a line crosses. All lines use this function object, as graphs instantiate
-// much code for its type.
-struct Append_crossing
-{
-  void operator()(const Intrinsic_point::Index h, const double t) const
-  {
-    points.push_back(Intrinsic_point::on_edge(h, t));
-  }
-
-  std::vector<Intrinsic_point>& points;
-};
-
-// Appends the crossings of a line with edges, and adds its length. `for_each_crossing(f)` reports
-// the crossings in the opposite order, and returns the length.
-template <typename ForEachCrossing>
-void append_backward(ForEachCrossing for_each_crossing, Path& path)
-{
-  const auto beyond = static_cast<std::ptrdiff_t>(path.points.size());
-  path.length += for_each_crossing(Append_crossing{path.points});
-  std::reverse(path.points.begin() + beyond, path.points.end());
-}
-
-// Appends the arc from `previous` to `node` in the opposite direction.
-template <typename Search>
-void append_arc_back(const Search& search,
-                     const typename Search::Node node,
-                     const typename Search::Node previous,
-                     Path& path)
-{
-  using Graph = typename Search::Graph;
-  if constexpr(has_crossing_arcs<Graph>)
-    append_backward(
-        [&](auto f) {
-          return search.graph_run().for_each_crossing(previous, node, search.labels(), f);
-        },
-        path);
-  else
-    path.length += search.labels().distance(node) - search.labels().distance(previous);
-  append(position(search.graph(), previous), search.graph().triangulation(), path);
-}
-
-// Appends the rest of the path from `node` back to the start of the search. Returns the last node.
-template <typename Search>
-typename Search::Node append_tree_path(const Search& search, typename Search::Node node, Path& path)
-{
-  for(auto previous = search.predecessor(node); previous != Search::null_node;
-      previous = search.predecessor(node))
-  {
-    append_arc_back(search, node, previous, path);
-    node = previous;
-  }
-  return node;
-}
-
-// The path from `node` back to the start of the search, with its length in the unit of the mesh; it
-// has no points if `node` was not reached.
-template <typename Search>
-Path tree_path(const Search& search, const typename Search::Node node)
-{
-  Path result;
-  if(!search.is_reached(node))
-    return result;
-  result.points.push_back(position(search.graph(), node));
-  append_tree_path(search, node, result);
-  result.length *= search.graph().unit();
-  return result;
-}
-
-/*
- * The vertex before a node on its path, or the search's null node if there is none. Results are
- * kept along the path, so that run time for all nodes is linear.
- */
-template <typename Search>
-class Vertex_predecessors
-{
-  using Node = typename Search::Node;
-
-public:
-  explicit Vertex_predecessors(const Search& search) : m_search(search)
-  {
-    if constexpr(has_positions<typename Search::Graph>)
-    {
-      const std::size_t number_of_nodes = search.graph().number_of_nodes();
-      if(number_of_nodes > search.graph().triangulation().number_of_vertices())
-        m_before.resize(number_of_nodes, Search::null_node);
-    }
-  }
-
-  // Allocates nothing.
-  Node operator()(const Node node)
-  {
-    if(m_before.empty()) // all nodes are vertices
-      return m_search.predecessor(node);
-
-    const Node vertex = vertex_of(node);
-    Node result = m_before[node], end_of_way = node;
-    while(result == Search::null_node)
-    {
-      end_of_way = m_search.predecessor(end_of_way);
-      if(end_of_way == Search::null_node)
-        return Search::null_node;
-      const Node candidate = vertex_of(end_of_way);
-      const bool is_another = candidate != Search::null_node && candidate != vertex;
-      result = is_another ? candidate : m_before[end_of_way];
-    }
-    for(Node n = node; n != end_of_way; n = m_search.predecessor(n))
-      m_before[n] = result;
-    return result;
-  }
-
-private:
-  // null_node if the node is not at a vertex
-  Node vertex_of(const Node node) const { return position(m_search.graph(), node).vertex; }
-
-  const Search& m_search;
-  std::vector<Node> m_before; // null_node where it is not known
-};
 
 inline void check_initial_distance(const double distance, const std::size_t number_of_source)
 {
@@ -303,8 +185,9 @@ public:
    * forgets the last run, and computes the distance from the nearest of the sources to `target`
    * only. Afterwards, only `target` may be queried.
    *
-   * The run ends when that distance is final. If positions are known, it is guided to the target by
-   * straight-line distances (A* algorithm \cgalCite{hnr-fbhdm-68}).
+   * The run ends when that distance is final. If there are landmarks, or positions are known, it is
+   * guided to the target by their lower bounds, or by straight-line distances (A* algorithm
+   * \cgalCite{hnr-fbhdm-68}).
    *
    * \throws std::invalid_argument as `run()` does.
    */
@@ -321,6 +204,14 @@ public:
    * \throws std::invalid_argument as `run()` does.
    */
   void repair(std::vector<Source_point> sources);
+
+  /// guides runs to a single target from now on, and those for pairs of their own source, by the
+  /// landmarks of the same graph, as long as its arcs do not change. \warning `landmarks` are
+  /// referred to, not copied.
+  void use_landmarks(const Landmarks<Graph>& landmarks) { m_landmarks = &landmarks; }
+
+  /// returns whether runs to a single target are guided by landmarks.
+  bool uses_landmarks() const { return m_landmarks != nullptr && m_landmarks->are_valid(); }
 
   /// must be called after all weights of the graph have been exchanged. Results are forgotten. Run
   /// time is \cgalBigO{n} for `n` nodes.
@@ -721,6 +612,7 @@ private:
   }
 
   const Graph* m_graph;
+  const Landmarks<Graph>* m_landmarks = nullptr;
   Search m_search;
   std::vector<Source_point> m_sources;
   Points_by_face m_points;          // of the sources
@@ -798,6 +690,9 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
                          (!Run::attaches_by_labels || target.is_vertex());
   run_and_adopt(std::move(sources), std::move(points), {limit, {target}}, maximum_distance,
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
+                  if constexpr(internal::has_asymmetry<Graph>)
+                    if(uses_landmarks())
+                      return m_search.run_toward(seeds, rule, m_landmarks->to(target), entries);
                   if(is_guided)
                     m_search.run_toward(
                         seeds, rule,
