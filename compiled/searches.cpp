@@ -4,4 +4,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #define CGAL_APPROXIMATE_GEODESICS_INSTANTIATION
-#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_matrices.h>

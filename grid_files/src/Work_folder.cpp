@@ -99,7 +99,7 @@ void Work_folder::clear() const
 {
   if(m_name.empty())
     return;
-  std::error_code ignored; // what is left is no harm
+  std::error_code ignored; // what is left does no harm
   for(const char* const name : {"task", "task.new", "boot", "labels", "predecessors", "lock"})
     fs::remove(file(name), ignored);
   fs::remove(m_name, ignored); // succeeds if it is empty

@@ -8,11 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_matrices.h>
 
 #include <type_traits>
 

@@ -179,6 +179,18 @@ void write_distances(const TriangleMesh& tmesh,
  *                    as value type, and of the size of `sources`}
  *     \cgalParamDefault{`0` for all of them}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{signed_distances}
+ *     \cgalParamDescription{whether distances are negative to the left of the curves that are the
+ *                           sources, seen from outside: isolines of distances are then on both
+ *                           sides, and go along with the curves}
+ *     \cgalParamType{Boolean}
+ *     \cgalParamDefault{`false`}
+ *     \cgalParamExtra{A curve has to be closed, or to end at borders, and all curves together have
+ *                     to separate their left side from their right side: a meridian of a torus, a
+ *                     curve that crosses itself, or a point does not. The other kind of source is
+ *                     refused. A region has distances of `0` inside. Vertices that are not reached
+ *                     get infinity on both sides.}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}
  *     \cgalParamType{a number type convertible to `double`}
@@ -246,8 +258,9 @@ void write_distances(const TriangleMesh& tmesh,
  *         point of its surface, if an initial distance is negative or infinite or their number
  *         differs from that of the sources, if `maximum_distance` is negative or NaN, if `epsilon`
  *         is negative or not finite, or `0` with weights or barriers, if
- *         `number_of_points_per_edge` is negative or not an integer, or if paths run across faces
- *         and a face violates the triangle inequality. The message names the error and the element.
+ *         `number_of_points_per_edge` is negative or not an integer, if paths run across faces and
+ *         a face violates the triangle inequality, or if `signed_distances` are wanted and the
+ *         sources do not have two sides. The message names the error and the element.
  *         If an exception is thrown, no property map is written.
  * \throws std::length_error if the number of halfedges of `tmesh`, or of nodes of the graph,
  *         exceeds the range of 32-bit indices; or if points on edges are required, and their number
@@ -300,7 +313,8 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
       !AG::internal::query_ignores_any<
           NamedParameters, internal_np::direction_to_source_t, internal_np::initial_distances_t,
           internal_np::maximum_distance_t, internal_np::targets_t, internal_np::nearest_source_t,
-          internal_np::geodesic_predecessor_t, internal_np::visitor_t>,
+          internal_np::geodesic_predecessor_t, internal_np::signed_distances_t,
+          internal_np::visitor_t>,
       "approximate_geodesic_distances() does not read one of these named parameters: its "
       "documentation lists the supported ones; straighten is for paths");
 

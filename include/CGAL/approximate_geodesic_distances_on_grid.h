@@ -11,8 +11,10 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/search_on_grid.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <type_traits>
@@ -71,24 +73,6 @@ grid_graph(const Grid_shape& shape, const FrictionRange& friction, const NamedPa
   const auto h = with_parameter(internal_np::heights, np, e);
   const auto w = with_parameter(internal_np::face_weight, np, h);
   return Grid_graph(shape, friction, with_parameter(internal_np::direction_to_source, np, w));
-}
-
-// The seeds of a source, or a range of sources.
-template <typename Sources>
-std::vector<Seed> seeds_of_cells(const Grid_graph& graph, const Sources& sources)
-{
-  if constexpr(std::is_convertible_v<const Sources&, Grid_cell>)
-    return {Seed{graph.node(sources)}};
-  else
-  {
-    std::vector<Seed> result;
-    for(const Grid_cell& source : sources)
-      result.push_back(name_in_message([&] { return name_in_list("source", result.size()); },
-                                       [&] {
-                                         return Seed{graph.node(source), 0, result.size()};
-                                       }));
-    return result;
-  }
 }
 
 } // namespace Approximate_geodesics::internal
@@ -210,24 +194,18 @@ double approximate_geodesic_path_on_grid(const Approximate_geodesics::Grid_shape
                                          const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
-  using Node = AG::Grid_graph::Node;
   static_assert(
       !AG::internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::heights_t,
                                  internal_np::face_weight_t, internal_np::maximum_distance_t>,
       "approximate_geodesic_path_on_grid() reads the named parameters epsilon, heights, "
       "face_weight_map and maximum_distance only");
   const AG::Grid_graph graph = AG::internal::grid_graph(shape, friction, np);
-  const Node end = graph.node(target);
+  const AG::Grid_graph::Node end = graph.node(target);
   const std::vector<AG::Seed> seeds = AG::internal::seeds_of_cells(graph, source);
   AG::Propagation search(graph);
-  search.run_toward(seeds, AG::Stop_rule{AG::internal::maximum_distance(np), {end}},
-                    [&graph, end](const Node node) { return graph.lower_bound(node, end); });
-  std::vector<Node> path; // from the target
-  if(search.is_reached(end))
-    for(Node node = end; node != search.null_node; node = search.predecessor(node))
-      path.push_back(node);
-  for(auto node = path.rbegin(); node != path.rend(); ++node)
-    *points++ = graph.position(*node);
+  const std::vector<AG::Grid_point> path =
+      AG::internal::find_path_on_grid(search, seeds, AG::internal::maximum_distance(np), end);
+  std::copy(path.begin(), path.end(), points);
   return search.distance(end);
 }
 

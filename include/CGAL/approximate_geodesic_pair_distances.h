@@ -8,15 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
-#include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Workspaces.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_matrices.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -118,6 +116,66 @@ std::vector<Point_pair> point_pairs(const Translation& translation, const Pairs&
   return result;
 }
 
+/*
+ * Answers lists of pairs of points of a mesh. Results have the order of the pairs; there are none
+ * if the visitor stopped the computation.
+ */
+template <typename Graph, typename Translation>
+class Mesh_pairs
+{
+public:
+  // Both are referred to, not copied.
+  Mesh_pairs(const Graph& graph, const Translation& translation)
+    : m_graph(graph), m_translation(translation), m_workspaces(graph)
+  {
+  }
+
+  // Must be called when the weights of the graph have changed.
+  void clear() { m_workspaces.clear(); }
+
+  template <typename Pairs, typename NamedParameters>
+  std::vector<double> distances(const Pairs& pairs, const NamedParameters& np) const
+  {
+    return find(pairs, np,
+                [](const auto& search, const Intrinsic_point& p) { return search.distance(p); });
+  }
+
+  template <typename Pairs, typename NamedParameters>
+  auto distance_intervals(const Pairs& pairs, const NamedParameters& np) const
+  {
+    return find(pairs, np, [&](const auto& search, const Intrinsic_point& p) {
+      return distance_interval(search, p, maximum_distance(np));
+    });
+  }
+
+  template <typename Pairs, typename NamedParameters>
+  std::vector<Path> paths(const Pairs& pairs, const NamedParameters& np) const
+  {
+    return find<internal_np::straighten_t>(
+        pairs, np, [&](const auto& search, const Intrinsic_point& end) {
+          Path path = search.find_path(end);
+          straighten_if_wanted(m_graph.triangulation(), np, path);
+          return from_source_to_target(m_graph, std::move(path));
+        });
+  }
+
+private:
+  template <typename... Read, typename Pairs, typename NamedParameters, typename Find>
+  auto find(const Pairs& pairs, const NamedParameters& np, const Find& find) const
+  {
+    static_assert(!ignores_any<NamedParameters, internal_np::maximum_distance_t,
+                               internal_np::visitor_t, Read...>,
+                  "lists of pairs read maximum_distance, concurrency_tag and visitor; paths also "
+                  "straighten");
+    auto found = find_pairs(m_graph, m_workspaces, point_pairs(m_translation, pairs), np, find);
+    return found ? *std::move(found) : typename decltype(found)::value_type();
+  }
+
+  const Graph& m_graph;
+  const Translation& m_translation;
+  mutable Pair_workspaces<Graph> m_workspaces;
+};
+
 // Writes the distances of pairs, unless the visitor stopped the computation.
 template <typename Graph, typename OutputIterator, typename NamedParameters>
 bool write_pair_distances(const Graph& graph,
@@ -157,13 +215,14 @@ bool write_pair_distances(const Graph& graph,
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed. Instead, a model of `SurfaceGraph` can be
- * given, with pairs of `Approximate_geodesics::Intrinsic_point`s. \param pairs the sources and the
- * targets; duplicates are allowed \param distances receives one distance per pair, in the order of
- * the pairs and in the unit of the mesh: from the source to the target if costs depend on the
- * direction, and infinity if there is no path \param np an optional sequence of \ref
- * bgl_namedparameters "Named Parameters": `maximum_distance`, `concurrency_tag`, and `visitor`, as
- * for `approximate_geodesic_distance_matrix()`, where a row is a source; and, with a mesh, the
- * parameters of meshes and graphs that this function reads, except for `direction_to_source`
+ *        given, with pairs of `Approximate_geodesics::Intrinsic_point`s.
+ * \param pairs the sources and the targets; duplicates are allowed
+ * \param distances receives one distance per pair, in the order of the pairs and in the unit of the
+ *        mesh: from the source to the target if costs depend on the direction, and infinity if
+ * there is no path \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
+ *        `maximum_distance`, `concurrency_tag`, and `visitor`, as for
+ *        `approximate_geodesic_distance_matrix()`, where a row is a source; and, with a mesh, the
+ *        parameters of meshes and graphs that this function reads, except for `direction_to_source`
  *
  * \return whether distances were written: if the visitor stopped the computation, none is.
  *

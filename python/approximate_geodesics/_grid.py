@@ -83,10 +83,11 @@ class Grid:
     ) -> None:
         if friction is None and heights is None:
             raise TypeError("a Grid has friction, or heights, or both; there are none")
-        self._no_data = None if no_data is None else _number(no_data, "no_data")
-        values = None if friction is None else self._cells(friction, "friction", (-1, -1))
+        if no_data is not None:
+            no_data = _number(no_data, "no_data")
+        values = None if friction is None else _values(friction, "friction", (-1, -1), no_data)
         wanted = (-1, -1) if values is None else values.shape
-        surface = None if heights is None else self._cells(heights, "heights", wanted)
+        surface = None if heights is None else _values(heights, "heights", wanted, no_data)
         first = surface if values is None else values
         assert first is not None
         self._shape = (first.shape[0], first.shape[1])
@@ -94,7 +95,7 @@ class Grid:
         self._grid = _native.Grid(
             self._shape,
             _two_numbers(cell_size),
-            self._no_data,
+            no_data,
             None if first_latitude is None else _number(first_latitude, "first_latitude"),
             values,
             surface,
@@ -167,6 +168,7 @@ class Grid:
         Parameters
         ----------
         sources : cell or cells
+            One that cannot be entered has the cost 0, and no other cell is reached from it.
         return_nearest : bool
             Whether the nearest sources are returned, too.
         return_predecessors : bool
@@ -224,14 +226,22 @@ class Grid:
         return (points, length) if return_length else points
 
     @overload
-    def isolines(self, values: npt.ArrayLike, levels: float) -> list[_arrays.Floats]: ...
+    def isolines(
+        self, values: npt.ArrayLike, levels: float, *, no_data: Optional[float] = None
+    ) -> list[_arrays.Floats]: ...
 
     @overload
     def isolines(
-        self, values: npt.ArrayLike, levels: Union[Sequence[float], npt.NDArray[Any]]
+        self,
+        values: npt.ArrayLike,
+        levels: Union[Sequence[float], npt.NDArray[Any]],
+        *,
+        no_data: Optional[float] = None,
     ) -> list[list[_arrays.Floats]]: ...
 
-    def isolines(self, values: npt.ArrayLike, levels: npt.ArrayLike) -> Any:
+    def isolines(
+        self, values: npt.ArrayLike, levels: npt.ArrayLike, *, no_data: Optional[float] = None
+    ) -> Any:
         """Lines where values of cells, such as costs, reach a level; or for each of several levels.
 
         Parameters
@@ -239,6 +249,8 @@ class Grid:
         values : (rows, columns) array of float
             No lines are next to cells whose values are infinite, NaN, or `no_data`.
         levels : float, or (k,) array of float
+        no_data : float, optional
+            By default, none: that of friction can be 0, which is what sources cost.
 
         Returns
         -------
@@ -246,23 +258,17 @@ class Grid:
             Rows and columns; the last point of a closed line is its first. Of several levels, a list
             of such lists.
         """
-        numbers = self._cells(values, "values", self._shape)
+        if no_data is not None:
+            no_data = _number(no_data, "no_data")
+        numbers = _values(values, "values", self._shape, no_data)
+        if no_data is not None:
+            numbers = np.where(numbers == no_data, np.nan, numbers)
         if np.ndim(levels) == 0:
             return self._grid.isolines(numbers, _number(levels, "levels"))
         return [
             self._grid.isolines(numbers, float(level))
             for level in _arrays.numbers(levels, "levels", (-1,))
         ]
-
-    def _cells(self, values: npt.ArrayLike, name: str, shape: tuple[int, ...]) -> _arrays.Floats:
-        """Values of cells, in which `no_data` is that of their own type: 1e20 is no `float32`."""
-        result = _arrays.numbers(values, name, shape)
-        dtype = np.asarray(values).dtype if hasattr(values, "dtype") else result.dtype
-        if self._no_data is not None and dtype.kind == "f" and dtype.itemsize < 8:
-            with np.errstate(over="ignore"):
-                rounded = float(np.float64(self._no_data).astype(dtype))
-            result[result == rounded] = self._no_data
-        return result
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -286,6 +292,19 @@ class Grid:
 
     def __repr__(self) -> str:
         return f"<Grid of {self._shape[0]} x {self._shape[1]} cells>"
+
+
+def _values(
+    values: npt.ArrayLike, name: str, shape: tuple[int, ...], no_data: Optional[float]
+) -> _arrays.Floats:
+    """Values of cells, in which `no_data` is that of their own type: 1e20 is no `float32`."""
+    result = _arrays.numbers(values, name, shape)
+    dtype = np.asarray(values).dtype if hasattr(values, "dtype") else result.dtype
+    if no_data is not None and dtype.kind == "f" and dtype.itemsize < 8:
+        with np.errstate(over="ignore"):
+            rounded = float(np.float64(no_data).astype(dtype))
+        result[result == rounded] = no_data
+    return result
 
 
 def _cells(values: Any, name: str, shape: tuple[int, ...] = ()) -> _arrays.Integers:

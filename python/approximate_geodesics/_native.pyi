@@ -48,15 +48,21 @@ class Grid:
     def memory(self) -> int: ...
 
 def distances_from_curve(
-    solver: Solver, elements: _Integers, coordinates: Optional[_Floats], is_closed: bool
+    solver: Solver,
+    elements: _Integers,
+    coordinates: Optional[_Floats],
+    is_closed: bool,
+    is_signed: bool,
+    progress: _Progress,
 ) -> _Floats: ...
-def distances_from_region(solver: Solver, faces: list[int]) -> _Floats: ...
+def distances_from_region(solver: Solver, faces: list[int], progress: _Progress) -> _Floats: ...
 def offsets_of_curve(
     solver: Solver,
     elements: _Integers,
     coordinates: Optional[_Floats],
     is_closed: bool,
     distances: list[float],
+    progress: _Progress,
 ) -> list[Tuple[float, _Floats]]: ...
 
 class Walks:
@@ -77,10 +83,16 @@ class Walks:
         target_coordinates: Optional[_Floats],
         vector: _Floats,
     ) -> _Floats: ...
+    def extend_vectors(
+        self, elements: _Integers, coordinates: Optional[_Floats], vectors: _Floats
+    ) -> _Floats: ...
     def mean(
         self, elements: _Integers, coordinates: Optional[_Floats], weights: _Floats
     ) -> Tuple[Any, float, bool]: ...
     def shorten_loop(
+        self, elements: _Integers, coordinates: Optional[_Floats]
+    ) -> Tuple[_Floats, float]: ...
+    def shorten_curve(
         self, elements: _Integers, coordinates: Optional[_Floats]
     ) -> Tuple[_Floats, float]: ...
     def shortest_loop_through(
@@ -171,7 +183,12 @@ class Solver:
         progress: _Progress,
     ) -> _Integers: ...
     def cells(
-        self, elements: _Integers, coordinates: Optional[_Floats], within_cells: bool
+        self,
+        elements: _Integers,
+        coordinates: Optional[_Floats],
+        within_cells: bool,
+        initial_distances: List[float],
+        chord_error: Optional[float],
     ) -> Tuple[_Floats, list[_Floats], _Integers, _Integers, _Integers]: ...
     def farthest_points(
         self, number: int, sources: _Integers, progress: _Progress

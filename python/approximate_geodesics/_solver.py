@@ -337,7 +337,7 @@ class Solver:
         )
         return (points, length) if return_length else points
 
-    # Lists of pairs
+    # Changes
 
     def set_weights(self, faces: npt.ArrayLike, weights: npt.ArrayLike) -> None:
         """Change the weights of some faces.
@@ -379,6 +379,8 @@ class Solver:
         ends = _arrays.integers(edges, "edges", (-1, 2)).astype(np.int64, copy=False)
         are_closed = np.ascontiguousarray(np.broadcast_to(np.asarray(closed, bool), len(ends)))
         self._solver.set_barriers(np.ascontiguousarray(ends), are_closed)
+
+    # Lists of pairs
 
     def pair_distances(
         self,
@@ -604,7 +606,13 @@ class Solver:
             elements, coordinates, direction_to_source, _checked(progress)
         )
 
-    def voronoi_borders(self, sources: Any) -> Cells:
+    def voronoi_borders(
+        self,
+        sources: Any,
+        *,
+        initial_distances: Optional[npt.ArrayLike] = None,
+        chord_error: Optional[float] = None,
+    ) -> Cells:
         """The exact borders between the cells of sources, which depend on the surface only.
 
         Like `logarithmic_map`, it depends neither on `epsilon` nor on costs or barriers.
@@ -612,6 +620,11 @@ class Solver:
         Parameters
         ----------
         sources : points
+        initial_distances : array of float, optional
+            A distance to add for each source, (k,): 0 by default.
+        chord_error : float, optional
+            The largest distance of an arc from its polyline: a thousandth of the mean length of
+            edges by default.
 
         Returns
         -------
@@ -619,21 +632,39 @@ class Solver:
             The areas of the cells, their borders as polylines, the two sources of each border, which
             cells are neighbors, and the dual triangulation.
         """
-        return self._cells(sources, False)
+        return self._cells(sources, False, initial_distances, chord_error)
 
-    def cut_locus(self, source: Any) -> Cells:
+    def cut_locus(
+        self,
+        source: Any,
+        *,
+        initial_distances: Optional[npt.ArrayLike] = None,
+        chord_error: Optional[float] = None,
+    ) -> Cells:
         """The points that several shortest paths lead to from a source, or from several ones.
+
+        Parameters are those of `voronoi_borders`.
 
         Returns
         -------
         Cells
             As of `voronoi_borders`; the two sources of a border can be the same.
         """
-        return self._cells(source, True)
+        return self._cells(source, True, initial_distances, chord_error)
 
-    def _cells(self, sources: Any, within_cells: bool) -> Cells:
+    def _cells(
+        self,
+        sources: Any,
+        within_cells: bool,
+        initial_distances: Optional[npt.ArrayLike],
+        chord_error: Optional[float],
+    ) -> Cells:
         (elements, coordinates), _ = _arrays.points(sources, "source")
-        return Cells(*self._solver.cells(elements, coordinates, within_cells))
+        size = len(elements)
+        initial = np.zeros(size) if initial_distances is None else initial_distances
+        distances = _arrays.numbers(initial, "initial_distances", (size,)).tolist()
+        error = None if chord_error is None else _number(chord_error, "chord_error")
+        return Cells(*self._solver.cells(elements, coordinates, within_cells, distances, error))
 
     @overload
     def farthest_points(
@@ -720,7 +751,14 @@ class Solver:
 
     # Curves
 
-    def distances_from_curve(self, points: Any, *, closed: bool = False) -> _arrays.Floats:
+    def distances_from_curve(
+        self,
+        points: Any,
+        *,
+        closed: bool = False,
+        signed: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> _arrays.Floats:
         """Exact distances of all vertices from the nearest point of a curve.
 
         Parameters
@@ -730,6 +768,10 @@ class Solver:
             shortest path.
         closed : bool
             Whether the last point is joined to the first one.
+        signed : bool
+            Whether distances are negative to the left of the curve, seen from outside. The curve
+            has to be closed, or to end at borders, and to separate its two sides.
+        progress : callable, optional
 
         Returns
         -------
@@ -737,16 +779,25 @@ class Solver:
             Infinity for vertices that are not reached. Costs and barriers do not count.
         """
         (elements, coordinates), _ = _arrays.points(points, "point")
-        return _native.distances_from_curve(self._solver, elements, coordinates, closed)
+        return _native.distances_from_curve(
+            self._solver, elements, coordinates, closed, signed, _checked(progress)
+        )
 
-    def distances_from_region(self, faces: npt.ArrayLike) -> _arrays.Floats:
+    def distances_from_region(
+        self, faces: npt.ArrayLike, *, progress: Optional[Progress] = None
+    ) -> _arrays.Floats:
         """Exact distances of all vertices from a set of faces, (k,); `0` in these."""
         numbers = _arrays.integers(faces, "faces", (-1,))
-        return _native.distances_from_region(self._solver, numbers.tolist())
+        return _native.distances_from_region(self._solver, numbers.tolist(), _checked(progress))
 
     @overload
     def offset_curves(
-        self, points: Any, distances: float, *, closed: bool = False
+        self,
+        points: Any,
+        distances: float,
+        *,
+        closed: bool = False,
+        progress: Optional[Progress] = None,
     ) -> list[_arrays.Floats]: ...
 
     @overload
@@ -756,9 +807,17 @@ class Solver:
         distances: Union[Sequence[float], npt.NDArray[Any]],
         *,
         closed: bool = False,
+        progress: Optional[Progress] = None,
     ) -> list[list[_arrays.Floats]]: ...
 
-    def offset_curves(self, points: Any, distances: Any, *, closed: bool = False) -> Any:
+    def offset_curves(
+        self,
+        points: Any,
+        distances: Any,
+        *,
+        closed: bool = False,
+        progress: Optional[Progress] = None,
+    ) -> Any:
         """Curves at exact distances from a curve or a point, such as tool paths.
 
         Parameters
@@ -767,6 +826,7 @@ class Solver:
             As for `distances_from_curve`.
         distances : float or (k,) array of float
             The distances, larger than 0.
+        progress : callable, optional
 
         Returns
         -------
@@ -778,7 +838,7 @@ class Solver:
         wanted = np.atleast_1d(_arrays.numbers(distances, "distances", np.shape(distances)[:1]))
         lines: dict[float, list[_arrays.Floats]] = {d: [] for d in wanted.tolist()}
         for distance, line in _native.offsets_of_curve(
-            self._solver, elements, coordinates, closed, list(lines)
+            self._solver, elements, coordinates, closed, list(lines), _checked(progress)
         ):
             lines[distance].append(line)
         result = [lines[d] for d in wanted.tolist()]
@@ -870,6 +930,17 @@ class Solver:
             _vector(vector, "vector"),
         )
 
+    def extend_vectors(self, points: Any, vectors: npt.ArrayLike) -> _arrays.Floats:
+        """The vector of the nearest of several points, carried to each vertex, (n, 2) float64.
+
+        `vectors` has a row for each point, (k, 2), in its frame, and the result one for each
+        vertex: parallel transport along an exact shortest path. It is zero at vertices that are not
+        reached.
+        """
+        (elements, coordinates), _ = _arrays.points(points, "point")
+        values = _arrays.numbers(vectors, "vectors", (len(elements), 2))
+        return self._walks.extend_vectors(elements, coordinates, values)
+
     @overload
     def karcher_mean(
         self,
@@ -958,6 +1029,26 @@ class Solver:
         (elements, coordinates), _ = _arrays.points(points, "point")
         loop, length = self._walks.shorten_loop(elements, coordinates)
         return (loop, length) if return_length else loop
+
+    @overload
+    def shorten_curve(
+        self, points: Any, *, return_length: Literal[False] = False
+    ) -> _arrays.Floats: ...
+
+    @overload
+    def shorten_curve(
+        self, points: Any, *, return_length: Literal[True]
+    ) -> tuple[_arrays.Floats, float]: ...
+
+    def shorten_curve(self, points: Any, *, return_length: bool = False) -> Any:
+        """A geodesic that a curve can be moved to on the surface, with the same ends.
+
+        It is locally shortest, and not always the shortest one: see `path` for that. Arguments and
+        results are those of `shorten_loop`, but the last point is not joined with the first one.
+        """
+        (elements, coordinates), _ = _arrays.points(points, "point")
+        curve, length = self._walks.shorten_curve(elements, coordinates)
+        return (curve, length) if return_length else curve
 
     @overload
     def shortest_loop_through(

@@ -5,9 +5,9 @@
 >>> distances = solver.compute_distance(7)
 
 There is no heat method behind them: distances are the lengths of paths on the surface, and have a
-bound. What only the heat method needs is accepted, and ignored. `MeshVectorHeatSolver` has the
-logarithmic map, which is exact, and tangent frames. Extension and transport of fields, signed
-distances and point clouds are not here.
+bound. What only the heat method needs is accepted, and ignored. What `MeshVectorHeatSolver` extends
+comes from the nearest source along an exact shortest path, and is not smoothed. Signed distances,
+fast marching, polygons, point clouds and Laplacians are not here.
 """
 
 from __future__ import annotations
@@ -116,8 +116,8 @@ class EdgeFlipGeodesicSolver:
         `max_iterations` and `max_relative_length_decrease` are ignored: paths are straightened to
         the end, which is as short as more iterations would make them.
         """
-        ends = (_arrays.integers([v], "vertices", (1,)) for v in (v_start, v_end))
-        return self._solver.path(*(int(v[0]) for v in ends), straighten=True)
+        start, end = _integer(v_start, "vertices"), _integer(v_end, "vertices")
+        return self._solver.path(start, end, straighten=True)
 
     def find_geodesic_path_poly(
         self,
@@ -125,17 +125,12 @@ class EdgeFlipGeodesicSolver:
         max_iterations: Optional[int] = None,
         max_relative_length_decrease: Optional[float] = None,
     ) -> _arrays.Floats:
-        """The points of a path through several vertices, (k, 3) float64.
+        """The points of a locally shortest path from the first vertex to the last, (k, 3) float64.
 
-        It is a shortest one between each two of them, so that it may turn there; potpourri3d's
-        also gets straight at the vertices between the ends. It is (0, 3) if there is none.
+        It is shortened from the curve of shortest paths between each vertex and the next, and
+        passes none of those between the ends in general.
         """
-        if len(v_list) < 2:
-            raise ValueError(f"there are {len(v_list)} vertices; a path has at least 2")
-        parts = [self.find_geodesic_path(a, b) for a, b in zip(v_list[:-1], v_list[1:])]
-        if any(len(part) == 0 for part in parts):
-            return np.empty((0, 3))
-        return np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
+        return self._solver.shorten_curve(_several(v_list, "path"))
 
     def find_geodesic_loop(
         self,
@@ -149,10 +144,7 @@ class EdgeFlipGeodesicSolver:
         and the last and the first. It passes none of the vertices in general. If the curve
         contracts, it is a single point.
         """
-        vertices = _arrays.integers(v_list, "v_list", (-1,))
-        if len(vertices) < 2:
-            raise ValueError(f"there are {len(vertices)} vertices; a loop has at least 2")
-        return self._solver.shorten_loop(vertices)
+        return self._solver.shorten_loop(_several(v_list, "loop"))
 
 
 class GeodesicTracer:
@@ -178,7 +170,7 @@ class GeodesicTracer:
         Its direction and its length are those of a vector in space, after projection to the plane
         that is orthogonal to the normal of the vertex. `max_iterations` is ignored.
         """
-        vertex = int(_arrays.integers([start_vert], "vertices", (1,))[0])
+        vertex = _integer(start_vert, "vertices")
         direction = _in_space(direction_xyz)
         if 0 <= vertex < len(self._normals):  # if not, `trace` says so
             direction = _projected(direction, self._normals[vertex])
@@ -195,7 +187,7 @@ class GeodesicTracer:
 
         The vector is projected to the plane of the face.
         """
-        face = int(_arrays.integers([start_face], "faces", (1,))[0])
+        face = _integer(start_face, "faces")
         coordinates = _arrays.numbers(bary_coords, "bary_coords", (3,))
         direction = _in_space(direction_xyz)
         if 0 <= face < len(self._faces):
@@ -221,18 +213,51 @@ def _in_space(direction: npt.ArrayLike) -> _arrays.Floats:
 
 
 class MeshVectorHeatSolver:
-    """Tangent frames, and the logarithmic map, on one mesh.
+    """Values and vectors that are extended from vertices, and the logarithmic map, on one mesh.
 
     Parameters
     ----------
     V : (n, 3) array of float
     F : (m, 3) array of int
-    t_coef
+    t_coef, use_intrinsic_delaunay
         Ignored.
     """
 
-    def __init__(self, V: npt.ArrayLike, F: npt.ArrayLike, t_coef: float = 1.0) -> None:
-        self._solver = Solver(V, F)
+    def __init__(
+        self,
+        V: npt.ArrayLike,
+        F: npt.ArrayLike,
+        t_coef: float = 1.0,
+        use_intrinsic_delaunay: bool = True,
+    ) -> None:
+        self._solver = Solver(V, F, 0)
+
+    def extend_scalar(self, v_inds: npt.ArrayLike, values: npt.ArrayLike) -> _arrays.Floats:
+        """The value of the nearest of several vertices, for each vertex, (n,) float64.
+
+        It is zero at vertices that are not reached.
+        """
+        vertices = _arrays.integers(v_inds, "v_inds", (-1,))
+        of_sources = _arrays.numbers(values, "values", (len(vertices),))
+        nearest = self._solver.distances(vertices, return_nearest=True)[1]
+        return np.append(of_sources, 0.0)[nearest]  # -1: none
+
+    def transport_tangent_vector(self, v_ind: int, vector: npt.ArrayLike) -> _arrays.Floats:
+        """A tangent vector, (2,), of a vertex, carried to each vertex, (n, 2) float64."""
+        return self.transport_tangent_vectors(
+            [v_ind], _arrays.numbers(vector, "vector", (2,))[np.newaxis]
+        )
+
+    def transport_tangent_vectors(
+        self, v_inds: npt.ArrayLike, vectors: npt.ArrayLike
+    ) -> _arrays.Floats:
+        """The tangent vector of the nearest of several vertices, carried to each vertex.
+
+        Both `vectors` and the result, (n, 2) float64, are in the frames that `get_tangent_frames`
+        returns.
+        """
+        vertices = _arrays.integers(v_inds, "v_inds", (-1,))
+        return self._solver.extend_vectors(vertices, vectors)
 
     def get_tangent_frames(self) -> tuple[_arrays.Floats, _arrays.Floats, _arrays.Floats]:
         """The x axes, y axes and normals of the vertices, (n, 3) float64 each."""
@@ -243,5 +268,15 @@ class MeshVectorHeatSolver:
 
         It is exact, whatever the `strategy`.
         """
-        source = _arrays.integers([v_ind], "vertices", (1,))
-        return self._solver.logarithmic_map(int(source[0]))
+        return self._solver.logarithmic_map(_integer(v_ind, "vertices"))
+
+
+def _integer(value: int, name: str) -> int:
+    return int(_arrays.integers([value], name, (1,))[0])
+
+
+def _several(v_list: Sequence[int], what: str) -> _arrays.Integers:
+    vertices = _arrays.integers(v_list, "v_list", (-1,))
+    if len(vertices) < 2:
+        raise ValueError(f"there are {len(vertices)} vertices; a {what} has at least 2")
+    return vertices

@@ -33,11 +33,14 @@ Array<std::int64_t> rows(const std::vector<std::array<std::size_t, n>>& values)
 py::tuple cells(const AG::Solver& solver,
                 const Array<std::int64_t>& elements,
                 const std::optional<Array<double>>& coordinates,
-                const bool within_cells)
+                const bool within_cells,
+                const std::vector<double>& initial_distances,
+                const std::optional<double> chord_error)
 {
   const auto sources = points(elements, coordinates);
-  const auto found =
-      run(py::none(), [&](const auto&) { return AG::Solver_cells(solver, sources, within_cells); });
+  const auto found = run(py::none(), [&](const AG::Solver_watch& watch) {
+    return AG::Solver_cells(solver, sources, {within_cells, initial_distances, chord_error}, watch);
+  });
   py::list borders;
   std::vector<std::array<std::size_t, 2>> sources_of_borders;
   for(const auto& border : found.borders())

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics {
 
@@ -25,7 +26,9 @@ namespace python {
 py::tuple cells(const AG::Solver& solver,
                 const Array<std::int64_t>& elements,
                 const std::optional<Array<double>>& coordinates,
-                bool within_cells);
+                bool within_cells,
+                const std::vector<double>& initial_distances,
+                std::optional<double> chord_error);
 
 } // namespace python
 

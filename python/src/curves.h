@@ -26,17 +26,21 @@ namespace python {
 Array<double> distances_from_curve(const AG::Solver& solver,
                                    const Array<std::int64_t>& elements,
                                    const std::optional<Array<double>>& coordinates,
-                                   bool is_closed);
+                                   bool is_closed,
+                                   bool is_signed,
+                                   const py::object& progress);
 
 Array<double> distances_from_region(const AG::Solver& solver,
-                                    const std::vector<std::int64_t>& faces);
+                                    const std::vector<std::int64_t>& faces,
+                                    const py::object& progress);
 
 // Returns pairs of a distance and points.
 py::list offsets_of_curve(const AG::Solver& solver,
                           const Array<std::int64_t>& elements,
                           const std::optional<Array<double>>& coordinates,
                           bool is_closed,
-                          const std::vector<double>& distances);
+                          const std::vector<double>& distances,
+                          const py::object& progress);
 
 } // namespace python
 

@@ -351,8 +351,10 @@ PYBIND11_MODULE(_native, module)
       .def("trace", &python::Walks::trace)
       .def("logarithmic_map", &python::Walks::logarithmic_map)
       .def("transport", &python::Walks::transport)
+      .def("extend_vectors", &python::Walks::extend_vectors)
       .def("mean", &python::Walks::mean)
       .def("shorten_loop", &python::Walks::shorten_loop)
+      .def("shorten_curve", &python::Walks::shorten_curve)
       .def("shortest_loop_through", &python::Walks::shortest_loop_through)
       .def("frames", &python::Walks::frames);
 

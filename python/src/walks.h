@@ -50,13 +50,19 @@ public:
                           const Coordinates& target_coordinates,
                           const Array<double>& vector) const;
 
+  // Vectors are tangent vectors, (n, 2).
+  Array<double> extend_vectors(const Elements& elements,
+                               const Coordinates& coordinates,
+                               const Array<double>& vectors) const;
+
   // Returns the mean as a point of a solver, the deviation, and whether it has converged.
   py::tuple mean(const Elements& elements,
                  const Coordinates& coordinates,
                  const Array<double>& weights) const;
 
-  // Loops are points, and a length.
+  // Curves are points, and a length.
   py::tuple shorten_loop(const Elements& elements, const Coordinates& coordinates) const;
+  py::tuple shorten_curve(const Elements& elements, const Coordinates& coordinates) const;
   py::tuple shortest_loop_through(const Elements& elements, const Coordinates& coordinates) const;
 
   // The x axes, y axes and normals of all vertices.

@@ -88,9 +88,18 @@ def test_paths_between_two_vertices():
 def test_paths_through_several_vertices():
     solver = pp3d.EdgeFlipGeodesicSolver(VERTICES, FACES)
     points = solver.find_geodesic_path_poly(v_list=[14, 300, 7])
-    there, further = solver.find_geodesic_path(14, 300), solver.find_geodesic_path(300, 7)
-    np.testing.assert_array_equal(points[: len(there)], there)
-    np.testing.assert_array_equal(points[len(there) - 1 :], further)
+    np.testing.assert_array_equal(points[[0, -1]], VERTICES[[14, 7]])
+    flat, triangles = grid(9)
+    plane = pp3d.EdgeFlipGeodesicSolver(flat, triangles)
+    points = plane.find_geodesic_path_poly([0, 34, 60, 80])  # between them, it gets straight
+    np.testing.assert_allclose(points[:, 0], points[:, 1], atol=1e-12)
+    in_hole = np.all(np.isin(triangles, [30, 31, 32, 39, 40, 41]), axis=1)
+    around = pp3d.EdgeFlipGeodesicSolver(flat, triangles[~in_hole])
+    for middle, corner in ((6, 32), (78, 39)):  # and stays on its side of a hole
+        points = around.find_geodesic_path_poly([27, middle, 44])
+        assert flat[corner].tolist() in points.tolist()
+        length = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+        assert length == pytest.approx(5 + 10**0.5)
     with pytest.raises(ValueError, match="1 vertices"):
         solver.find_geodesic_path_poly([14])
 

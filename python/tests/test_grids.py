@@ -102,7 +102,39 @@ def test_no_data_is_that_of_the_type(dtype):
                 continue
             grid = ag.Grid(**{name: values}, no_data=no_data)
             np.testing.assert_array_equal(np.isfinite(grid.distances((0, 0))), reached)
-            assert grid.isolines(values, 0.5) == []
+            assert grid.isolines(values, 0.5, no_data=no_data) == []
+
+
+def test_costs_of_sources_are_values_whatever_friction_has_for_no_data():
+    friction = np.ones((9, 9))
+    friction[0, 0] = 0
+    grid = ag.Grid(friction, no_data=0)
+    costs = grid.distances((4, 4))
+    assert np.isinf(costs[0, 0])
+    (line,) = grid.isolines(costs, 0.5)
+    np.testing.assert_allclose(np.hypot(line[:, 0] - 4, line[:, 1] - 4), 0.5, atol=0.2)
+    assert grid.isolines(costs, 0.5, no_data=0) == []
+
+
+def test_no_path_leads_from_a_source_that_cannot_be_entered():
+    friction = np.ones((3, 3))
+    friction[1, 1] = np.inf
+    for grid in (ag.Grid(friction), ag.Grid(friction, epsilon=0.5)):
+        np.testing.assert_array_equal(
+            grid.distances((1, 1)), np.where(np.isinf(friction), 0, np.inf)
+        )
+        assert grid.path((1, 1), (0, 0)).shape == (0, 2)
+
+
+def test_rasters_of_one_cell_and_of_none_that_can_be_entered():
+    grid = ag.Grid([[2]], epsilon=0.1)
+    assert grid.distances((0, 0)) == [[0]]
+    assert grid.path((0, 0), (0, 0)).tolist() == [[0, 0]]
+    assert grid.isolines([[1]], 1) == []
+    nowhere = ag.Grid(heights=np.full((2, 3), np.nan), cost="hiking_time")
+    np.testing.assert_array_equal(
+        nowhere.distances((1, 1)), [[np.inf, np.inf, np.inf], [np.inf, 0, np.inf]]
+    )
 
 
 def test_isolines_are_circles():

@@ -91,6 +91,25 @@ def test_an_interrupt_ends_rows_and_graphs_that_take_long(solver):
         assert interrupt_after(0.3, call) < 2  # and not many seconds
 
 
+def test_an_interrupt_ends_searches_on_grids():
+    grid = ag.Grid(np.ones((600, 600)), epsilon=0.1)
+    assert interrupt_after(0.3, lambda: grid.distances((0, 0))) < 2  # it takes some seconds
+    assert grid.distances((0, 0), max_distance=2)[0, 1] == 1
+
+
+def test_an_interrupt_ends_walks_loops_and_curves(solver):
+    points = np.random.default_rng(3).integers(0, solver.number_of_vertices, 20000)
+    solver.trace(0, [1, 0, 0])  # which reads the mesh
+    for call in (
+        lambda: solver.trace(0, [1, 0, 0], 1e7),
+        lambda: solver.shorten_loop(points),
+        lambda: solver.distances_from_curve(points),
+        lambda: solver.offset_curves(points, 0.1),
+    ):
+        assert interrupt_after(0.3, call) < 2  # and not minutes
+    assert len(solver.trace(0, [1, 0, 0])) > 2
+
+
 PROGRAMS = {
     "amid a run": "solver.distance_matrix(range(40000), [1])",
     "amid the construction": "ag.Solver(*sphere(6), epsilon=0.0005)",

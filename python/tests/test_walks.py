@@ -48,6 +48,24 @@ def test_vectors_are_transported():
     assert tangent.shape == (2,) and np.linalg.norm(tangent) == pytest.approx(5)
 
 
+def in_space(vectors, frames):
+    return vectors[:, :1] * frames[0] + vectors[:, 1:] * frames[1]
+
+
+def test_vectors_of_the_nearest_point_are_extended():
+    points, vectors = [7, 200], np.array([[3.0, 4.0], [0.0, -1.0]])
+    extended = TORUS.extend_vectors(points, vectors)
+    nearest = ag.Solver(TORUS.vertices, TORUS.faces, 0).distances(points, return_nearest=True)[1]
+    for v in range(0, 360, 11):
+        source = nearest[v]
+        expected = TORUS.parallel_transport(points[source], v, vectors[source])
+        np.testing.assert_allclose(extended[v], expected, atol=1e-9)
+    frames, inner = PLANE.tangent_frames(), [10, 16, 40, 70]
+    start = in_space(np.array([[3.0, 4.0]]), [axes[10] for axes in frames])
+    carried = in_space(PLANE.extend_vectors([10], [[3, 4]]), frames)
+    np.testing.assert_allclose(carried[inner], start.repeat(4, axis=0), atol=1e-12)
+
+
 def test_means():
     assert PLANE.karcher_mean([0, 8]) == 4
     mean, deviation = PLANE.karcher_mean([0, 8], [1, 3], return_deviation=True)
@@ -91,6 +109,22 @@ def test_names_are_those_of_potpourri3d():
     assert np.all(gaps < 0.06)
 
 
+def test_vector_heat_solvers_extend_from_the_nearest_vertex():
+    vertices, faces = sphere(3)
+    apart = np.concatenate([vertices, [[9, 9, 9]]])  # a vertex in no face
+    solver = pp3d.MeshVectorHeatSolver(apart, faces, use_intrinsic_delaunay=False)
+    values = solver.extend_scalar([12, 17], [3.0, 4.0])
+    assert values[12] == 3 and values[17] == 4 and values[-1] == 0
+    nearer = great_circles(vertices, 12) - great_circles(vertices, 17)
+    clear = np.abs(nearer) > 0.1
+    np.testing.assert_array_equal(values[:-1][clear], np.where(nearer < 0, 3, 4)[clear])
+    one = solver.transport_tangent_vector(17, [6.0, 6.0])
+    np.testing.assert_array_equal(one[:-1], SPHERE.extend_vectors([17], [[6, 6]]))
+    np.testing.assert_array_equal(one[[17, -1]], [[6, 6], [0, 0]])
+    two = solver.transport_tangent_vectors([12, 17], [[1, 0], [6, 6]])
+    np.testing.assert_array_equal(two[:-1][nearer > 0.1], one[:-1][nearer > 0.1])
+
+
 def test_bad_input_is_named():
     with pytest.raises(ValueError, match="start is vertex 999"):
         PLANE.trace(999, [1, 0, 0])
@@ -106,3 +140,12 @@ def test_bad_input_is_named():
         pp3d.EdgeFlipGeodesicSolver(*grid(3)).find_geodesic_loop([1])
     with pytest.raises(ValueError, match="weights"):
         PLANE.karcher_mean([0, 8], [1])
+    with pytest.raises(ValueError, match=r"vectors must have the shape \(2, 2\)"):
+        PLANE.extend_vectors([0, 8], [[1, 0]])
+    with pytest.raises(ValueError, match="vector 1 is nan"):
+        PLANE.extend_vectors([0, 8], [[1, 0], [np.nan, 0]])
+    solver = pp3d.MeshVectorHeatSolver(*grid(3))
+    with pytest.raises(ValueError, match="values must have the shape"):
+        solver.extend_scalar([0, 8], [1.0])
+    with pytest.raises(ValueError, match="vertex 99"):
+        solver.transport_tangent_vector(99, [1, 0])

@@ -22,11 +22,15 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <functional>
+#include <ios>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -105,13 +109,20 @@ static AG::Grid_cell middle_of(const Grid_shape& shape)
 
 static constexpr int NUMBER_OF_ANGLES = 9; // parts of 5 degrees up to 45; the rest is symmetric
 
+template <typename Graph>
+AG::Propagation<Graph> search_from_middle(const Graph& graph, const Grid_shape& shape)
+{
+  AG::Propagation<Graph> search(graph);
+  search.run_from(static_cast<std::uint32_t>(shape.index(middle_of(shape))));
+  return search;
+}
+
 // Returns the largest error in percent in each part of the angles, and the mean error.
 template <typename Graph>
 std::vector<double> errors_by_direction(const Graph& graph, const Grid_shape& shape)
 {
   const AG::Grid_cell source = middle_of(shape);
-  AG::Propagation<Graph> search(graph);
-  search.run_from(static_cast<std::uint32_t>(shape.index(source)));
+  const AG::Propagation<Graph> search = search_from_middle(graph, shape);
   std::vector<double> result(NUMBER_OF_ANGLES);
   Errors errors;
   for(std::size_t i = 0; i < shape.number_of_cells(); ++i)
@@ -132,22 +143,54 @@ std::vector<double> errors_by_direction(const Graph& graph, const Grid_shape& sh
   return result;
 }
 
+// Calls `f(name, graph)` for all graphs of cells of equal friction.
+template <typename F>
+void for_each_uniform_graph(const Grid_shape& shape, const F& f)
+{
+  const std::vector<double> friction(shape.number_of_cells(), 1);
+  f("8 directions", Step_graph(shape, friction, 8));
+  f("16 directions", Step_graph(shape, friction, 16));
+  f("lines", Grid_graph(shape, friction));
+  f("epsilon 0.1", Grid_graph(shape, friction, epsilon(0.1)));
+}
+
 static Table compare_directions(const std::size_t side)
 {
   const Grid_shape shape{side, side, 1, 1, {}};
-  const std::vector<double> friction(shape.number_of_cells(), 1);
   Table table({"graph", "0-5", "5-10", "10-15", "15-20", "20-25", "25-30", "30-35", "35-40",
                "40-45", "largest %", "mean %"});
-  const auto add = [&](const std::string& name, const auto& graph) {
+  for_each_uniform_graph(shape, [&](const std::string& name, const auto& graph) {
     auto row = table.add_row();
     row.add(name);
     for(const double error : errors_by_direction(graph, shape))
       row.add(error, 3);
-  };
-  add("8 directions", Step_graph(shape, friction, 8));
-  add("16 directions", Step_graph(shape, friction, 16));
-  add("lines", Grid_graph(shape, friction));
-  add("epsilon 0.1", Grid_graph(shape, friction, epsilon(0.1)));
+  });
+  return table;
+}
+
+// For the figure: the cells of a circle, as far as they differ by more than symmetry.
+static Table errors_on_circle(const std::size_t side)
+{
+  const Grid_shape shape{side, side, 1, 1, {}};
+  const AG::Grid_cell source = middle_of(shape);
+  const double radius = double(side / 2 - 1), degree = std::acos(-1.) / 180;
+  std::vector<std::array<double, 2>> vectors;
+  for(double angle = 0; angle <= 45; angle += 0.5)
+    vectors.push_back({std::round(radius * std::cos(angle * degree)),
+                       std::round(radius * std::sin(angle * degree))});
+  Table table({"graph", "degrees", "error %"});
+  for_each_uniform_graph(shape, [&](const std::string& name, const auto& graph) {
+    const auto search = search_from_middle(graph, shape);
+    for(const auto& [x, y] : vectors)
+    {
+      const AG::Grid_cell cell{source.column + std::size_t(x), source.row + std::size_t(y)};
+      const double found = search.distance(static_cast<std::uint32_t>(shape.index(cell)));
+      table.add_row()
+          .add(name)
+          .add(std::atan2(y, x) / degree, 3)
+          .add(100 * (found / std::hypot(x, y) - 1), 4);
+    }
+  });
   return table;
 }
 
@@ -306,13 +349,30 @@ static double mean_slope(const Grid_shape& shape, const std::vector<double>& hei
   return sum / shape.cell_width / double(heights.size());
 }
 
+struct Named_terrain
+{
+  std::string name;
+  Rough_terrain terrain;
+};
+
+static std::vector<Named_terrain> terrains()
+{
+  return {{"hills", Rough_terrain(0.05, 8)},
+          {"smooth hills", Rough_terrain(0.05, 16)},
+          {"rough mountains", Rough_terrain(0.12, 8)}};
+}
+
+static Grid_shape shape_of_terrain(const std::size_t side) { return {side, side, 30, 30, {}}; }
+
 static Table measure_hikers(const std::size_t side)
 {
-  const Grid_shape shape{side, side, 30, 30, {}};
+  const Grid_shape shape = shape_of_terrain(side);
   Table table({"terrain", "mean slope %", "graph", "us/cell", "bytes/cell", "mean %", "largest %"});
-  const auto add_terrain = [&](const std::string& name, const Rough_terrain& terrain) {
-    const std::vector<double> heights = terrain.heights(shape);
+  for(const Named_terrain& named : terrains())
+  {
+    const std::vector<double> heights = named.terrain.heights(shape);
     const std::vector<double> reference = finer_times(shape, heights);
+    const double slope = 100 * mean_slope(shape, heights);
     const auto add = [&](const std::string& graph_name, const auto& graph) {
       double seconds = 0;
       const std::vector<double> found = times_of_hikers(graph, shape, seconds);
@@ -321,8 +381,8 @@ static Table measure_hikers(const std::size_t side)
         errors.add(found[i], reference[i]);
       const double n = double(shape.number_of_cells());
       table.add_row()
-          .add(name)
-          .add(100 * mean_slope(shape, heights), 0)
+          .add(named.name)
+          .add(slope, 0)
           .add(graph_name)
           .add(seconds / n * 1e6, 2)
           .add(found.back() / n, 0)
@@ -332,24 +392,42 @@ static Table measure_hikers(const std::size_t side)
     add("8 directions", Hiking_steps(shape, heights, 8));
     add("16 directions", Hiking_steps(shape, heights, 16));
     add("lines", hiking_graph(shape, heights));
-  };
-  add_terrain("hills", Rough_terrain(0.05, 8));
-  add_terrain("smooth hills", Rough_terrain(0.05, 16));
-  add_terrain("rough mountains", Rough_terrain(0.12, 8));
+  }
   return table;
+}
+
+// Writes the heights of the terrains, for programs of others to read: `double`s, row by row.
+static void write_heights(const std::string& prefix, const std::size_t side)
+{
+  for(auto [name, terrain] : terrains())
+  {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    const std::vector<double> heights = terrain.heights(shape_of_terrain(side));
+    std::ofstream out(prefix + name, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(heights.data()),
+              static_cast<std::streamsize>(heights.size() * sizeof(double)));
+    if(!out.flush())
+      throw std::runtime_error("cannot write to " + prefix + name);
+  }
 }
 
 int main(int argc, char* argv[])
 {
   std::size_t side = 1000;
+  std::string prefix;
   More_options more;
   more.add_options()("side,s", boost::program_options::value(&side),
-                     "the number of rows and columns where friction varies");
+                     "the number of rows and columns where friction varies, and of heights");
+  more.add_options()("write-heights", boost::program_options::value(&prefix),
+                     "only write heights, to files whose names start with this");
   const auto measure = [&](const Options& options, const Report& report) {
+    if(!prefix.empty())
+      return write_heights(prefix, side);
     const std::size_t part = options.is_quick ? 10 : 1;
     report.print("grid_directions",
                  "Errors in percent by direction in degrees, cells of equal friction",
                  compare_directions(400 / part));
+    report.write("grid_circle", errors_on_circle(400 / part));
     report.print("grid_errors", "Friction that varies, errors against epsilon = 0.01",
                  compare_errors(150 / part));
     report.print("grid_heights",

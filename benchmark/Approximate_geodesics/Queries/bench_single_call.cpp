@@ -12,6 +12,7 @@
 #include "output/Options.h"
 #include "output/Table.h"
 #include "peers/Boost_dijkstra.h"
+#include "peers/searches_of_arrays.h"
 
 #include <CGAL/approximate_geodesic_distances.h>
 
@@ -80,7 +81,7 @@ public:
     return seconds;
   }
 
-  void add_to(Table& table, const std::string& name) const
+  Table::Row add_to(Table& table, const std::string& name) const
   {
     auto row = table.add_row();
     row.add(name);
@@ -91,6 +92,7 @@ public:
       row.add(median(seconds) * 1e3, 3);
     }
     row.add(sum * 1e3, 3);
+    return row;
   }
 
 private:
@@ -162,30 +164,43 @@ void measure_steps_of_triangulation(const Mesh& mesh,
   steps.add_to(table, name);
 }
 
-// The first answer across faces, by so many threads.
+// The first answer across faces, by so many threads; and what a search along edges takes with
+// `std::priority_queue`, once the triangulation is there.
 void measure_steps_across_faces(const Mesh& mesh,
                                 const std::string& name,
                                 const std::size_t rounds,
+                                const double epsilon,
                                 const std::size_t number_of_threads,
                                 Table& table)
 {
   using Graph = AG::Lazy_discrete_geodesic_graph;
   Steps steps(4);
+  std::vector<double> calls, peers;
   with_threads(number_of_threads, [&](const auto tag) {
-    const auto np = CGAL::parameters::epsilon(0.1).concurrency_tag(tag);
+    const auto np = CGAL::parameters::epsilon(epsilon).concurrency_tag(tag);
     for(const Vertex source : random_sources(mesh, rounds))
     {
       std::unique_ptr<AG::Intrinsic_triangulation> triangulation;
       std::unique_ptr<Graph> graph;
       std::unique_ptr<AG::Propagation<Graph>> search;
       steps.start();
-      steps.time([&] { triangulation = std::make_unique<AG::Intrinsic_triangulation>(mesh, np); });
-      steps.time([&] { graph = std::make_unique<Graph>(std::move(*triangulation), np); });
-      steps.time([&] { search = std::make_unique<AG::Propagation<Graph>>(*graph); });
-      steps.time([&] { search->run_from(graph->triangulation().vertex(source)); });
+      double call = 0;
+      call += steps.time(
+          [&] { triangulation = std::make_unique<AG::Intrinsic_triangulation>(mesh, np); });
+      call += steps.time([&] { graph = std::make_unique<Graph>(std::move(*triangulation), np); });
+      call += steps.time([&] { search = std::make_unique<AG::Propagation<Graph>>(*graph); });
+      const auto node = graph->triangulation().vertex(source.idx());
+      call += steps.time([&] { search->run_from(node); });
+      calls.push_back(call);
+      Priority_queue_dijkstra peer(graph->triangulation());
+      peers.push_back(seconds_of([&] { peer.run_from(node); }));
     }
   });
-  steps.add_to(table, name + ", " + std::to_string(number_of_threads));
+  steps
+      .add_to(table,
+              name + ", " + Table::text_of(epsilon, 1) + ", " + std::to_string(number_of_threads))
+      .add(median(peers) * 1e3, 3)
+      .add(median(calls) / median(peers), 2);
 }
 
 void measure_steps(
@@ -213,16 +228,18 @@ int main(int argc, char* argv[])
     Table steps({"mesh", "edges", "graph", "workspace", "search", "results", "sum"});
     Table before({"mesh", "triangulation", "graph", "workspace", "search", "results", "sum"});
     Table building({"mesh", "links", "order", "lengths", "sum"});
-    Table across({"mesh, threads", "triangulation", "unfolding", "workspace", "search", "sum"});
+    Table across({"mesh, epsilon, threads", "triangulation", "unfolding", "workspace", "search",
+                  "sum", "std::priority_queue", "sum : that"});
     for(const std::string& name : options.meshes)
     {
       Mesh mesh = read_mesh(name);
       compare(mesh, short_name(name), rounds, calls);
       measure_steps(mesh, short_name(name), rounds, steps, before);
       measure_steps_of_triangulation(mesh, short_name(name), rounds, building);
-      for(const std::size_t threads : {std::size_t(1), std::size_t(2)})
-        if(threads == 1 || HAS_THREADS)
-          measure_steps_across_faces(mesh, short_name(name), rounds, threads, across);
+      for(const double epsilon : {0.5, 0.2, 0.1})
+        measure_steps_across_faces(mesh, short_name(name), rounds, epsilon, 1, across);
+      if(HAS_THREADS)
+        measure_steps_across_faces(mesh, short_name(name), rounds, 0.1, 2, across);
     }
     const std::string medians = "medians of " + std::to_string(rounds) + " sources";
     report.print("single_call", "One call with everything included (" + medians + ")", calls);
@@ -235,7 +252,10 @@ int main(int argc, char* argv[])
     report.print("single_call_triangulation",
                  "The steps of building that triangulation (" + medians + ")", building);
     report.print("single_call_across_faces",
-                 "The steps of a call across faces, with epsilon 0.1 (" + medians + ")", across);
+                 "The steps of a call across faces, beside a search along edges of a triangulation "
+                 "that is there (" +
+                     medians + ")",
+                 across);
   };
   return run_benchmark(argc, argv, "bench_single_call", {usual_meshes(), 31, ""}, compare_all);
 }

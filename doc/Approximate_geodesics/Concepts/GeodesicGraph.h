@@ -27,6 +27,7 @@ time.
 \cgalHasModels{CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Saddle_vertex_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Steiner_graph}
+\cgalHasModels{CGAL::Approximate_geodesics::Directional_graph}
 \cgalHasModels{CGAL::Approximate_geodesics::Grid_graph}
 \cgalHasModelsEnd
 

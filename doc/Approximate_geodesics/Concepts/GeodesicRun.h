@@ -66,6 +66,8 @@ public:
   if the run has targets.
           - `heuristic()` is a `std::function<double(Node)>`, valid until the run ends: a lower
   bound of the distance to the target. It is empty unless `run_toward()` was called.
+          - `starts_from_curves()` is whether the run starts from curves. The labels of its seeds
+  use up a part of the error bound of the graph then.
   */
   template <typename Search>
   void start(Search& search);

@@ -72,7 +72,8 @@ public:
     `CGAL::Approximate_geodesics::Intrinsic_point` that is not a vertex.
 
   `CGAL::Approximate_geodesics::Lines_in_faces` is such a type, for graphs whose nodes are the
-  vertices, and whose unit is that of the triangulation.
+  vertices, and whose unit is that of the triangulation. It also supports curves as sources, which
+  a graph of your own does only if it returns this type and has no `Run` that `attaches_by_labels`.
   */
   unspecified_type attach(const CGAL::Approximate_geodesics::Intrinsic_point& point) const;
 
@@ -122,12 +123,24 @@ public:
   /// on the search. `CGAL::Approximate_geodesics::Landmarks` need it.
   double asymmetry() const;
 
+  /// returns a number such that paths between vertices cost at most one plus this number times as
+  /// much as the cheapest ones on the surface. `distance_intervals()` reads it; the default is
+  /// infinity.
+  double epsilon() const;
+
+  /// returns a cost by which this bound is weaker for a point that is not a vertex, in units of the
+  /// graph, as `Steiner_graph::cost_to_corner()` does. The default is `0`.
+  double cost_to_corner(const CGAL::Approximate_geodesics::Intrinsic_point& point) const;
+
   /// replaces the weights of the faces. Only graphs that support weights have this member function;
   /// `set_face_weights()` of the class needs it.
   void set_weights(CGAL::Approximate_geodesics::Face_weights weights);
 
   /// changes the weights of some faces; `set_weights()` of the class needs it.
   void set_weights(const std::vector<CGAL::Approximate_geodesics::Weight_change>& changes);
+
+  /// lifts barriers, or puts them back; `set_barriers()` of the class needs it.
+  void set_barriers(const std::vector<CGAL::Approximate_geodesics::Barrier_change>& changes);
 
   /// @}
 };

@@ -7,11 +7,23 @@
 #include <string>
 #include <vector>
 
+// At which distances lines are wanted.
+struct Levels
+{
+  std::vector<double> values;
+  std::optional<std::size_t> number; // that are spread evenly
+  std::optional<double> step;        // all multiples of it
+
+  bool are_given() const { return number || step || !values.empty(); }
+};
+
 // What the user wants.
 struct Options
 {
   std::string input;
   std::vector<std::string> sources;
+  std::vector<std::string> curve; // in place of sources, unless it is empty
+  bool is_signed = false;
   std::vector<std::string> targets;
   std::uint64_t seed = 0;
 
@@ -27,8 +39,8 @@ struct Options
   std::string output;
   bool overwrites = false;
   bool writes_table = false;
-  std::vector<double> isovalues;
-  std::optional<std::size_t> number_of_isolines;
+  Levels isolines;
+  Levels offsets;
   bool draws = false;
   std::vector<std::string> view; // azimuth, elevation, axis
   bool compares = false;
@@ -36,7 +48,6 @@ struct Options
   bool asks_for_help = false;
 
   bool has_costs() const { return !weights.empty() || !barriers.empty(); }
-  bool has_isolines() const { return number_of_isolines || !isovalues.empty(); }
 };
 
 #endif // GEODESIC_DISTANCES_OPTIONS_H

@@ -4,12 +4,14 @@
 #include "../command_line/New_files.h"
 #include "../command_line/read_options.h"
 #include "Options.h"
+#include "Places.h"
 #include "picture.h"
 #include "write_results.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <ostream>
 #include <string>
 #include <system_error>
@@ -57,8 +59,15 @@ public:
     const std::string paths = files.write(name("_paths.vtp"), with(write_paths_vtp));
     if(!m_options.targets.empty())
       files.write(name(".polylines.txt"), with(write_polylines));
-    if(m_options.has_isolines())
-      files.write(name("_isolines.vtp"), with(write_isolines_vtp));
+    if(m_options.isolines.are_given())
+      files.write(name("_isolines.vtp"),
+                  [&](std::ostream& out) { write_lines_vtp(out, results.isolines); });
+    if(m_options.offsets.are_given())
+    {
+      files.write(name("_offsets.vtp"),
+                  [&](std::ostream& out) { write_lines_vtp(out, results.offsets); });
+      files.write(name("_offsets.polylines.txt"), with(write_offset_polylines));
+    }
     if(m_options.writes_table)
       files.write(name(".csv"), [&](std::ostream& out) { write_csv(out, mesh, results); });
     if(!m_options.graph_to_save.empty())
@@ -82,8 +91,15 @@ public:
   }
 
 private:
-  static constexpr std::array<const char*, 7> ALL_ENDINGS{
-      ".ply", ".vtp", "_paths.vtp", ".polylines.txt", "_isolines.vtp", ".csv", ".png"};
+  static constexpr std::array<const char*, 9> ALL_ENDINGS{".ply",
+                                                          ".vtp",
+                                                          "_paths.vtp",
+                                                          ".polylines.txt",
+                                                          "_isolines.vtp",
+                                                          "_offsets.vtp",
+                                                          "_offsets.polylines.txt",
+                                                          ".csv",
+                                                          ".png"};
 
   static bool is_same(const std::string& a, const std::string& b)
   {
@@ -102,8 +118,12 @@ private:
 
   void check_is_not_read(const std::string& file) const
   {
-    for(const std::string& input :
-        {m_options.input, m_options.weights, m_options.barriers, m_options.graph_to_load})
+    std::vector<std::string> inputs{m_options.input, m_options.weights, m_options.barriers,
+                                    m_options.graph_to_load};
+    for(const auto& places : {m_options.sources, m_options.curve, m_options.targets})
+      std::transform(places.begin(), places.end(), std::back_inserter(inputs),
+                     Place_finder::file_of);
+    for(const std::string& input : inputs)
       if(!input.empty() && is_same(file, input))
         reject_option("output", file + " is a file that is read");
   }
@@ -122,8 +142,10 @@ private:
     std::vector<std::string> result{name(".ply"), name(".vtp"), name("_paths.vtp")};
     if(!m_options.targets.empty())
       result.push_back(name(".polylines.txt"));
-    if(m_options.has_isolines())
+    if(m_options.isolines.are_given())
       result.push_back(name("_isolines.vtp"));
+    if(m_options.offsets.are_given())
+      result.insert(result.end(), {name("_offsets.vtp"), name("_offsets.polylines.txt")});
     if(m_options.writes_table)
       result.push_back(name(".csv"));
     if(m_options.draws)

@@ -1,6 +1,7 @@
 #ifndef GEODESIC_DISTANCES_PLACES_H
 #define GEODESIC_DISTANCES_PLACES_H
 
+#include "../command_line/lines_of_file.h"
 #include "../command_line/listed_vertices.h"
 #include "../command_line/read_mesh.h"
 #include "../command_line/vertex_numbers.h"
@@ -8,6 +9,7 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Approximate_geodesics/Mesh/Source_curve.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -15,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <iostream>
 #include <optional>
 #include <random>
@@ -31,8 +35,21 @@ struct Place
   CGAL::Approximate_geodesics::Surface_point<Mesh> point;
 };
 
-// Finds the places that are given by vertex index, by x,y,z, by `random:K`, or by `file:NAME`. The
-// text is checked before the mesh is there.
+// The curve through some places, which is closed if the last one is the first one.
+inline CGAL::Approximate_geodesics::Source_curve<Mesh>
+curve_through(const std::vector<Place>& places)
+{
+  CGAL::Approximate_geodesics::Source_curve<Mesh> result;
+  for(const Place& place : places)
+    result.points.push_back(place.point);
+  result.is_closed = places.size() > 2 && places.front().name == places.back().name;
+  if(result.is_closed)
+    result.points.pop_back();
+  return result;
+}
+
+// Finds the places that are given by vertex index, by x,y,z, by `random:K`, by `file:NAME`, or by
+// `polyline:NAME`. The text is checked before the mesh is there.
 class Place_finder
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -49,8 +66,10 @@ public:
       name_in_errors(option + ' ' + name, [&] {
         if(const auto file = text_after("file", name))
           listed_vertices(*file);
+        else if(const auto polyline = text_after("polyline", name))
+          points_of_polyline(*polyline);
         else if(!coordinates(name) && !number_after("random", name))
-          to_vertex_index(name, ", nor x,y,z, random:K or file:NAME");
+          to_vertex_index(name, ", nor x,y,z, random:K, file:NAME or polyline:NAME");
       });
   }
 
@@ -65,6 +84,9 @@ public:
         if(const auto file = text_after("file", name))
           for(const auto v : checked_indices(listed_vertices(*file), m_mesh.number_of_vertices()))
             result.push_back(vertex(v));
+        else if(const auto polyline = text_after("polyline", name))
+          for(const Point& p : points_of_polyline(*polyline))
+            result.push_back({text_of(p), nearest(option + ' ' + name, p)});
         else if(const auto point = coordinates(name))
           result.push_back({name, nearest(option + ' ' + name, *point)});
         else if(const auto number = number_after("random", name))
@@ -76,7 +98,47 @@ public:
     return result;
   }
 
+  // The file that is read for a place, if any.
+  static std::string file_of(const std::string& name)
+  {
+    const auto file = text_after("file", name), polyline = text_after("polyline", name);
+    return file ? *file : polyline ? *polyline : std::string();
+  }
+
 private:
+  static std::string text_of(const Point& p)
+  {
+    std::ostringstream out;
+    out << p.x() << ',' << p.y() << ',' << p.z();
+    return out.str();
+  }
+
+  // A line has the number of points, and then their coordinates.
+  static std::vector<Point> points_of_polyline(const std::string& file)
+  {
+    std::vector<Point> result;
+    for_each_line(file, [&](const std::vector<std::string>& words, const std::string&) {
+      std::vector<double> numbers;
+      for(const std::string& word : words)
+      {
+        char* end = nullptr;
+        numbers.push_back(std::strtod(word.c_str(), &end));
+        if(*end != '\0' || !std::isfinite(numbers.back()))
+          throw std::invalid_argument('"' + word + "\" is not a finite number");
+      }
+      if(!result.empty())
+        throw std::invalid_argument("there is more than one polyline");
+      if(!(numbers[0] >= 1 && numbers.size() == 3 * numbers[0] + 1))
+        throw std::invalid_argument("the number of points must come first, and then three "
+                                    "coordinates of each");
+      for(std::size_t i = 1; i < numbers.size(); i += 3)
+        result.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    });
+    if(result.empty())
+      throw std::invalid_argument("the file has no polyline");
+    return result;
+  }
+
   static std::optional<Point> coordinates(const std::string& text)
   {
     if(text.find(',') == std::string::npos)

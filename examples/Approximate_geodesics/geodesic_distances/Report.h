@@ -75,11 +75,12 @@ public:
   // infinite distances are those of vertices not reached
   void add_distances(const std::vector<double>& distances)
   {
-    double largest = 0, sum = 0;
+    double smallest = 0, largest = 0, sum = 0;
     std::size_t number_reached = 0;
     for(const double distance : distances)
       if(std::isfinite(distance))
       {
+        smallest = (std::min)(smallest, distance);
         largest = (std::max)(largest, distance);
         sum += distance;
         ++number_reached;
@@ -87,6 +88,8 @@ public:
     m_table.add("vertices reached", number_reached);
     m_table.add("distance, mean",
                 number_reached == 0 ? 0 : sum / static_cast<double>(number_reached));
+    if(smallest < 0)
+      m_table.add("distance, smallest", smallest);
     m_table.add("distance, largest", largest);
   }
 

@@ -4,6 +4,7 @@
 #include "../command_line/Progress.h"
 #include "../command_line/Stopwatch.h"
 #include "../command_line/read_mesh.h"
+#include "../command_line/vertex_numbers.h"
 #include "Options.h"
 #include "Output_files.h"
 #include "Places.h"
@@ -18,6 +19,7 @@
 #include <functional>
 #include <iostream>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -86,13 +88,14 @@ inline void tell_of_missing_paths(const Results& results)
 }
 
 // A file without lines could be taken for a failure.
-inline void tell_of_missing_isolines(const Results& results)
+inline void tell_of_missing_lines(const std::string& option,
+                                  const std::vector<double>& without,
+                                  const Results& results)
 {
-  if(!results.without_isolines.empty())
-    std::clog << "--isolines: there are none at " << results.without_isolines.size()
-              << " of the distances, such as " << results.without_isolines.front()
-              << "; those of vertices go from " << results.smallest << " to " << results.largest
-              << ".\n";
+  if(!without.empty())
+    std::clog << option << ": there are none at " << without.size() << " of the distances, such as "
+              << without.front() << "; those of vertices go from " << results.smallest << " to "
+              << results.largest << ".\n";
 }
 
 // A graph that is used for one question only, and has no file.
@@ -126,12 +129,21 @@ void answer(const Question& question,
 
   CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh, Graph> shortest_paths(
       question.mesh, std::move(graph));
-  for(const Place& source : question.sources)
-    shortest_paths.add_source_point(source.point);
+  if(!question.options.curve.empty())
+    name_in_errors("--curve",
+                   [&] { shortest_paths.add_source_curve(curve_through(question.sources)); });
+  else
+    for(const Place& source : question.sources)
+      shortest_paths.add_source_point(source.point);
   report.add_times(seconds_to_build, seconds_of_search(shortest_paths, question.options));
 
-  const Results results = find_results(question.mesh, shortest_paths, question.sources,
-                                       question.targets, question.options);
+  Results results = find_results(question.mesh, shortest_paths, question.sources, question.targets,
+                                 question.options);
+  if(question.options.offsets.are_given())
+  {
+    const Progress progress("Following the offsets");
+    find_offsets(question.mesh, question.sources, question.options, results);
+  }
   report.add_distances(results.distances);
   if(question.options.prints_statistics)
     add_statistics(shortest_paths, question.options, report);
@@ -141,7 +153,8 @@ void answer(const Question& question,
   Report::print_paths(results.paths, std::cout);
   std::cout.flush(); // what fails shall fail before anything is written
   tell_of_missing_paths(results);
-  tell_of_missing_isolines(results);
+  tell_of_missing_lines("--isolines", results.without_isolines, results);
+  tell_of_missing_lines("--offset", results.without_offsets, results);
   question.files.write(question.mesh, results, [&](std::ostream& out) {
     save_graph(shortest_paths.search().graph(), out);
   });

@@ -21,6 +21,14 @@ inline po::options_description describe_points(Options& options)
       "where to start. P is the index of a vertex, counted from 0 in the order of the file; or "
       "x,y,z for the nearest point of the surface; random:K for K random vertices; or file:NAME "
       "for the vertices whose indices a text file lists, with comments after #");
+  add("curve", po::value(&options.curve)->multitoken()->value_name("P ..."),
+      "start from all points of a curve, in place of --sources: from a point to the next one, "
+      "given "
+      "likewise, it takes the shortest path; or polyline:NAME for the points of a file as the "
+      "program writes them. It is closed if the last point is the first one");
+  add("signed", po::bool_switch(&options.is_signed),
+      "let distances be negative to the left of the curve, which has to be closed, or to end at "
+      "borders");
   add("targets,t", po::value(&options.targets)->multitoken()->value_name("P ..."),
       "where paths from the nearest source shall lead to, given likewise");
   add("seed", text_option("N"), "what random vertices depend on (default: 0)");
@@ -66,7 +74,10 @@ inline po::options_description describe_output(Options& options)
       "replace files that exist. They stay as they are if anything fails");
   add("csv", po::bool_switch(&options.writes_table), "write NAME.csv, too");
   add("isolines,i", texts_option("D ..."),
-      "write lines at these distances; or, for count:K, at K that are spread evenly");
+      "write lines at these distances; or, for count:K, at K that are spread evenly; or, for "
+      "step:D, at all multiples of D");
+  add("offset", texts_option("D ..."),
+      "write the curves at these exact distances from the sources, likewise; needs --epsilon 0");
   add("picture,p", po::bool_switch(&options.draws),
       "draw distances and paths into NAME.png (needs xvfb-run and VTK for Python)");
   add("view", texts_option("A E U"),
@@ -117,6 +128,9 @@ inline void print_help(const po::options_description& description)
          "  NAME.polylines.txt   for targets: a path per line, the number of points, then their\n"
          "                       coordinates; inf where there is no path,\n"
          "  NAME_isolines.vtp    the isolines with their distances,\n"
+         "  NAME_offsets.vtp     the offset curves with their distances, the sources on their "
+         "left,\n"
+         "  NAME_offsets.polylines.txt   the same, a curve per line,\n"
          "  NAME.csv             a line per vertex: index, coordinates, distance, nearest "
          "source,\n"
          "  NAME.png             a picture, with isolines at round distances.\n"
@@ -129,7 +143,8 @@ inline void print_help(const po::options_description& description)
          "  geodesic_distances bunny.off --epsilon 0.1 --targets 1000 --compare --picture\n"
          "  geodesic_distances terrain.ply --sources random:5 --seed 7 --maximum-distance 250\n"
          "  geodesic_distances terrain.ply -s 0,0,0 -t 90,40,0 -e 0.1 --weights costs.txt\n"
-         "  geodesic_distances bunny.off --epsilon 0 --isolines count:20 --csv\n";
+         "  geodesic_distances bunny.off --epsilon 0 --isolines count:20 --csv\n"
+         "  geodesic_distances part.stl --curve 3 14 15 3 --signed --epsilon 0 --offset step:0.5\n";
 }
 
 #endif // GEODESIC_DISTANCES_DESCRIBE_OPTIONS_H

@@ -147,6 +147,7 @@ void check(const Options& options)
 {
   check_readable(options.input);
   Place_finder::check("--sources", options.sources);
+  Place_finder::check("--curve", options.curve);
   Place_finder::check("--targets", options.targets);
   check_option_file("load-graph", options.graph_to_load);
   check_option_file("barriers", options.barriers);
@@ -166,7 +167,8 @@ void run(const Options& options)
   const Output_files files(options);
   Question question{options, files, read_mesh_of(options), {}, {}};
   Place_finder finder(question.mesh, options.seed);
-  question.sources = finder.find("--sources", options.sources);
+  question.sources = options.curve.empty() ? finder.find("--sources", options.sources)
+                                           : finder.find("--curve", options.curve);
   question.targets = finder.find("--targets", options.targets);
   answer(question);
 }

@@ -14,18 +14,60 @@
 
 // Refuses options that are wrong, or that do not go together, before the mesh is read.
 
-inline void read_isolines(const std::vector<std::string>& texts, Options& options)
+inline Levels
+levels(const std::string& option, const std::vector<std::string>& texts, const bool may_be_negative)
 {
+  Levels result;
   for(const std::string& text : texts)
     if(text.rfind("count:", 0) == 0)
     {
-      const double number = number_of("isolines", text.substr(6));
+      const double number = number_of(option, text.substr(6));
       if(!(number >= 1 && number <= 100000 && number == std::floor(number)) || texts.size() > 1)
-        reject_option("isolines", text + ": a number from 1 to 100000 must follow, and no more");
-      options.number_of_isolines = static_cast<std::size_t>(number);
+        reject_option(option, text + ": a number from 1 to 100000 must follow, and no more");
+      result.number = static_cast<std::size_t>(number);
     }
+    else if(text.rfind("step:", 0) == 0)
+    {
+      const double step = number_of(option, text.substr(5));
+      if(!(step > 0 && std::isfinite(step)) || texts.size() > 1)
+        reject_option(option, text + ": a number above 0 must follow, and no more");
+      result.step = step;
+    }
+    else if(may_be_negative && std::isfinite(number_of(option, text)))
+      result.values.push_back(number_of(option, text));
     else
-      options.isovalues.push_back(number_from_0("isolines", text, false));
+      result.values.push_back(number_from_0(option, text, false));
+  return result;
+}
+
+inline void read_levels(const po::variables_map& values, Options& options)
+{
+  const auto read = [&](const char* const option, const bool may_be_negative) {
+    return values.count(option) == 0
+               ? Levels()
+               : levels(option, values[option].as<std::vector<std::string>>(), may_be_negative);
+  };
+  options.isolines = read("isolines", options.is_signed);
+  options.offsets = read("offset", false);
+  for(const double offset : options.offsets.values)
+    if(offset == 0)
+      reject_option("offset", "a curve at distance 0 would be the source");
+  if(options.offsets.are_given() && !(options.epsilon && *options.epsilon == 0))
+    reject_option("offset", "these curves are exact, and need --epsilon 0");
+}
+
+inline void check_curve(const po::variables_map& values, const Options& options)
+{
+  if(options.curve.empty())
+  {
+    if(options.is_signed)
+      reject_option("signed", "it is for --curve");
+    return;
+  }
+  if(!values["sources"].defaulted())
+    reject_option("curve", "it takes the place of --sources; both are given");
+  if(options.compares)
+    reject_option("compare", "CGAL's Surface_mesh_shortest_path knows no curves");
 }
 
 // The words may come as one, in quotes.
@@ -100,8 +142,7 @@ inline void read_values(const po::variables_map& values, Options& options)
     options.maximum_distance = number_from_0("maximum-distance", text("maximum-distance"), true);
   if(values.count("seed") > 0)
     options.seed = whole_number("seed", text("seed"), 0);
-  if(values.count("isolines") > 0)
-    read_isolines(values["isolines"].as<std::vector<std::string>>(), options);
+  read_levels(values, options);
   if(options.straightens && options.targets.empty())
     reject_option("straighten", "it is for the paths to --targets");
   read_view(values, options);
@@ -117,6 +158,7 @@ inline Options parse_options(const int argc, char* argv[])
   else
   {
     read_values(values, options);
+    check_curve(values, options);
     check_costs(options);
     check_graph_files(options);
   }

@@ -47,7 +47,7 @@ refuse("--targets 9: there is no vertex 9" square.off -t 0 9)
 refuse("--sources -1: " square.off -s -1)
 refuse("--sources 1.5: " square.off -s 1.5)
 refuse("--sources random:5: the mesh has 4 vertices" square.off -s random:5)
-refuse("--sources one: .one. is not the index of a vertex, nor x,y,z, random:K or file:NAME"
+refuse("--sources one: .one. is not the index of a vertex, nor x,y,z, random:K, file:NAME or polyline:NAME"
        square.off -s one)
 refuse("--sources random:0: a number of vertices from 1 on must follow, as in random:5" square.off
        -s random:0)
@@ -70,6 +70,30 @@ refuse("--maximum-distance: .nan. is not a number" square.off -m nan)
 refuse("--isolines: .nan. is not a number" square.off -i nan)
 refuse("--isolines: count:0: " square.off -i count:0)
 
+refuse("--offset: these curves are exact, and need --epsilon 0" square.off --offset 1)
+refuse("--offset: these curves are exact, and need --epsilon 0" square.off -e 0.1 --offset 1)
+refuse("--offset: a curve at distance 0" square.off -e 0 --offset 0)
+refuse("--offset: it is -1, and must be" square.off -e 0 --offset -1)
+refuse("--offset: step:0: a number above 0 must follow" square.off -e 0 --offset step:0)
+refuse("--offset: step:1: a number above 0 must follow, and no more" square.off -e 0 --offset step:1 2)
+refuse("--offset: these are more than 100000 distances; the largest is 1.4" square.off -e 0 --offset step:1e-9)
+
+# curves
+refuse("--curve: it takes the place of --sources; both are given" square.off -s 0 --curve 0 1)
+refuse("--signed: it is for --curve" square.off --signed)
+refuse("--curve 9: there is no vertex 9" square.off --curve 0 9)
+refuse("--curve polyline:list.txt: cannot read list.txt: No such file" square.off --curve polyline:list.txt)
+foreach(text "" "2 0 0 0\n" "0 0 0\n" "1 0 0 x\n" "1 0 0 0\n1 0 0 0\n" "1e300 0 0\n")
+  file(WRITE ${folder}/list.txt "${text}")
+  refuse("--curve polyline:list.txt: " square.off --curve polyline:list.txt)
+endforeach()
+file(WRITE ${folder}/x.polylines.txt "1 0 0 0\n")
+refuse("--output: x.polylines.txt is a file that is read" square.off -o x -t 1 --curve polyline:x.polylines.txt --force)
+file(REMOVE ${folder}/list.txt ${folder}/x.polylines.txt)
+refuse("--curve: .*no path joins points 0 and 1 of a curve" two_parts.off --curve 0 4 -e 0)
+refuse(".*source 0 has no sides, as it is a point" square.off --curve 0 -e 0 --signed)
+refuse(".*source 0 has no two sides: it is not closed" square.off --curve 0.4,0.1,0 0.6,0.1,0 -e 0 --signed)
+
 # pictures
 refuse("--view: it is for --picture" square.off --view 0 0 y)
 refuse("--view: it takes an azimuth" square.off --picture --view foo)
@@ -86,6 +110,7 @@ refuse("--straighten: cheapest paths" square.off -e 1 -w weights.txt -t 1 --stra
 refuse("--accept-weaker-bound: it is for" square.off -e 1 --accept-weaker-bound)
 refuse("--compare: exact distances know neither" square.off -e 1 -b edges.txt --compare)
 refuse("--compare: the sources must be vertices" square.off -s 0,0,0 --compare)
+refuse("--compare: CGAL's Surface_mesh_shortest_path knows no curves" square.off --curve 0 1 --compare)
 refuse("--save-graph: it needs --epsilon" square.off -e 0 --save-graph graph)
 refuse("--load-graph: the graph has its own bound" square.off -e 1 --load-graph graph)
 

@@ -8,6 +8,7 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +28,7 @@ inline CGAL::IO::Color color_of_distance(const double distance, const double lar
 {
   if(!std::isfinite(distance))
     return CGAL::IO::gray();
-  const Color c = color_of(largest > 0 ? distance / largest : 0);
+  const Color c = color_of(largest > 0 ? std::abs(distance) / largest : 0);
   const auto byte = [](const double x) { return static_cast<unsigned char>(255 * x); };
   return CGAL::IO::Color(byte(c[0]), byte(c[1]), byte(c[2]));
 }
@@ -43,7 +44,7 @@ inline void write_ply(std::ostream& out, Mesh mesh, const Results& results)
   {
     distance[v] = distances[v];
     quality[v] = static_cast<float>(distances[v]);
-    color[v] = color_of_distance(distances[v], results.largest);
+    color[v] = color_of_distance(distances[v], (std::max)(results.largest, -results.smallest));
   }
   CGAL::IO::set_binary_mode(out);
   CGAL::IO::write_PLY(out, mesh);
@@ -91,32 +92,41 @@ inline void write_paths_vtp(std::ostream& out, const Results& results)
   vtp.write(out);
 }
 
-inline void write_isolines_vtp(std::ostream& out, const Results& results)
+inline void write_lines_vtp(std::ostream& out, const std::vector<Isoline>& lines)
 {
   Vtp_file vtp;
   std::vector<double> distances;
-  for(const Isoline& isoline : results.isolines)
+  for(const Isoline& line : lines)
   {
-    vtp.add_line(isoline.points);
-    distances.push_back(isoline.distance);
+    vtp.add_line(line.points);
+    distances.push_back(line.distance);
   }
   vtp.add_array_of_cells("distance", distances);
   vtp.write(out);
+}
+
+inline void write_polyline(std::ostream& out, const std::vector<Mesh::Point>& points)
+{
+  out << points.size();
+  for(const Mesh::Point& point : points)
+    out << ' ' << point;
+  out << '\n';
+}
+
+inline void write_offset_polylines(std::ostream& out, const Results& results)
+{
+  for(const Isoline& offset : results.offsets)
+    write_polyline(out, offset.points);
 }
 
 // A line per target, whether there is a path or not.
 inline void write_polylines(std::ostream& out, const Results& results)
 {
   for(const Path_result& path : results.paths)
-  {
     if(path.points.empty())
-      out << "inf";
+      out << "inf\n";
     else
-      out << path.points.size();
-    for(const Mesh::Point& point : path.points)
-      out << ' ' << point;
-    out << '\n';
-  }
+      write_polyline(out, path.points);
 }
 
 inline void write_csv(std::ostream& out, const Mesh& mesh, const Results& results)

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 // A path to a target, or from there to a source.
@@ -36,11 +37,11 @@ public:
          const std::vector<Grid_cell>& targets)
     : m_costs(costs),
       m_graphs{costs, options.goes_to_sources},
-      m_graphs_on{costs, !options.goes_to_sources},
+      m_graphs_onward{costs, !options.goes_to_sources},
       m_search(m_graphs, options, sources, "sources")
   {
     if(options.writes_corridor)
-      m_search_on.emplace(m_graphs_on, options, targets, "targets");
+      m_search_onward.emplace(m_graphs_onward, options, targets, "targets");
     for(const Grid_cell& target : targets)
       m_routes.push_back(route(target));
     for(std::size_t row = 0; row < frame().rows; ++row)
@@ -75,7 +76,7 @@ public:
   const std::vector<double>& corridor_row(const std::size_t row)
   {
     cost_row(row);
-    m_search_on->for_each_distance(
+    m_search_onward->for_each_distance(
         row, [&](const std::size_t column, const double cost) { m_row[column] += cost; });
     return m_row;
   }
@@ -97,8 +98,8 @@ public:
   void remove_work_files()
   {
     m_search.remove_files();
-    if(m_search_on)
-      m_search_on->remove_files();
+    if(m_search_onward)
+      m_search_onward->remove_files();
   }
 
 private:
@@ -131,15 +132,15 @@ private:
       for(std::size_t i = 1; i <= number; ++i)
         values.push_back(m_largest_cost * static_cast<double>(i) / static_cast<double>(number + 1));
     }
-    m_isochrones.emplace(values);
-    for(std::size_t row = 0; row < frame().rows; ++row)
-      m_isochrones->add_row(cost_row(row));
+    m_isochrones.emplace(
+        std::move(values), frame().columns, frame().rows,
+        [&](const std::size_t row) -> const std::vector<double>& { return cost_row(row); });
   }
 
   const Costs& m_costs;
-  Graph_of_window m_graphs, m_graphs_on;
+  Graph_of_window m_graphs, m_graphs_onward;
   Search m_search;
-  std::optional<Search> m_search_on; // between cells and targets
+  std::optional<Search> m_search_onward; // between cells and targets
   std::vector<Route> m_routes;
   std::optional<Isochrones> m_isochrones;
   std::size_t m_number_reached = 0;

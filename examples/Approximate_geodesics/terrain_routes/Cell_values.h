@@ -4,13 +4,13 @@
 #include "../command_line/Progress.h"
 #include "rasters/Raster.h"
 
+#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Grid_files/Grid_window.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Mapped_file.h>
 
 #include <boost/crc.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -45,7 +45,7 @@ public:
       progress.set_part(row, frame.rows);
       raster.read_row(values);
       for(std::size_t column = 0; column < m_columns; ++column)
-        if(is_no_data(frame, values[column]))
+        if(CGAL::Approximate_geodesics::internal::is_no_data(frame.no_data, values[column]))
           values[column] = no_data;
         else
           check(values[column], column, row);
@@ -84,12 +84,6 @@ public:
 
 private:
   using Mapped_file = CGAL::Approximate_geodesics::internal::Mapped_file;
-
-  static bool is_no_data(const Raster_frame& frame, const double value)
-  {
-    return frame.no_data &&
-           (value == *frame.no_data || (std::isnan(value) && std::isnan(*frame.no_data)));
-  }
 
   std::uint64_t size_of_row() const { return m_columns * sizeof(double); }
 

@@ -25,6 +25,15 @@ expect(0 "To cell 2,2: cost 8.8.*\nTo cell 1,1: there is no path\n" ${PROGRAM} r
 expect_contents(y_paths.geojson "\"column\":1,\"row\":1,\"cost\":null},\"geometry\":null")
 file(REMOVE ${folder}/places.txt)
 
+# from a cell that cannot be entered, and in a raster of one cell, and of none that can be entered
+expect(0 "1 cells reached in .*\nLargest cost: 0\nTo cell 2,2: there is no path\n" ${PROGRAM} ring.asc
+       -s cell:1,1 -t cell:2,2 -o k -b -c -i 1)
+file(WRITE ${folder}/one.asc "ncols 1\nnrows 1\ncellsize 1\n1\n")
+expect(0 "Largest cost: 0\nTo cell 0,0: cost 0, length 0\n" ${PROGRAM} one.asc -s cell:0,0 -t cell:0,0 -o
+       l -b -c -i count:3 -e 0.1)
+file(WRITE ${folder}/none.asc "ncols 2\nnrows 1\ncellsize 1\nNODATA_value -1\n-1 -1\n")
+expect(0 "1 cells reached in .*\nLargest cost: 0\n" ${PROGRAM} none.asc -s cell:0,0 -o l -f)
+
 # with a bound, paths bend at sides
 expect(0 "To cell 2,2: cost 8.4" ${PROGRAM} ring.asc -s cell:0,0 -t cell:2,2 -o z -e 0.1 -b)
 

@@ -53,6 +53,8 @@ refuse_raster("ncols: .two. is not a number" "ncols two" "nrows 2" "cellsize 1")
 refuse_raster("its cells have no size above 0" "ncols 1" "nrows 1" "cellsize 0" "1")
 refuse_raster("it ends in row 1 of 2" "ncols 2" "nrows 2" "cellsize 1" "1 1" "1")
 refuse_raster("it has more values than cells" "ncols 2" "nrows 1" "cellsize 1" "1 1" "1")
+refuse_raster("it has too many cells: 3000000000 columns and 3000000000 rows" "ncols 3000000000"
+              "nrows 3000000000" "cellsize 1" "1")
 refuse_raster("row 0: .x. is not a number" "ncols 2" "nrows 1" "cellsize 1" "1 x")
 refuse_raster("the cost of cell 1,0 .column, row. is nan" "ncols 2" "nrows 1" "cellsize 1" "1 nan")
 refuse_raster("the cost of cell 0,0 .column, row. is -2" "ncols 2" "nrows 1" "cellsize 1" "-2 1")
@@ -64,7 +66,17 @@ execute_process(COMMAND sh -c "sed 's/(3, 3)/(9,  )/' ring.npy >bad.npy" WORKING
 refuse("cannot read a raster from bad.npy: it must be an array .* two dimensions" bad.npy -s cell:0,0)
 execute_process(COMMAND sh -c "sed 's/False/True /' ring.npy >bad.npy" WORKING_DIRECTORY ${folder})
 refuse("cannot read a raster from bad.npy: it holds columns" bad.npy -s cell:0,0)
+foreach(rows 0 99999999999999999999 4294967296)
+  execute_process(COMMAND sh -c "sed 's/(3, 3)/(${rows}, ${rows})/' ring.npy >bad.npy"
+                  WORKING_DIRECTORY ${folder})
+  refuse("cannot read a raster from bad.npy: it has (no|too many) cells" bad.npy -s cell:0,0)
+endforeach()
 file(REMOVE ${folder}/bad.npy)
+# a header that promises more values than come takes no memory for them
+file(WRITE ${folder}/bad.asc "ncols 4000000000\nnrows 1\ncellsize 1\n1 1\n")
+refuse("(cannot read a raster from bad.asc: it ends in row 0 of 1|.*memory cannot be mapped)" bad.asc -s
+       cell:0,0)
+file(REMOVE ${folder}/bad.asc)
 file(WRITE ${folder}/text.dat "text")
 if(HAS_GDAL)
   refuse("cannot read a raster from text.dat: .*not recognized" text.dat -s cell:0,0)

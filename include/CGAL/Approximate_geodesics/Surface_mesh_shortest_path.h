@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/read_changes.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
@@ -25,7 +26,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for users of the class
 #include <CGAL/approximate_geodesic_pair_distances.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/iterator/transform_iterator.hpp>
 
@@ -354,7 +354,7 @@ public:
                                           parameters::vertex_index_map(m_translation.index_map())));
     m_has_changed = true;
     m_pair_search.reset();
-    m_workspaces.clear();
+    m_pairs.clear();
     m_search.search().restart();
   }
 
@@ -375,10 +375,7 @@ public:
   template <typename WeightChanges>
   void set_weights(const WeightChanges& changes)
   {
-    std::vector<Weight_change> result;
-    for(const auto& change : changes)
-      result.push_back({m_translation.halfedge_of(change.first), CGAL::to_double(change.second)});
-    m_graph.set_weights(result);
+    m_graph.set_weights(internal::weight_changes(m_translation, changes));
     m_has_changed = true;
   }
 
@@ -397,13 +394,7 @@ public:
   template <typename BarrierChanges>
   void set_barriers(const BarrierChanges& changes)
   {
-    constexpr double middle = 0.5;
-    std::vector<Barrier_change> result;
-    for(const auto& [edge, is_barrier] : changes)
-      result.push_back(
-          {m_translation.intrinsic_point(halfedge(edge, this->mesh()), middle).halfedge,
-           is_barrier});
-    m_graph.set_barriers(result);
+    m_graph.set_barriers(internal::barrier_changes(m_translation, changes));
     m_has_changed = true;
   }
 
@@ -447,7 +438,7 @@ public:
    *        value type to which `double` is convertible
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
    *        `nearest_source_map`, which receives positions in the order of `source_points_begin()`,
-   *        and `predecessor_map`, as for `approximate_geodesic_distances()`
+   *        `predecessor_map` and `signed_distances`, as for `approximate_geodesic_distances()`
    */
   template <typename VertexDistanceMap,
             typename NamedParameters = parameters::Default_named_parameters>
@@ -455,8 +446,10 @@ public:
                                            const NamedParameters& np = parameters::default_values())
   {
     static_assert(!internal::ignores_any<NamedParameters, internal_np::nearest_source_t,
-                                         internal_np::geodesic_predecessor_t>,
-                  "distances to sources read nearest_source_map and predecessor_map; "
+                                         internal_np::geodesic_predecessor_t,
+                                         internal_np::signed_distances_t>,
+                  "distances to sources read nearest_source_map, predecessor_map and "
+                  "signed_distances; "
                   "maximum_distance, targets and visitor are for build_sequence_tree()");
     constexpr bool is_map = internal::takes_distances<VertexDistanceMap, vertex_descriptor>;
     static_assert(is_map,
@@ -648,8 +641,7 @@ public:
   std::vector<double> distances(const PairRange& pairs,
                                 const NamedParameters& np = parameters::default_values()) const
   {
-    return find_pairs(
-        pairs, np, [](const auto& search, const Intrinsic_point& p) { return search.distance(p); });
+    return m_pairs.distances(pairs, np);
   }
 
   /// returns an interval that contains the distance on the surface, for each pair. Its margins are
@@ -660,9 +652,7 @@ public:
   distance_intervals(const PairRange& pairs,
                      const NamedParameters& np = parameters::default_values()) const
   {
-    return find_pairs(pairs, np, [&](const auto& search, const Intrinsic_point& p) {
-      return internal::distance_interval(search, p, internal::maximum_distance(np));
-    });
+    return m_pairs.distance_intervals(pairs, np);
   }
 
   /// returns the points of a shortest path from the source to the target of each pair, none if
@@ -671,13 +661,8 @@ public:
   std::vector<std::vector<Point_3>>
   paths(const PairRange& pairs, const NamedParameters& np = parameters::default_values()) const
   {
-    const auto find = [&](const auto& search, const Intrinsic_point& end) {
-      Path path = search.find_path(end);
-      internal::straighten_if_wanted(m_graph.triangulation(), np, path);
-      return internal::from_source_to_target(m_graph, std::move(path));
-    };
     std::vector<std::vector<Point_3>> result;
-    for(const Path& path : find_pairs<internal_np::straighten_t>(pairs, np, find))
+    for(const Path& path : m_pairs.paths(pairs, np))
     {
       std::vector<Point_3>& points = result.emplace_back();
       for(const Intrinsic_point& p : path.points)
@@ -750,10 +735,7 @@ private:
     internal::check_initial_distance(initial_distance, m_sources.size());
     Intrinsic_curve read = internal::Curve_reader(m_graph, m_translation).read(curve);
     read.distance = initial_distance;
-    const Intrinsic_point first =
-        read.polylines.empty()
-            ? Intrinsic_point::at_vertex(m_graph.triangulation().source(read.faces.front()))
-            : read.polylines.front().front();
+    const Intrinsic_point first = internal::first_point(m_graph.triangulation(), read);
     m_has_changed = true;
     return Source_point_iterator(m_sources.insert(
         m_sources.end(), Listed_source{this->face_location(m_translation.surface_point(first)),
@@ -826,18 +808,6 @@ private:
     return path.points.empty() ? -1 : path.length;
   }
 
-  template <typename... Read, typename PairRange, typename NamedParameters, typename Find>
-  auto find_pairs(const PairRange& pairs, const NamedParameters& np, const Find& find) const
-  {
-    static_assert(!internal::ignores_any<NamedParameters, internal_np::maximum_distance_t,
-                                         internal_np::visitor_t, Read...>,
-                  "lists of pairs read maximum_distance, concurrency_tag and visitor; paths also "
-                  "straighten");
-    auto found = internal::find_pairs(m_graph, m_workspaces,
-                                      internal::point_pairs(m_translation, pairs), np, find);
-    return found ? *std::move(found) : typename decltype(found)::value_type();
-  }
-
   // Calls `search(sources)`, or searches from curves if there are any.
   template <typename NamedParameters, typename F>
   void search_from_sources(const NamedParameters& np, const F& search)
@@ -872,7 +842,7 @@ private:
   Mesh_search m_search;
   std::unique_ptr<const Landmarks<Graph>> m_landmarks; // if pairs are prepared
   std::unique_ptr<Pair_search> m_pair_search;
-  mutable internal::Pair_workspaces<Graph> m_workspaces{m_graph}; // for lists of pairs
+  internal::Mesh_pairs<Graph, Translation> m_pairs{m_graph, m_translation};
   std::list<Listed_source> m_sources;
   std::vector<Source_point_iterator> m_source_points; // of the last search
   bool m_has_changed = true;

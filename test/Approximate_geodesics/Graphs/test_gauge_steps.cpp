@@ -23,6 +23,7 @@ namespace {
 
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
+using AG::internal::Cost_formulas;
 using AG::internal::Face_gauges;
 using AG::internal::Gauge_formula;
 using AG::internal::Gauge_polygon;
@@ -200,9 +201,9 @@ void expect_formula(const Cost& cost, const double slope, const double turn)
   constexpr double tolerance = 1e-4;
   const auto [x, y] = axes(slope, turn);
   const auto function = directional_cost(cost);
-  const Gauge_formula formula = function.formula(Face(0), x, y);
+  const Gauge_formula formula = Cost_formulas{x, y}.of(function, Face(0));
   ASSERT_TRUE(formula);
-  const Gauge_formula back = directional_cost(reversed_cost(cost)).formula(Face(0), x, y);
+  const Gauge_formula back = Cost_formulas{x, y}.of(directional_cost(reversed_cost(cost)), Face(0));
   const Sampled_polygon sampled(
       [&, x = x, y = y](const Plane_vector v) {
         return function(Face(0), Vector(v.x * x[0] + v.y * y[0], v.x * x[1] + v.y * y[1],
@@ -246,7 +247,7 @@ TEST(Gauge_formulas, are_continuous)
 {
   const auto [x, y] = axes(1, 0);
   const auto expect_continuous = [&, x = x, y = y](const auto& cost) {
-    const Gauge_formula formula = cost.formula(Face(0), x, y);
+    const Gauge_formula formula = Cost_formulas{x, y}.of(cost, Face(0));
     double last = formula(unit_vector(0));
     for(int i = 1; i <= 100000; ++i)
     {
@@ -263,7 +264,7 @@ TEST(Gauge_formulas, are_not_there_where_directions_are_forbidden_or_free)
 {
   const auto [x, y] = axes(0, 0);
   const auto has_formula = [&, x = x, y = y](const auto& cost) {
-    return bool(directional_cost(cost).formula(Face(0), x, y));
+    return bool(Cost_formulas{x, y}.of(directional_cost(cost), Face(0)));
   };
   EXPECT_TRUE(has_formula(AG::Drift_time(One_value<Vector>(Vector(0, 0.9, 0)), 1)));
   for(const double drift : {1., 1.5, infinity, not_a_number})

@@ -5,6 +5,7 @@
 
 #include "checks/expect_message.h"
 #include "checks/test_random.h"
+#include "grids/cells.h"
 #include "meshes/test_soup.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
@@ -26,53 +27,20 @@
 #include <stdexcept>
 #include <vector>
 
-// Grids with heights, costs that depend on the direction, and degrees, against closed forms, and
-// against meshes.
+// Grids with heights and costs that depend on the direction, against closed forms, and against
+// meshes.
 
 namespace {
 
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
 using AG::directional_cost;
-using AG::Grid_cell;
-using AG::Grid_graph;
-using AG::Grid_point;
-using AG::Grid_shape;
 using AG::Grid_vector;
 using AG::Hiking_time;
 using AG::Propagation;
 using CGAL::parameters::direction_to_source;
-using CGAL::parameters::epsilon;
 using CGAL::parameters::face_weight_map;
 using CGAL::parameters::heights;
-using Cells = std::vector<double>;
-
-constexpr double no_way = std::numeric_limits<double>::infinity();
-constexpr double slack_of_costs = 1e-9;
-
-template <typename F>
-Cells values_of_cells(const Grid_shape& shape, const F& f)
-{
-  Cells result;
-  for(std::size_t i = 0; i < shape.number_of_cells(); ++i)
-  {
-    const Grid_point p = shape.center(shape.cell(i));
-    result.push_back(f(p.x, p.y));
-  }
-  return result;
-}
-
-template <typename Friction, typename... NamedParameters>
-Cells costs_of_cells(const Grid_shape& shape,
-                     const Friction& friction,
-                     const Grid_cell& source,
-                     const NamedParameters&... np)
-{
-  Cells result;
-  CGAL::approximate_geodesic_distances_on_grid(shape, friction, std::back_inserter(result), source,
-                                               np...);
-  return result;
-}
 
 double hill(const double x, const double y)
 {
@@ -86,7 +54,7 @@ double hill(const double x, const double y)
 template <typename Cost>
 void expect_costs_of_plane(const Grid_shape& shape,
                            const Grid_cell& source,
-                           const Cells& found,
+                           const Cell_values& found,
                            const Cost& cost,
                            const double tolerance)
 {
@@ -104,7 +72,8 @@ void expect_costs_of_plane(const Grid_shape& shape,
 TEST(Grid_costs, are_lengths_on_a_slanted_plane)
 {
   const Grid_shape shape{60, 50, 2, 1.5, {}};
-  const Cells h = values_of_cells(shape, [](double x, double y) { return 0.3 * x - 0.2 * y; });
+  const Cell_values h =
+      values_of_cells(shape, [](double x, double y) { return 0.3 * x - 0.2 * y; });
   const Grid_cell source{20, 17};
   expect_costs_of_plane(
       shape, source, costs_of_cells(shape, 2, source, heights(h)),
@@ -137,7 +106,7 @@ TEST(Grid_costs, are_times_of_hikers_on_planes)
   const Hiking_time cost;
   for(const double rise : {0.05, 0.2, 0.5})
   {
-    const Cells h = values_of_cells(shape, [&](double x, double) { return rise * x; });
+    const Cell_values h = values_of_cells(shape, [&](double x, double) { return rise * x; });
     const Grid_cell source{20, 17};
     const auto there = heights(std::cref(h)).face_weight_map(directional_cost(cost));
     const double tolerance = rise > 0.3 ? 0.06 : 0.012;
@@ -159,9 +128,9 @@ TEST(Grid_costs, climb_walls_in_zigzags)
     climb = (std::min)(climb, std::sqrt(1 + s * s) * cost(s) / s);
   for(const double rise : {0.4, 1., 3.9, 7., 1e4})
   {
-    const Cells h = values_of_cells(shape, [&](double, double y) { return rise * y; });
-    const Cells found = costs_of_cells(shape, 1, Grid_cell{3, 0},
-                                       heights(h).face_weight_map(directional_cost(cost)));
+    const Cell_values h = values_of_cells(shape, [&](double, double y) { return rise * y; });
+    const Cell_values found = costs_of_cells(shape, 1, Grid_cell{3, 0},
+                                             heights(h).face_weight_map(directional_cost(cost)));
     const double height = 290 * rise;
     EXPECT_NEAR(found[shape.index({3, 29})] / (height * climb), 1, 1e-6);
   }
@@ -170,13 +139,14 @@ TEST(Grid_costs, climb_walls_in_zigzags)
 TEST(Grid_costs, do_not_climb_what_cannot_be_climbed)
 {
   const Grid_shape shape{9, 9, 1, 1, {}};
-  const Cells h = values_of_cells(shape, [](double x, double) { return -0.1 * std::abs(x - 4.5); });
+  const Cell_values h =
+      values_of_cells(shape, [](double x, double) { return -0.1 * std::abs(x - 4.5); });
   const auto down = [](const double slope) { return slope > 0 ? no_way : 1; };
-  const Cells found =
+  const Cell_values found =
       costs_of_cells(shape, 1, Grid_cell{0, 4}, heights(h).face_weight_map(directional_cost(down)));
   EXPECT_EQ(found[shape.index({4, 4})], no_way);
   EXPECT_EQ(found[shape.index({0, 8})], 4);
-  const Cells back =
+  const Cell_values back =
       costs_of_cells(shape, 1, Grid_cell{0, 4},
                      heights(h).face_weight_map(directional_cost(down)).direction_to_source(true));
   EXPECT_NEAR(back[shape.index({4, 4})], 4 * std::hypot(1, 0.1), 1e-9);
@@ -204,7 +174,7 @@ TEST(Grid_costs, have_their_published_values)
 TEST(Grid_costs, are_interpolated_with_the_error_that_is_told)
 {
   const Grid_shape shape{3, 3, 1, 1, {}};
-  const Cells h(9, 0);
+  const Cell_values h(9, 0);
   const auto graph = [&](const auto& f) {
     return Grid_graph(shape, 1, heights(h).face_weight_map(directional_cost(f)));
   };
@@ -244,9 +214,9 @@ template <typename Cost>
 void expect_costs_of_mesh(const Cost& cost, const double tolerance, const bool is_to_source)
 {
   const Grid_shape shape{26, 24, 10, 10, {}};
-  const Cells h = values_of_cells(shape, hill);
+  const Cell_values h = values_of_cells(shape, hill);
   const Grid_cell source{7, 9};
-  const Cells found = costs_of_cells(
+  const Cell_values found = costs_of_cells(
       shape, 1, source, heights(h).face_weight_map(cost).direction_to_source(is_to_source));
   const Mesh mesh = mesh_of_centers(shape, hill);
   Mesh measured = mesh;
@@ -270,7 +240,7 @@ TEST(Grid_costs, are_those_of_a_mesh)
   }
 }
 
-Cells random_heights(Random& random, const Grid_shape& shape)
+Cell_values random_heights(Random& random, const Grid_shape& shape)
 {
   const double phase = random.between(0, 6), size = random.between(0, 2);
   return values_of_cells(shape, [&](const double x, const double y) {
@@ -278,7 +248,7 @@ Cells random_heights(Random& random, const Grid_shape& shape)
   });
 }
 
-Cells friction_with_barriers(Random& random, const Grid_shape& shape)
+Cell_values friction_with_barriers(Random& random, const Grid_shape& shape)
 {
   return values_of_cells(shape, [&](double, double) {
     return random.below(6) == 0 ? no_way : random.between(0.5, 2);
@@ -291,10 +261,11 @@ TEST(Grid_costs, are_there_what_they_are_back_from_the_other_end)
   const Grid_shape shape{17, 13, 1, 1.2, {}};
   for(int i = 0; i < 5; ++i)
   {
-    const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
+    const Cell_values h = random_heights(random, shape),
+                      friction = friction_with_barriers(random, shape);
     const Grid_cell a = shape.cell(random.below(friction.size()));
     const auto cost = heights(h).face_weight_map(directional_cost(Hiking_time()));
-    const Cells to_a = costs_of_cells(shape, friction, a, cost.direction_to_source(true));
+    const Cell_values to_a = costs_of_cells(shape, friction, a, cost.direction_to_source(true));
     for(int k = 0; k < 5; ++k)
     {
       const Grid_cell b = shape.cell(random.below(friction.size()));
@@ -332,7 +303,8 @@ TEST(Grid_costs, do_not_need_the_lines_that_are_left_out)
   const Grid_shape shape{19, 23, 1, 1.2, {}};
   for(int i = 0; i < 6; ++i)
   {
-    const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
+    const Cell_values h = random_heights(random, shape),
+                      friction = friction_with_barriers(random, shape);
     const auto jump = [](const double s) { return s > 0.1 && s < 0.2 ? 3 : 1; }; // not convex
     const Graph_with_all_lines all(
         i % 2 == 0 ? Grid_graph(shape, friction, heights(h).face_weight_map(directional_cost(jump)))
@@ -359,12 +331,13 @@ TEST(Grid_costs, give_lower_bounds_and_paths)
   const Grid_shape shape{31, 29, 1, 1.2, {}};
   for(int i = 0; i < 6; ++i)
   {
-    const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
+    const Cell_values h = random_heights(random, shape),
+                      friction = friction_with_barriers(random, shape);
     const auto cost = heights(h).face_weight_map(directional_cost(Hiking_time()));
     const Grid_graph graph(shape, friction, cost);
     const Grid_cell source = shape.cell(random.below(friction.size())),
                     target = shape.cell(random.below(friction.size()));
-    const Cells found = costs_of_cells(shape, friction, source, cost);
+    const Cell_values found = costs_of_cells(shape, friction, source, cost);
     const double expected = found[shape.index(target)];
     std::vector<Grid_point> path;
     EXPECT_EQ(CGAL::approximate_geodesic_path_on_grid(shape, friction, std::back_inserter(path),
@@ -383,15 +356,15 @@ TEST(Grid_costs, give_lower_bounds_and_paths)
 TEST(Grid_costs, do_not_enter_cells_without_heights)
 {
   const Grid_shape shape{21, 21, 1, 1, -9999};
-  Cells h = values_of_cells(shape, [](double x, double) { return 0.1 * x; });
+  Cell_values h = values_of_cells(shape, [](double x, double) { return 0.1 * x; });
   for(std::size_t row = 0; row < 15; ++row)
     h[shape.index({10, row})] = -9999;
-  const Cells found = costs_of_cells(shape, 1, Grid_cell{3, 10}, heights(h));
+  const Cell_values found = costs_of_cells(shape, 1, Grid_cell{3, 10}, heights(h));
   EXPECT_EQ(found[shape.index({10, 3})], no_way);
   const double steep = std::sqrt(1.01);
   EXPECT_GE(found[shape.index({17, 10})], steep * 2 * std::hypot(6.5, 4.5) + 1);
   EXPECT_LE(found[shape.index({17, 10})], steep * (2 * std::hypot(7, 5) + 2));
-  Cells diagonal(shape.number_of_cells(), 0);
+  Cell_values diagonal(shape.number_of_cells(), 0);
   for(std::size_t i = 0; i < 21; ++i)
     diagonal[shape.index({i, 20 - i})] = -9999;
   EXPECT_EQ(costs_of_cells(shape, 1, Grid_cell{3, 3}, heights(diagonal))[shape.index({17, 17})],
@@ -401,7 +374,8 @@ TEST(Grid_costs, do_not_enter_cells_without_heights)
 TEST(Grid_costs, compare_heights_only_with_no_data_if_friction_is_one_number)
 {
   const Grid_shape shape{3, 1, 1, 1, 2};
-  EXPECT_EQ(costs_of_cells(shape, 2, Grid_cell{}, heights(Cells{0, 0, 2})), (Cells{0, 2, no_way}));
+  EXPECT_EQ(costs_of_cells(shape, 2, Grid_cell{}, heights(Cell_values{0, 0, 2})),
+            (Cell_values{0, 2, no_way}));
   const Grid_shape other{3, 1, 1, 1, std::nan("")};
   expect_message<std::invalid_argument>([&] { Grid_graph(other, std::nan("")); }, "friction");
 }
@@ -410,16 +384,16 @@ TEST(Grid_costs, multiply_costs_by_friction)
 {
   Random random(test_seed());
   const Grid_shape shape{20, 20, 1, 1, {}};
-  const Cells h = random_heights(random, shape);
+  const Cell_values h = random_heights(random, shape);
   const auto cost = heights(h).face_weight_map(directional_cost(Hiking_time()));
-  const Cells once = costs_of_cells(shape, 1, Grid_cell{4, 5}, cost);
-  Cells friction(shape.number_of_cells(), 2); // one of them is different, and out of the way
+  const Cell_values once = costs_of_cells(shape, 1, Grid_cell{4, 5}, cost);
+  Cell_values friction(shape.number_of_cells(), 2); // one of them is different, and out of the way
   friction.back() = 2.5;
-  const Cells twice = costs_of_cells(shape, friction, Grid_cell{4, 5}, cost);
+  const Cell_values twice = costs_of_cells(shape, friction, Grid_cell{4, 5}, cost);
   for(std::size_t i = 0; i + 1 < once.size(); ++i)
     EXPECT_NEAR(twice[i], 2 * once[i], slack_of_costs * twice[i]);
-  const Cells free = costs_of_cells(shape, 0, Grid_cell{4, 5}, cost);
-  EXPECT_EQ(free, Cells(free.size(), 0));
+  const Cell_values free = costs_of_cells(shape, 0, Grid_cell{4, 5}, cost);
+  EXPECT_EQ(free, Cell_values(free.size(), 0));
 }
 
 // ----- functions of cell and direction
@@ -443,9 +417,10 @@ TEST(Grid_costs, are_times_in_a_wind)
       [&](const double x, const double y) { return time(-x, -y); }, 0.02);
   const Grid_graph graph(shape, 1, face_weight_map(cost));
   EXPECT_NEAR(graph.lower_bound(0, 49), 49 / (1 + std::hypot(0.5, 0.3)), 0.1);
-  const Cells flat(shape.number_of_cells(), 3);
-  const Cells on_plain = costs_of_cells(shape, 1, source, heights(flat).face_weight_map(cost));
-  const Cells in_plane = costs_of_cells(shape, 1, source, face_weight_map(cost));
+  const Cell_values flat(shape.number_of_cells(), 3);
+  const Cell_values on_plain =
+      costs_of_cells(shape, 1, source, heights(flat).face_weight_map(cost));
+  const Cell_values in_plane = costs_of_cells(shape, 1, source, face_weight_map(cost));
   for(std::size_t i = 0; i < flat.size(); ++i)
     EXPECT_NEAR(on_plain[i], in_plane[i], slack_of_costs * in_plane[i]);
 }
@@ -454,13 +429,14 @@ TEST(Grid_costs, may_be_functions_of_cells_and_directions)
 {
   Random random(test_seed());
   const Grid_shape shape{21, 20, 1, 1, {}};
-  const Cells h = random_heights(random, shape), friction = friction_with_barriers(random, shape);
+  const Cell_values h = random_heights(random, shape),
+                    friction = friction_with_barriers(random, shape);
   const Hiking_time time;
   const auto with_cells = [&](const Grid_cell& cell, const Grid_vector& d) {
     EXPECT_NEAR(d * d, 1, 1e-12);
     return (cell.column < 10 ? 1 : 2) * time(d.z() / std::hypot(d.x(), d.y()));
   };
-  Cells doubled = friction;
+  Cell_values doubled = friction;
   for(std::size_t i = 0; i < doubled.size(); ++i)
     doubled[i] *= shape.cell(i).column < 10 ? 1 : 2;
   for(const bool is_to_source : {false, true})
@@ -485,106 +461,11 @@ TEST(Grid_costs, make_cells_one_way)
   const Grid_shape shape{12, 9, 1, 1, {}};
   const auto ways = boost::make_function_property_map<Grid_cell>(
       [](const Grid_cell&) { return Grid_vector(1, 0); });
-  const Cells found = costs_of_cells(shape, 1, Grid_cell{5, 4},
-                                     face_weight_map(directional_cost(AG::One_way(ways))));
+  const Cell_values found = costs_of_cells(shape, 1, Grid_cell{5, 4},
+                                           face_weight_map(directional_cost(AG::One_way(ways))));
   EXPECT_EQ(found[shape.index({11, 4})], 6);
   EXPECT_EQ(found[shape.index({5, 0})], 4);
   EXPECT_EQ(found[shape.index({4, 4})], no_way);
-}
-
-// ----- degrees
-
-// The length of a meridian from the equator, by Helmert's series.
-double meridian(const double degrees)
-{
-  const double n = 1 / (2 * 298.257223563 - 1), p = degrees * std::acos(-1.) / 180;
-  const double a = 6378137 / (1 + n);
-  return a *
-         ((1 + n * n / 4 + n * n * n * n / 64) * p - 1.5 * (n - n * n * n / 8) * std::sin(2 * p) +
-          15. / 16 * (n * n - n * n * n * n / 4) * std::sin(4 * p) -
-          35. / 48 * n * n * n * std::sin(6 * p));
-}
-
-// On a sphere.
-double great_circle(const double first, const double second, const double longitudes)
-{
-  const double degree = std::acos(-1.) / 180;
-  const double u = std::sin((first - second) * degree / 2), v = std::sin(longitudes * degree / 2);
-  return 2 * 6371008.8 *
-         std::asin(std::sqrt(u * u + std::cos(first * degree) * std::cos(second * degree) * v * v));
-}
-
-TEST(Geographic_grid, has_the_lengths_of_meridians_and_parallels)
-{
-  for(const double first : {89., 51.25, 2.})
-  {
-    const Grid_shape shape{30, 40, 0.05, 0.1, {}, first};
-    const Cells found = costs_of_cells(shape, 1, Grid_cell{3, 0});
-    EXPECT_NEAR(found[shape.index({3, 39})], meridian(first - 0.05) - meridian(first - 3.95), 0.5);
-    const double degree = std::acos(-1.) / 180, latitude = (first - 0.05) * degree;
-    const double of_degree = 6378137 * degree * std::cos(latitude) /
-                             std::sqrt(1 - 0.00669437999014 * std::pow(std::sin(latitude), 2));
-    EXPECT_NEAR(found[shape.index({4, 0})], 0.05 * of_degree, 1e-3);
-  }
-}
-
-TEST(Geographic_grid, has_distances_of_great_circles)
-{
-  for(const double first : {75., 48., 3., -30.})
-  {
-    const Grid_shape shape{70, 60, 0.1, 0.08, {}, first};
-    const Grid_cell source{10, 12};
-    const Grid_graph graph(shape, 1);
-    EXPECT_LE(graph.error_on_equal_cells(), first > 70 ? 0.01 : 0.0031);
-    const Cells found = costs_of_cells(shape, 1, source);
-    const auto latitude = [&](const Grid_cell& c) { return first - shape.center(c).y; };
-    for(std::size_t i = 0; i < found.size(); ++i)
-    {
-      const Grid_cell c = shape.cell(i);
-      const double expected =
-          great_circle(latitude(source), latitude(c), shape.center(c).x - shape.center(source).x);
-      // the sphere is not the ellipsoid
-      EXPECT_GE(found[i], expected * 0.993);
-      EXPECT_LE(found[i], expected * (1.006 + graph.error_on_equal_cells()));
-      EXPECT_LE(graph.lower_bound(graph.node(source), static_cast<Grid_graph::Node>(i)),
-                found[i] * (1 + slack_of_costs));
-    }
-    const Cells back = costs_of_cells(shape, 1, {60, 50});
-    EXPECT_NEAR(back[shape.index(source)], found[shape.index({60, 50})], 1e-3);
-  }
-}
-
-TEST(Geographic_grid, has_heights_in_meters)
-{
-  const Grid_shape shape{30, 30, 1 / 1200., 1 / 1200., {}, 46.5};
-  const Cells friction(shape.number_of_cells(), 1);
-  const double width = costs_of_cells(shape, 1, Grid_cell{})[1];
-  EXPECT_NEAR(width, 63.9, 0.1);
-  const Cells h = values_of_cells(shape, [&](double x, double) { return 0.2 * 1200 * width * x; });
-  const auto cost = directional_cost(Hiking_time());
-  const Cells found = costs_of_cells(shape, 1, Grid_cell{}, heights(h).face_weight_map(cost));
-  const double expected = 29 * width * std::sqrt(1.04) * Hiking_time()(0.2);
-  EXPECT_NEAR(found[29] / expected, 1, 1e-4);
-  const auto up = [](const Grid_cell&, const Grid_vector& d) { return 1 + d.z(); };
-  const Cells by_cells =
-      costs_of_cells(shape, 1, Grid_cell{}, heights(h).face_weight_map(directional_cost(up)));
-  EXPECT_NEAR(by_cells[29] / (29 * width * (std::sqrt(1.04) + 0.2)), 1, 1e-4);
-}
-
-TEST(Geographic_grid, rejects_bad_latitudes)
-{
-  const auto rejects = [](const Grid_shape& shape, const char* const text) {
-    expect_message<std::invalid_argument>([&] { Grid_graph(shape, 1); }, text);
-  };
-  rejects({4, 3, 1, 1, {}, 91}, "from latitude 91 to 88");
-  rejects({4, 3, 1, 1, {}, -88}, "to -91");
-  rejects({4, 3, 1, 1, {}, std::nan("")}, "latitude");
-  rejects({361, 3, 1, 1, {}, 10}, "361 degrees");
-  expect_message<std::invalid_argument>(
-      [] {
-        Grid_graph({4, 3, 1, 1, {}, 50}, 1, epsilon(0.1));
-      },
-      "degrees");
 }
 
 // ----- bad input
@@ -595,14 +476,14 @@ TEST(Grid_costs, reject_bad_input)
   const auto rejects = [&](const auto& np, const char* const text, const char* const more = "") {
     expect_message<std::invalid_argument>([&] { Grid_graph(shape, 1, np); }, text, more);
   };
-  rejects(heights(Cells(11, 0)), "11 values of height, and 12 cells");
+  rejects(heights(Cell_values(11, 0)), "11 values of height, and 12 cells");
   for(const double wrong : {std::nan(""), no_way, -no_way, 1e101})
   {
-    Cells h(12, 0);
+    Cell_values h(12, 0);
     h[6] = wrong;
     rejects(heights(h), "height of cell (2, 1)");
   }
-  const Cells flat(12, 0);
+  const Cell_values flat(12, 0);
   const auto negative = [](const double s) { return 1 - 2 * s; };
   rejects(heights(flat).face_weight_map(directional_cost(negative)), "for the slope 0.5");
   rejects(heights(flat).face_weight_map(directional_cost([](double) { return std::nan(""); })),
@@ -628,7 +509,7 @@ TEST(Grid_costs, have_rows_and_columns_of_any_number)
     for(const bool is_row : {true, false})
     {
       const Grid_shape shape{is_row ? n : 1, is_row ? 1 : n, 2, 2, {}};
-      Cells h;
+      Cell_values h;
       for(std::size_t i = 0; i < n; ++i)
         h.push_back(i % 2 == 0 ? 0 : 1.5);
       EXPECT_NEAR(costs_of_cells(shape, 3, Grid_cell{}, heights(h)).back(),
@@ -639,7 +520,7 @@ TEST(Grid_costs, have_rows_and_columns_of_any_number)
 TEST(Grid_costs, survive_extreme_heights)
 {
   const Grid_shape shape{6, 5, 1e-3, 1e-3, {}};
-  Cells h(30, 0);
+  Cell_values h(30, 0);
   h[7] = 9e99;
   h[8] = -9e99;
   for(const double cost : costs_of_cells(shape, 1, Grid_cell{}, heights(h)))
@@ -659,8 +540,9 @@ TEST(Grid_costs, survive_extreme_heights)
           tiny, 0, Grid_cell{}, heights(h).face_weight_map(directional_cost(Hiking_time()))))
     EXPECT_FALSE(std::isnan(cost));
   const Grid_shape all{2, 2, 1, 1, 7};
-  const Cells none(4, 7);
-  EXPECT_EQ(costs_of_cells(all, 1, Grid_cell{}, heights(none)), (Cells{0, no_way, no_way, no_way}));
+  const Cell_values none(4, 7);
+  EXPECT_EQ(costs_of_cells(all, 1, Grid_cell{}, heights(none)),
+            (Cell_values{0, no_way, no_way, no_way}));
 }
 
 } // namespace

@@ -5,20 +5,19 @@
 
 #include "checks/expect_message.h"
 #include "checks/test_random.h"
+#include "grids/cells.h"
 #include "meshes/test_soup.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
 #include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/approximate_geodesic_distances.h>
-#include <CGAL/approximate_geodesic_distances_on_grid.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -29,37 +28,8 @@ namespace {
 
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
-using AG::Grid_cell;
-using AG::Grid_graph;
-using AG::Grid_point;
-using AG::Grid_shape;
 using AG::Propagation;
 using CGAL::parameters::epsilon;
-using Friction = std::vector<double>;
-
-constexpr double blocked_cell = std::numeric_limits<double>::infinity();
-constexpr double slack_of_sums = 1e-9;
-
-Friction equal_friction(const Grid_shape& shape, const double friction = 1)
-{
-  return Friction(shape.number_of_cells(), friction);
-}
-
-// The distances of all centers.
-std::vector<double> distances_of_cells(const Grid_graph& graph, const Grid_cell& source)
-{
-  Propagation search(graph);
-  search.run_from(graph.node(source));
-  std::vector<double> result;
-  for(std::size_t i = 0; i < graph.shape().number_of_cells(); ++i)
-    result.push_back(search.distance(static_cast<Grid_graph::Node>(i)));
-  return result;
-}
-
-double straight_distance(const Grid_point& p, const Grid_point& q)
-{
-  return std::hypot(p.x - q.x, p.y - q.y);
-}
 
 // ----- cells of equal friction
 
@@ -73,7 +43,7 @@ double error_on_equal_cells(const Grid_graph& graph, const Grid_cell& source, co
   {
     const double expected =
         friction * straight_distance(shape.center(source), shape.center(shape.cell(i)));
-    EXPECT_GE(distances[i], expected * (1 - slack_of_sums));
+    EXPECT_GE(distances[i], expected * (1 - slack_of_costs));
     if(expected > 0)
       result = (std::max)(result, distances[i] / expected - 1);
   }
@@ -85,12 +55,12 @@ TEST(Grid_graph, keeps_0_3_percent_in_all_directions)
   for(const double height : {1., 0.5, 0.7, 1.9})
   {
     const Grid_shape shape{90, 80, 3, 3 * height, {}};
-    const Grid_graph graph(shape, equal_friction(shape, 2));
+    const Grid_graph graph(shape, equal_cells(shape, 2));
     EXPECT_LE(graph.error_on_equal_cells(), 0.003);
     for(const Grid_cell source : {Grid_cell{0, 0}, Grid_cell{40, 33}, Grid_cell{89, 12}})
     {
       const double error = error_on_equal_cells(graph, source, 2);
-      EXPECT_LE(error, graph.error_on_equal_cells() + slack_of_sums);
+      EXPECT_LE(error, graph.error_on_equal_cells() + slack_of_costs);
       EXPECT_GE(error, 0.8 * graph.error_on_equal_cells());
     }
   }
@@ -99,16 +69,16 @@ TEST(Grid_graph, keeps_0_3_percent_in_all_directions)
 TEST(Grid_graph, says_how_large_errors_are_where_cells_are_long)
 {
   const Grid_shape shape{200, 30, 1, 40, {}};
-  const Grid_graph graph(shape, equal_friction(shape));
+  const Grid_graph graph(shape, equal_cells(shape));
   EXPECT_GT(graph.error_on_equal_cells(), 0.01);
   EXPECT_LE(error_on_equal_cells(graph, {100, 15}, 1),
-            graph.error_on_equal_cells() + slack_of_sums);
+            graph.error_on_equal_cells() + slack_of_costs);
 }
 
 TEST(Grid_graph, keeps_0_3_percent_with_points)
 {
   const Grid_shape shape{40, 30, 1, 1, {}};
-  const Grid_graph graph(shape, equal_friction(shape), epsilon(0.5));
+  const Grid_graph graph(shape, equal_cells(shape), epsilon(0.5));
   EXPECT_LE(error_on_equal_cells(graph, {3, 4}, 1), 0.003);
 }
 
@@ -133,7 +103,7 @@ TEST(Grid_graph, refracts_paths_between_half_planes)
   const Grid_shape shape{40, 24, 1, 1.25, {}};
   for(const double w : {0.3, 0.8, 4.})
   {
-    Friction friction = equal_friction(shape);
+    Cell_values friction = equal_cells(shape);
     for(std::size_t i = 0; i < friction.size(); ++i)
       friction[i] = shape.cell(i).row < 12 ? w : 1;
     for(const double e : {0.3, 0.1, 0.02})
@@ -147,7 +117,7 @@ TEST(Grid_graph, refracts_paths_between_half_planes)
         const Grid_point p = shape.center(source), q = shape.center(shape.cell(i));
         // paths along the line are straight for the side of lower friction, too
         const double expected = refracted_cost(p.y - line, line - q.y, std::abs(p.x - q.x), w);
-        EXPECT_GE(distances[i], expected * (1 - slack_of_sums));
+        EXPECT_GE(distances[i], expected * (1 - slack_of_costs));
         EXPECT_LE(distances[i], expected * (1 + e));
       }
     }
@@ -182,35 +152,11 @@ Mesh triangulated(const Grid_shape& shape)
   return mesh;
 }
 
-// On a mesh, paths lead between two cells that touch at a corner.
-void open_diagonals(const Grid_shape& shape, Friction& friction)
-{
-  for(std::size_t i = 0; i + shape.columns + 1 < friction.size(); ++i)
-    if(shape.cell(i).column + 1 < shape.columns)
-      for(const std::size_t k : {i, i + 1, i + shape.columns, i + shape.columns + 1})
-        if(std::isinf(friction[i]) == std::isinf(friction[i + shape.columns + 1]) &&
-           std::isinf(friction[i + 1]) == std::isinf(friction[i + shape.columns]) &&
-           std::isinf(friction[i]) != std::isinf(friction[i + 1]))
-          friction[k] = 1;
-}
-
-Friction random_friction(Random& random, const Grid_shape& shape)
-{
-  Friction result;
-  const double ratio = random.between(0, 4); // its logarithm
-  for(std::size_t i = 0; i < shape.number_of_cells(); ++i)
-    result.push_back(random.below(6) == 0    ? blocked_cell
-                     : random.below(30) == 0 ? 0
-                                             : std::exp(random.between(0, ratio)));
-  result[0] = 1;
-  for(std::size_t i = 0; i < 3; ++i) // what is opened may make another diagonal
-    open_diagonals(shape, result);
-  return result;
-}
-
 // The costs on the mesh, at most `1 + e` times too large.
-std::vector<double>
-costs_on_mesh(const Grid_shape& shape, const Friction& friction, const Mesh& mesh, const double e)
+std::vector<double> costs_on_mesh(const Grid_shape& shape,
+                                  const Cell_values& friction,
+                                  const Mesh& mesh,
+                                  const double e)
 {
   Mesh with_weights = mesh;
   auto weight = with_weights.add_property_map<Face, double>("f:weight").first;
@@ -233,7 +179,7 @@ TEST(Grid_graph, keeps_its_bound_on_random_rasters)
   {
     const Grid_shape shape{
         1 + random.below(7), 1 + random.below(6), 1, random.between(0.4, 2.5), {}};
-    const Friction friction = random_friction(random, shape);
+    const Cell_values friction = random_friction(random, shape);
     const std::vector<double> expected =
         costs_on_mesh(shape, friction, triangulated(shape), e_of_mesh);
     const double e = random.between(0.05, 1);
@@ -244,12 +190,12 @@ TEST(Grid_graph, keeps_its_bound_on_random_rasters)
     {
       if(std::isinf(friction[k]))
       {
-        EXPECT_EQ(found[k], blocked_cell);
+        EXPECT_EQ(found[k], no_way);
         continue;
       }
-      EXPECT_LE(found[k], expected[k] * (1 + e) + slack_of_sums);
-      EXPECT_GE(found[k], expected[k] / (1 + e_of_mesh) - slack_of_sums);
-      EXPECT_GE(along_lines[k], expected[k] / (1 + e_of_mesh) - slack_of_sums);
+      EXPECT_LE(found[k], expected[k] * (1 + e) + slack_of_costs);
+      EXPECT_GE(found[k], expected[k] / (1 + e_of_mesh) - slack_of_costs);
+      EXPECT_GE(along_lines[k], expected[k] / (1 + e_of_mesh) - slack_of_costs);
     }
   }
 }
@@ -260,7 +206,7 @@ TEST(Grid_graph, gives_the_same_with_all_queues)
   const Grid_shape shape{20, 17, 1, 1.5, {}};
   for(std::size_t i = 0; i < 10; ++i)
   {
-    const Friction friction = i == 0 ? equal_friction(shape) : random_friction(random, shape);
+    const Cell_values friction = i == 0 ? equal_cells(shape) : random_friction(random, shape);
     const Grid_graph graph(shape, friction, epsilon(0.1));
     Propagation search(graph);
     Propagation<Grid_graph, AG::Binary_heap_queue> other(graph);
@@ -305,7 +251,7 @@ TEST(Grid_graph, leaves_out_useless_arcs_only)
   const Grid_shape shape{15, 11, 1, 0.8, {}};
   for(std::size_t i = 0; i < 10; ++i)
   {
-    const Friction friction = i == 0 ? equal_friction(shape) : random_friction(random, shape);
+    const Cell_values friction = i == 0 ? equal_cells(shape) : random_friction(random, shape);
     const Graph_with_all_arcs all(Grid_graph(shape, friction, epsilon(0.2)));
     const Grid_graph& graph = all;
     Propagation search(graph);
@@ -330,7 +276,7 @@ TEST(Grid_graph, does_not_pass_between_cells_that_touch_at_a_corner)
   const Grid_shape shape{20, 20, 1, 1, -9999};
   for(const bool is_closed : {true, false})
   {
-    Friction friction = equal_friction(shape);
+    Cell_values friction = equal_cells(shape);
     for(std::size_t i = 0; i < 20; ++i)
       friction[shape.index({i, 19 - i})] = -9999;
     if(!is_closed)
@@ -347,7 +293,7 @@ TEST(Grid_graph, does_not_pass_between_cells_that_touch_at_a_corner)
 TEST(Grid_graph, goes_around_barriers)
 {
   const Grid_shape shape{21, 21, 1, 1, std::numeric_limits<double>::quiet_NaN()};
-  Friction friction = equal_friction(shape);
+  Cell_values friction = equal_cells(shape);
   for(std::size_t row = 0; row < 15; ++row)
     friction[shape.index({10, row})] = *shape.no_data;
   // over both corners at the end of the barrier
@@ -355,21 +301,21 @@ TEST(Grid_graph, goes_around_barriers)
   const auto found = [&](const Grid_graph& graph) {
     return distances_of_cells(graph, {3, 10})[shape.index({17, 10})];
   };
-  EXPECT_GE(found(Grid_graph(shape, friction)), 2 * std::hypot(6.5, 4.5) + 1 - slack_of_sums);
+  EXPECT_GE(found(Grid_graph(shape, friction)), 2 * std::hypot(6.5, 4.5) + 1 - slack_of_costs);
   const double with_points = found(Grid_graph(shape, friction, epsilon(0.05)));
-  EXPECT_GE(with_points, expected - slack_of_sums);
+  EXPECT_GE(with_points, expected - slack_of_costs);
   EXPECT_LE(with_points, expected * 1.005);
 }
 
 TEST(Grid_graph, stays_in_a_blocked_source)
 {
   const Grid_shape shape{3, 3, 1, 1, {}};
-  Friction friction = equal_friction(shape);
-  friction[4] = blocked_cell;
+  Cell_values friction = equal_cells(shape);
+  friction[4] = no_way;
   const Grid_graph graph(shape, friction, epsilon(0.1));
   const std::vector<double> distances = distances_of_cells(graph, {1, 1});
   for(std::size_t i = 0; i < distances.size(); ++i)
-    EXPECT_EQ(distances[i], i == 4 ? 0 : blocked_cell);
+    EXPECT_EQ(distances[i], i == 4 ? 0 : no_way);
 }
 
 // ----- small and extreme grids
@@ -380,7 +326,7 @@ TEST(Grid_graph, has_rows_and_columns_of_any_number)
     for(const bool is_row : {true, false})
     {
       const Grid_shape shape{is_row ? n : 1, is_row ? 1 : n, 2, 2, {}};
-      Friction friction;
+      Cell_values friction;
       double expected = 0;
       for(std::size_t i = 0; i < n; ++i)
         friction.push_back(1 + static_cast<double>(i % 3));
@@ -398,19 +344,19 @@ TEST(Grid_graph, accepts_extreme_sizes_and_friction)
     for(const double friction : {1e-100, 1., 1e40})
     {
       const Grid_shape shape{12, 12, size, size, {}};
-      const Grid_graph graph(shape, equal_friction(shape, friction), epsilon(0.2));
+      const Grid_graph graph(shape, equal_cells(shape, friction), epsilon(0.2));
       const double found = distances_of_cells(graph, {})[shape.index({11, 11})];
       EXPECT_NEAR(found / (friction * size * std::hypot(11, 11)), 1, 1e-9);
     }
   const Grid_shape shape{5, 4, 1, 1, {}};
-  for(const double distance : distances_of_cells(Grid_graph(shape, equal_friction(shape, 0)), {}))
+  for(const double distance : distances_of_cells(Grid_graph(shape, equal_cells(shape, 0)), {}))
     EXPECT_EQ(distance, 0);
 }
 
 TEST(Grid_graph, knows_where_nodes_are)
 {
   const Grid_shape shape{4, 3, 2, 5, {}};
-  const Grid_graph graph(shape, equal_friction(shape), epsilon(0.2));
+  const Grid_graph graph(shape, equal_cells(shape), epsilon(0.2));
   const AG::internal::Labels labels = labels_of_sources(graph);
   for(Grid_graph::Node node = 0; node < graph.number_of_nodes(); ++node)
     graph.for_each_arc(node, labels, [&](const auto target, const auto& costs, auto... number) {
@@ -460,168 +406,47 @@ TEST(Grid_graph, places_points_as_the_proof_needs)
     }
 }
 
-// ----- the functions
-
-double cost_of_polyline(const Grid_graph& graph, const std::vector<Grid_point>& points)
-{
-  constexpr std::size_t parts = 20000;
-  const Grid_shape& shape = graph.shape();
-  double result = 0;
-  for(std::size_t i = 0; i + 1 < points.size(); ++i)
-    for(std::size_t k = 0; k < parts; ++k)
-    {
-      const double t = (static_cast<double>(k) + 0.5) / parts;
-      const auto at = [&](const double p, const double q) { return p + t * (q - p); };
-      const double x = at(points[i].x, points[i + 1].x) / shape.cell_width,
-                   y = at(points[i].y, points[i + 1].y) / shape.cell_height;
-      double friction = blocked_cell; // the smallest one, on a side
-      for(const double dx : {-1e-9, 1e-9})
-        for(const double dy : {-1e-9, 1e-9})
-          if(const Grid_cell c{static_cast<std::size_t>(x + dx), static_cast<std::size_t>(y + dy)};
-             x + dx >= 0 && y + dy >= 0 && c.column < shape.columns && c.row < shape.rows)
-            friction = (std::min)(friction, graph.friction(c));
-      result += friction * straight_distance(points[i], points[i + 1]) / parts;
-    }
-  return result;
-}
-
-TEST(Grid_functions, find_distances_and_paths)
-{
-  Random random(test_seed());
-  for(std::size_t i = 0; i < 20; ++i)
-  {
-    const Grid_shape shape{2 + random.below(9), 2 + random.below(9), 1, 1.25, {}};
-    const Friction friction = random_friction(random, shape);
-    const Grid_cell target = shape.cell(random.below(shape.number_of_cells()));
-    const auto check = [&](const Grid_graph& graph, const auto&... np) {
-      std::vector<double> distances;
-      CGAL::approximate_geodesic_distances_on_grid(shape, friction, std::back_inserter(distances),
-                                                   Grid_cell{}, np...);
-      EXPECT_EQ(distances, distances_of_cells(graph, {}));
-      std::vector<Grid_point> points;
-      const double cost = CGAL::approximate_geodesic_path_on_grid(
-          shape, friction, std::back_inserter(points), Grid_cell{}, target, np...);
-      const double expected = distances[shape.index(target)];
-      if(std::isinf(expected))
-      {
-        EXPECT_EQ(cost, blocked_cell);
-        EXPECT_TRUE(points.empty());
-        return;
-      }
-      EXPECT_NEAR(cost, expected, slack_of_sums);
-      ASSERT_FALSE(points.empty());
-      EXPECT_EQ(straight_distance(points.front(), shape.center({})), 0);
-      EXPECT_EQ(straight_distance(points.back(), shape.center(target)), 0);
-      EXPECT_NEAR(cost_of_polyline(graph, points), cost, 1e-3 * cost);
-    };
-    check(Grid_graph(shape, friction));
-    check(Grid_graph(shape, friction, epsilon(0.2)), epsilon(0.2));
-  }
-}
-
-struct Settled_cells : AG::Geodesic_visitor_base
-{
-  explicit Settled_cells(std::vector<Grid_cell>& settled) : cells(settled) {}
-  void on_settled(const Grid_cell& cell, double /* distance */) { cells.push_back(cell); }
-  bool go_further() { return cells.size() < 50; }
-  std::vector<Grid_cell>& cells;
-};
-
-TEST(Grid_functions, take_ranges_limits_and_visitors)
-{
-  using CGAL::parameters::maximum_distance;
-  const Grid_shape shape{40, 30, 1, 1, {}};
-  const std::vector<int> friction(shape.number_of_cells(), 2);
-  const std::vector<Grid_cell> sources{{0, 0}, {39, 29}};
-  std::vector<double> all, near, stopped, none;
-  CGAL::approximate_geodesic_distances_on_grid(shape, friction, std::back_inserter(all), sources);
-  CGAL::approximate_geodesic_distances_on_grid(shape, friction, std::back_inserter(near), sources,
-                                               maximum_distance(20));
-  for(std::size_t i = 0; i < all.size(); ++i)
-  {
-    const Grid_point p = shape.center(shape.cell(i));
-    const double expected = 2 * (std::min)(straight_distance(p, shape.center(sources[0])),
-                                           straight_distance(p, shape.center(sources[1])));
-    EXPECT_GE(all[i], expected * (1 - slack_of_sums));
-    EXPECT_LE(all[i], expected * 1.003);
-    EXPECT_EQ(near[i], all[i] <= 20 ? all[i] : blocked_cell);
-  }
-  std::vector<Grid_cell> settled;
-  CGAL::approximate_geodesic_distances_on_grid(shape, friction, std::back_inserter(stopped),
-                                               sources,
-                                               CGAL::parameters::visitor(Settled_cells(settled)));
-  EXPECT_GE(settled.size(), 50u);
-  EXPECT_LT(settled.size(), all.size());
-  EXPECT_TRUE(settled.front() == sources[0] || settled.front() == sources[1]);
-  CGAL::approximate_geodesic_distances_on_grid(shape, friction, std::back_inserter(none),
-                                               std::vector<Grid_cell>());
-  EXPECT_EQ(none, std::vector<double>(all.size(), blocked_cell));
-  std::vector<Grid_point> path;
-  const double cost = CGAL::approximate_geodesic_path_on_grid(
-      shape, friction, std::back_inserter(path), sources, Grid_cell{38, 29});
-  EXPECT_EQ(cost, 2);
-  EXPECT_EQ(path.size(), 2u);
-  expect_message<std::invalid_argument>(
-      [&] {
-        CGAL::approximate_geodesic_distances_on_grid(shape, friction, all.begin(),
-                                                     std::vector<Grid_cell>{{0, 0}, {0, 30}});
-      },
-      "source 1", "(0, 30)", "30 rows");
-  expect_message<std::invalid_argument>(
-      [&] {
-        CGAL::approximate_geodesic_distances_on_grid(shape, friction, all.begin(), sources,
-                                                     maximum_distance(-1));
-      },
-      "maximum distance");
-  expect_message<std::invalid_argument>(
-      [&] {
-        CGAL::approximate_geodesic_path_on_grid(shape, friction, path.begin(), sources,
-                                                Grid_cell{40, 0});
-      },
-      "(40, 0)");
-}
-
 // ----- bad input
 
 TEST(Grid_graph, rejects_bad_input)
 {
   const Grid_shape shape{4, 3, 1, 1, {}};
-  const auto rejects = [](const Grid_shape& s, const Friction& f, const char* const text) {
+  const auto rejects = [](const Grid_shape& s, const Cell_values& f, const char* const text) {
     expect_message<std::invalid_argument>([&] { Grid_graph(s, f); }, text);
   };
   rejects({0, 3, 1, 1, {}}, {}, "no cells");
   rejects({3, 0, 1, 1, {}}, {}, "no cells");
-  for(const double size : {0., -1., std::nan(""), blocked_cell})
+  for(const double size : {0., -1., std::nan(""), no_way})
   {
-    rejects({4, 3, size, 1, {}}, equal_friction(shape), "width");
-    rejects({4, 3, 1, size, {}}, equal_friction(shape), "height");
+    rejects({4, 3, size, 1, {}}, equal_cells(shape), "width");
+    rejects({4, 3, 1, size, {}}, equal_cells(shape), "height");
   }
-  rejects(shape, Friction(11, 1), "11 values of friction, and 12 cells");
-  rejects(shape, Friction(13, 1), "13 values");
+  rejects(shape, Cell_values(11, 1), "11 values of friction, and 12 cells");
+  rejects(shape, Cell_values(13, 1), "13 values");
   for(const double wrong : {-1., std::nan("")})
   {
-    Friction friction = equal_friction(shape);
+    Cell_values friction = equal_cells(shape);
     friction[6] = wrong;
     rejects(shape, friction, "cell (2, 1)");
   }
-  rejects(shape, Friction(12, 1e200), "too large");
-  for(const double e : {0., -0.1, std::nan(""), blocked_cell})
+  rejects(shape, Cell_values(12, 1e200), "too large");
+  for(const double e : {0., -0.1, std::nan(""), no_way})
     expect_message<std::invalid_argument>(
-        [&] { Grid_graph(shape, equal_friction(shape), epsilon(e)); }, "epsilon");
-  expect_message<std::length_error>(
-      [&] { Grid_graph(shape, equal_friction(shape), epsilon(1e-6)); }, "points on a side");
+        [&] { Grid_graph(shape, equal_cells(shape), epsilon(e)); }, "epsilon");
+  expect_message<std::length_error>([&] { Grid_graph(shape, equal_cells(shape), epsilon(1e-6)); },
+                                    "points on a side");
   constexpr std::size_t most = (std::numeric_limits<std::size_t>::max)();
   for(const Grid_shape& s : {Grid_shape{most, 2, 1, 1, {}}, Grid_shape{2, most, 1, 1, {}},
                              Grid_shape{most, most, 1, 1, {}}})
-    expect_message<std::length_error>([&] { Grid_graph(s, Friction()); }, "2^32 - 1");
-  rejects({0xffffffff, 1, 1, 1, {}}, Friction(1), "1 values"); // before memory is allocated
+    expect_message<std::length_error>([&] { Grid_graph(s, Cell_values()); }, "2^32 - 1");
+  rejects({0xffffffff, 1, 1, 1, {}}, Cell_values(1), "1 values"); // before memory is allocated
   expect_message<std::length_error>(
       [&] {
-        Grid_graph({std::size_t(1) << 14, std::size_t(1) << 14, 1, 1, {}}, Friction(),
+        Grid_graph({std::size_t(1) << 14, std::size_t(1) << 14, 1, 1, {}}, Cell_values(),
                    epsilon(0.1));
       },
       "2^32 - 1");
-  const Grid_graph graph(shape, equal_friction(shape));
+  const Grid_graph graph(shape, equal_cells(shape));
   expect_message<std::invalid_argument>([&] { graph.node({4, 0}); }, "(4, 0)", "4 columns");
 }
 

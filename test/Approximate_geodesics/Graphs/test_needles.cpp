@@ -380,8 +380,8 @@ TEST(Needles, have_arcs_that_are_found_by_their_direction)
     for(Node v = 0; v < t.number_of_vertices(); v += 7)
       expansion.expand(v, [&](const AG::internal::Straight_arc& arc) {
         const AG::Intrinsic_point end = needles.position(arc.target);
-        const AG::internal::Cones_of_point lines(mesh, AG::internal::Cone_rules(1e-300),
-                                                 needles.position(v));
+        const AG::internal::Lines_by_direction lines(mesh, AG::internal::Cone_rules(1e-300),
+                                                     needles.position(v));
         AG::internal::Line_search line(arc.length);
         lines.consider_lines_in_faces(end, line);
         if(!line.is_found())

@@ -20,6 +20,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -31,7 +32,73 @@
 
 namespace AG = CGAL::Approximate_geodesics;
 
+// A graph and a run as the pages of their concepts ask for, which finds lines from labels.
+template <typename Graph>
+class Run_with_lines : public AG::Geodesic_run_base<Graph>
+{
+  using Base = AG::Geodesic_run_base<Graph>;
+
+public:
+  static constexpr bool attaches_by_labels = true;
+
+  explicit Run_with_lines(const Graph& graph) : Base(graph) {}
+
+  template <typename F>
+  void for_each_line_from(const AG::Intrinsic_point& point, double /* distance */, F f) const
+  {
+    this->graph().attach(point).for_each_node(
+        [&](const auto node, const double length) { f(node, length, typename Base::Payload()); });
+  }
+
+  template <typename Labels, typename OnNode, typename OnPoint>
+  void for_each_line_to(const AG::Intrinsic_point& point,
+                        double /* distance */,
+                        const Labels& /* labels */,
+                        const AG::Points_by_face& points,
+                        OnNode on_node,
+                        OnPoint on_point) const
+  {
+    this->graph().attach(point).for_each_node(on_node);
+    this->graph().attach(point).for_each_point(points, on_point);
+  }
+};
+
+class Graph_with_lines
+{
+public:
+  using Node = std::uint32_t;
+  using Run = Run_with_lines<Graph_with_lines>;
+
+  static constexpr bool arcs_are_edges = true;
+
+  template <typename NamedParameters>
+  Graph_with_lines(AG::Intrinsic_triangulation triangulation, const NamedParameters& np)
+    : m_edges(std::move(triangulation), np)
+  {
+  }
+
+  std::size_t number_of_nodes() const { return m_edges.number_of_nodes(); }
+  double unit() const { return m_edges.unit(); }
+  AG::Arc_lengths arc_lengths() const { return m_edges.arc_lengths(); }
+  const AG::Intrinsic_triangulation& triangulation() const { return m_edges.triangulation(); }
+
+  template <typename Labels, typename F>
+  void for_each_arc(const Node node, const Labels& labels, F f) const
+  {
+    m_edges.for_each_arc(node, labels, f);
+  }
+
+  AG::Lines_in_faces attach(const AG::Intrinsic_point& point) const
+  {
+    return m_edges.attach(point);
+  }
+
+private:
+  AG::Edge_graph m_edges;
+};
+
 // All members compile for every graph, called or not.
+template class AG::Surface_search<Graph_with_lines>;
 template class AG::Surface_search<AG::Directional_graph<>>;
 template class AG::Surface_search<AG::Discrete_geodesic_graph>;
 template class AG::Surface_search<AG::Edge_graph>;
@@ -128,6 +195,24 @@ TEST_F(Surface_searches, tell_the_length_of_the_points)
   };
   expect(AG::Edge_graph(m_triangulation), 0);
   expect(Discrete_geodesic_graph(m_triangulation), 1e-6);
+}
+
+TEST_F(Surface_searches, take_graphs_that_have_what_concepts_ask_for)
+{
+  const Graph_with_lines graph(m_triangulation, CGAL::parameters::default_values());
+  EXPECT_EQ(results(graph, 0), results(AG::Edge_graph(m_triangulation), 0));
+  AG::Surface_search<Graph_with_lines> search(graph);
+  search.repair({{m_points[0]}});
+  EXPECT_EQ(search.distance(m_points[0]), 0);
+  expect_message<std::invalid_argument>([&] { search.run_from_curves({{{m_points}}}); }, "curves");
+
+  AG::Surface_mesh_shortest_path<Mesh, Graph_with_lines> paths(m_mesh);
+  AG::Surface_mesh_shortest_path<Mesh> expected(m_mesh);
+  paths.add_source_point(Vertex(5));
+  expected.add_source_point(Vertex(5));
+  for(const Vertex v : m_mesh.vertices())
+    EXPECT_EQ(paths.shortest_distance_to_source_points(v).first,
+              expected.shortest_distance_to_source_points(v).first);
 }
 
 // Edges are far shorter than the mesh: positions that are rounded again do not fit them.

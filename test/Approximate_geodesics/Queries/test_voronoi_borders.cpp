@@ -203,6 +203,46 @@ TEST(VoronoiBorders, of_points_with_initial_distances_is_a_hyperbola)
   EXPECT_LT(distances(0.1).borders[0].points.size(), cells.borders[0].points.size());
 }
 
+double
+squared_distance_from(const Mesh& mesh, const AG::Voronoi_border<Mesh>& border, const Point& p)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(std::size_t i = 1; i < border.points.size(); ++i)
+  {
+    const Kernel::Segment_3 segment(position(mesh, border.points[i - 1]),
+                                    position(mesh, border.points[i]));
+    result = (std::min)(result, CGAL::squared_distance(segment, p));
+  }
+  return result;
+}
+
+TEST(VoronoiBorders, are_within_the_chord_error)
+{
+  const Mesh mesh = to_mesh(flat_grid(3, 3)); // 2 x 2 cells
+  const std::vector<Surface_point> sources{location_at(mesh, Point(0.5, 1, 0)),
+                                           location_at(mesh, Point(1.5, 1, 0))};
+  for(const double error : {0.1, 1e-3, 1e-5})
+    for(const double difference : {0.1, 0.5, 0.99})
+    {
+      const std::vector<double> initial{0, difference};
+      const Cells cells = AG::voronoi_borders(
+          mesh, sources, CGAL::parameters::initial_distances(initial).chord_error(error));
+      ASSERT_EQ(cells.borders.size(), 1u);
+      double largest = 0;
+      for(double y = 0; y <= 2; y += 1. / 1024)
+      {
+        // (x - 1)^2 / a^2 - (y - 1)^2 / b^2 = 1 with a = difference / 2 and a^2 + b^2 = 1 / 4
+        const double a = difference / 2, squared_b = 0.25 - a * a;
+        const double x = 1 + a * std::sqrt(1 + (y - 1) * (y - 1) / squared_b);
+        if(x <= 2)
+          largest =
+              (std::max)(largest, squared_distance_from(mesh, cells.borders[0], Point(x, y, 0)));
+      }
+      EXPECT_LE(std::sqrt(largest), error * (1 + 1e-9) + 1e-12);
+      EXPECT_LE(cells.borders[0].points.size(), 10 + 4 / std::sqrt(error));
+    }
+}
+
 TEST(VoronoiBorders, runs_along_edges)
 {
   const Mesh mesh = to_mesh(octahedron());

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/signed_distances.h>
 
 #include <gtest/gtest.h>
 
@@ -144,6 +145,83 @@ TEST(Hostile_meshes, curves_in_graphs_that_are_built)
   expect_properties_on_all_meshes(0.3, true, [](Triangulation t) {
     return AG::Discrete_geodesic_graph(std::move(t), parameters::epsilon(0.3));
   });
+}
+
+// ----- sides
+
+// With their signs, exact distances of neighbors differ by no more than the length of their edge;
+// and vertices of a region are to the left of its border.
+void expect_sides(const AG::Saddle_vertex_graph& graph, const Intrinsic_curve& curve)
+{
+  const AG::Intrinsic_triangulation& t = graph.triangulation();
+  AG::Surface_search<AG::Saddle_vertex_graph> search(graph);
+  search.run_from_curves({curve});
+  const std::vector<double> found = AG::internal::signed_distances(search);
+  const double small = 1e-7 * graph.arc_lengths().longest * t.unit();
+  for(unsigned v = 0; v < t.number_of_vertices(); ++v)
+  {
+    EXPECT_EQ(std::abs(found[v]), search.distance(Intrinsic_point::at_vertex(v)));
+    for(unsigned h = t.first_halfedge(v); h < t.beyond_halfedge(v); ++h)
+      if(std::isfinite(found[v]))
+      {
+        EXPECT_LE(std::abs(found[v] - found[t.target(h)]), t.length(h) * t.unit() + small);
+      }
+  }
+}
+
+// Expects them, or a message that tells why there are none. Returns whether there are.
+bool has_sides(const AG::Saddle_vertex_graph& graph, const Intrinsic_curve& curve)
+{
+  try
+  {
+    expect_sides(graph, curve);
+    return true;
+  }
+  catch(const std::invalid_argument& e)
+  {
+    const std::string text = e.what();
+    EXPECT_TRUE(text.find("no two sides") != std::string::npos ||
+                text.find("nearly degenerate") != std::string::npos ||
+                text.find("as it is a point") != std::string::npos)
+        << text;
+    return false;
+  }
+}
+
+// A triangle of three random points and shortest paths.
+Polyline_on_surface random_triangle(const AG::Saddle_vertex_graph& graph, Random& random)
+{
+  Polyline_on_surface result = random_polyline(graph, 3, random);
+  AG::Surface_search<AG::Saddle_vertex_graph> search(graph);
+  search.run_to(result.back(), {{result.front()}});
+  const Polyline_on_surface path = search.find_path(result.back()).points;
+  if(!path.empty())
+    result.insert(result.end(), path.begin() + 1, path.end());
+  return result;
+}
+
+TEST(Hostile_meshes, curves_have_two_sides_or_a_message)
+{
+  const std::uint64_t seed = test_seed();
+  std::size_t number_with_sides = 0;
+  for(const Hostile_mesh& hostile : accepted_meshes())
+  {
+    if(hostile.mesh.number_of_faces() == 0 || !hostile.refusal_across_faces.empty())
+      continue;
+    SCOPED_TRACE(hostile.name);
+    Random random(seed);
+    const AG::Saddle_vertex_graph graph{Triangulation(hostile.mesh)};
+    for(int i = 0; i < 6; ++i)
+      try
+      {
+        if(has_sides(graph, {{random_triangle(graph, random)}}))
+          ++number_with_sides;
+      }
+      catch(const std::invalid_argument&) // a path that cannot be traced
+      {
+      }
+  }
+  EXPECT_GT(number_with_sides, 20u);
 }
 
 } // namespace

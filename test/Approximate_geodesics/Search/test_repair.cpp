@@ -241,12 +241,37 @@ TEST(Repaired_search, has_the_bits_of_a_fresh_one_where_many_paths_are_equal)
         static_cast<std::uint32_t>(random.below(graph.triangulation().number_of_halfedges()));
     if(graph.triangulation().is_border(h))
       continue;
-    graph.set_weights({AG::Weight_change{h, double(1 + random.below(2))}});
+    graph.set_weights({{h, double(1 + random.below(2))}});
     repaired.repair(seeds);
     fresh.run(seeds);
     for(std::uint32_t n = 0; n < graph.number_of_nodes(); ++n)
       ASSERT_EQ(repaired.distance(n), fresh.distance(n)) << i;
   }
+}
+
+// Seeds come and go. Returns how many arcs are read, relative to those of fresh searches.
+template <typename Graph>
+double repair_after_moves(const Graph& graph, Random& random)
+{
+  AG::Propagation<Graph> repaired(graph), fresh(graph);
+  repaired.collect_statistics(true);
+  fresh.collect_statistics(true);
+  std::vector<AG::Seed> seeds;
+  double repaired_arcs = 0, fresh_arcs = 0;
+  for(int i = 0; i < 40; ++i)
+  {
+    if(seeds.size() > 5)
+      seeds.erase(seeds.begin());
+    seeds.push_back(
+        {static_cast<std::uint32_t>(random.below(graph.triangulation().number_of_vertices()))});
+    repaired.repair(seeds);
+    fresh.run(seeds);
+    for(std::uint32_t n = 0; n < graph.number_of_nodes(); ++n)
+      EXPECT_EQ(repaired.distance(n), fresh.distance(n)) << i;
+    repaired_arcs += static_cast<double>(repaired.statistics().relaxations);
+    fresh_arcs += static_cast<double>(fresh.statistics().relaxations);
+  }
+  return repaired_arcs / fresh_arcs;
 }
 
 TEST(Repaired_search, has_the_bits_of_a_fresh_one_where_costs_depend_on_the_direction)
@@ -257,18 +282,34 @@ TEST(Repaired_search, has_the_bits_of_a_fresh_one_where_costs_depend_on_the_dire
   const Graph graph(Triangulation(mesh, CGAL::parameters::face_weight_map(
                                             AG::directional_cost(AG::Hiking_time()))),
                     Fixed_number_of_points(3));
-  AG::Propagation<Graph> repaired(graph), fresh(graph);
-  std::vector<AG::Seed> seeds;
-  for(int i = 0; i < 40; ++i)
+  EXPECT_LT(repair_after_moves(graph, random), 0.5);
+}
+
+TEST(Repaired_search, has_the_bits_of_a_fresh_one_along_edges)
+{
+  for_generated_meshes([](const Mesh& mesh, Random& random) {
+    const AG::Edge_graph graph{Triangulation(mesh)};
+    repair_after_moves(graph, random);
+  });
+  Random random(test_seed());
+  const AG::Edge_graph without_hubs{Triangulation(to_mesh(terrain(30, 20, random)))};
+  EXPECT_LT(repair_after_moves(without_hubs, random), 0.5);
+}
+
+// Few nodes are expanded, and all count as settled.
+TEST(Repaired_search, counts_no_repetitions_that_there_are_not)
+{
+  const AG::Edge_graph graph{Triangulation(to_mesh(flat_grid(40, 40)))};
+  AG::Propagation<AG::Edge_graph> search(graph);
+  search.collect_statistics(true);
+  search.run_from(0);
+  for(const std::uint32_t node : {5, 9})
   {
-    if(seeds.size() > 5)
-      seeds.erase(seeds.begin());
-    seeds.push_back({static_cast<std::uint32_t>(random.below(mesh.num_vertices()))});
-    repaired.repair(seeds);
-    fresh.run(seeds);
-    for(std::uint32_t n = 0; n < graph.number_of_nodes(); ++n)
-      ASSERT_EQ(repaired.distance(n), fresh.distance(n)) << i;
+    search.run_further({{node}});
+    EXPECT_LE(search.statistics().repeated_pops(), search.statistics().pops);
   }
+  search.repair({{0}, {5}});
+  EXPECT_LE(search.statistics().repeated_pops(), search.statistics().pops);
 }
 
 TEST(Repaired_search, reads_few_arcs)
@@ -286,7 +327,7 @@ TEST(Repaired_search, reads_few_arcs)
   EXPECT_EQ(search.statistics().relaxations, 0u);
   const auto last = graph.triangulation().first_halfedge(node(mesh.num_vertices() - 1));
   const auto h = graph.triangulation().is_border(last) ? last + 1 : last;
-  graph.set_weights({AG::Weight_change{h, 2}});
+  graph.set_weights({{h, 2}});
   search.repair(seeds);
   EXPECT_GT(search.statistics().relaxations, 0u);
   EXPECT_LT(search.statistics().relaxations, number_of_arcs / 100);
@@ -307,7 +348,7 @@ TEST(Repaired_search, knows_changes_before_further_seeds)
     auto h = graph.triangulation().first_halfedge(
         static_cast<std::uint32_t>(random.below(mesh.num_vertices())));
     h += graph.triangulation().is_border(h) ? 1 : 0;
-    graph.set_weights({AG::Weight_change{h, random.between(0.2, 5)}});
+    graph.set_weights({{h, random.between(0.2, 5)}});
     repaired.run_further({seeds[1]});
     repaired.repair(seeds);
     fresh.run(seeds);
@@ -531,11 +572,7 @@ TEST(Changes_of_weights, are_refused_if_they_are_wrong)
       "face");
   EXPECT_FALSE(paths.graph().triangulation().has_weights());
   Steiner_graph<Placement> graph = paths.graph();
-  expect_message<std::invalid_argument>(
-      [&] {
-        graph.set_weights({AG::Weight_change{1u << 20, 2}});
-      },
-      "halfedge");
+  expect_message<std::invalid_argument>([&] { graph.set_weights({{1u << 20, 2}}); }, "halfedge");
   paths.set_weights(Changes{{f, 0}, {Face(1), 1e-300}, {Face(3), infinity}});
   paths.add_source_point(Vertex(0));
   EXPECT_GT(paths.shortest_distance_to_source_points(Vertex(15)).first, 0);

@@ -146,6 +146,44 @@ TEST(Grid_solver, finds_sources_predecessors_paths_and_isolines)
   }
 }
 
+TEST(Grid_solver, has_isolines_around_sources_whatever_friction_has_for_no_data)
+{
+  Grid_shape shape = shape_of_solver;
+  shape.no_data = 0;
+  std::vector<double> friction(shape.number_of_cells(), 1);
+  friction.back() = 0;
+  Grid_solver_options options;
+  options.friction = friction.data();
+  const Grid_solver solver(shape, options);
+  const std::vector<double> costs = costs_of_solver(solver);
+  EXPECT_TRUE(std::isinf(costs.back()));
+  EXPECT_EQ(solver.find_isolines(costs.data(), 3).size(), 1u);
+}
+
+TEST(Grid_solver, takes_grids_of_one_cell_and_of_none_that_can_be_entered)
+{
+  const double none = -1;
+  Grid_shape shape{1, 1, 1, 1, {}};
+  for(const bool is_open : {true, false})
+  {
+    if(!is_open)
+      shape.no_data = none;
+    Grid_solver_options options;
+    options.heights = &none;
+    const Grid_solver solver(shape, options);
+    double cost = -1;
+    std::int64_t source = -1, predecessor = -1;
+    solver.find_distances({{0, 0}}, &cost, &source, &predecessor);
+    EXPECT_EQ(cost, 0);
+    EXPECT_EQ(source, 0);
+    EXPECT_EQ(predecessor, 0);
+    std::vector<AG::Grid_point> path;
+    EXPECT_EQ(solver.find_path({0, 0}, {0, 0}, path), 0);
+    EXPECT_EQ(path.size(), 1u);
+    EXPECT_TRUE(solver.find_isolines(&cost, 0).empty());
+  }
+}
+
 TEST(Grid_solver, can_be_interrupted)
 {
   const Grid_shape shape{400, 400, 1, 1, {}};
@@ -183,6 +221,24 @@ TEST(Grid_solver, can_be_interrupted_while_it_is_built)
       Grid_solver(shape, options, stop);
   };
   EXPECT_THROW(build(), AG::Solver_interrupted);
+}
+
+TEST(Grid_solver, rejects_bad_cells)
+{
+  std::vector<double> wrong(shape_of_solver.number_of_cells(), 1);
+  wrong[24] = std::nan("");
+  const auto rejects = [](const Grid_shape& shape, const Grid_solver_options& options,
+                          const char* const text) {
+    expect_message<std::invalid_argument>([&] { Grid_solver(shape, options); }, text);
+  };
+  Grid_solver_options with_heights, with_friction;
+  with_heights.heights = with_friction.friction = wrong.data();
+  rejects(shape_of_solver, with_heights, "height of cell (1, 1) is nan");
+  rejects(shape_of_solver, with_friction, "friction of cell (1, 1) is nan");
+  rejects({0, 3, 1, 1, {}}, {}, "no cells");
+  rejects({3, 0, 1, 1, {}}, {}, "no cells");
+  for(const double size : {0., -1., std::nan(""), std::numeric_limits<double>::infinity()})
+    rejects({3, 3, size, 1, {}}, {}, "width of a cell");
 }
 
 TEST(Grid_solver, rejects_bad_input)

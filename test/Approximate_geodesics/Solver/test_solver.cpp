@@ -414,14 +414,6 @@ TEST(Solver, can_be_interrupted_and_used_again)
   EXPECT_EQ(solver_distances(solver), expected);
 }
 
-// A watch that ends everything as soon as it is asked, which is after some time.
-AG::Solver_watch impatient_watch()
-{
-  AG::Solver_watch result;
-  result.go_further = [] { return false; };
-  return result;
-}
-
 TEST(Solver, can_be_interrupted_amid_a_row)
 {
   const Soup_arrays arrays(sphere(60, 30));

@@ -6,6 +6,8 @@
 #include <CGAL/Approximate_geodesics/Solver/Solver_curves.h>
 
 #include "checks/expect_message.h"
+#include "checks/solvers.h"
+#include "meshes/test_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -69,6 +71,23 @@ TEST_F(Curves_of_arrays, have_exact_distances)
   EXPECT_NEAR(distances[12], 2, 1e-12);
 }
 
+TEST_F(Curves_of_arrays, have_distances_with_a_sign_if_wanted)
+{
+  std::vector<double> distances(81);
+  m_curves.find_distances(
+      m_curves.curve({Solver_point::at_vertex(18), Solver_point::at_vertex(26)}, false),
+      distances.data(), true); // the row y = 2, from border to border
+  for(std::size_t v = 0; v < 81; ++v)
+    EXPECT_NEAR(distances[v], 2 - double(v / 9), 1e-12);
+  expect_message<std::invalid_argument>(
+      [&] {
+        m_curves.find_distances(
+            m_curves.curve({Solver_point::at_vertex(30), Solver_point::at_vertex(32)}, false),
+            distances.data(), true);
+      },
+      "source 0 has no two sides");
+}
+
 TEST_F(Curves_of_arrays, have_offsets)
 {
   const auto row =
@@ -84,6 +103,28 @@ TEST_F(Curves_of_arrays, have_offsets)
   const auto middle = m_curves.curve({Solver_point::at_vertex(40)}, false);
   const auto ring = m_curves.offsets(middle, {2}).at(0).coordinates;
   EXPECT_EQ(ring.front(), ring[ring.size() - 3]);
+}
+
+TEST(Curves_of_large_arrays, can_be_interrupted_and_tell_their_progress)
+{
+  const Soup_arrays arrays(sphere(120, 80));
+  const AG::Solver solver(arrays.coordinates.data(), arrays.number_of_vertices(),
+                          arrays.corners.data(), arrays.number_of_faces());
+  const Solver_curves curves(solver);
+  const auto pole = curves.curve({Solver_point::at_vertex(0)}, false);
+  AG::Solver_watch watch;
+  std::size_t number_done = 0, number = 0;
+  watch.on_progress = [&](const std::size_t done, const std::size_t all) {
+    number_done = done;
+    number = all;
+  };
+  std::vector<double> distances(solver.number_of_vertices());
+  curves.find_distances(pole, distances.data(), false, watch);
+  EXPECT_EQ(number_done, number);
+  EXPECT_GT(number, 0u);
+  watch.go_further = [] { return false; };
+  EXPECT_THROW(curves.find_distances(pole, distances.data(), false, watch), AG::Solver_interrupted);
+  EXPECT_THROW(curves.offsets(pole, {1, 2}, watch), AG::Solver_interrupted);
 }
 
 TEST_F(Curves_of_arrays, are_refused_with_elements_that_do_not_exist)

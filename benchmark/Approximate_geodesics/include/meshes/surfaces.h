@@ -32,19 +32,45 @@ inline Mesh nearly_flat(const std::size_t side)
   });
 }
 
+// Of `subdivided_sphere()`, on average.
+inline double edge_of_sphere(const std::size_t side) { return half_turn() / double(side); }
+
+// A sphere with irregular faces.
+inline Mesh jittered_sphere(const std::size_t side)
+{
+  std::mt19937_64 random(1);
+  Mesh result = subdivided_sphere(side);
+  for(const Vertex v : result.vertices())
+  {
+    const double jitter = 0.3 * edge_of_sphere(side);
+    const double x = random_sign(random), y = random_sign(random), z = random_sign(random);
+    const Kernel::Vector_3 p = result.point(v) - CGAL::ORIGIN + jitter * Kernel::Vector_3(x, y, z);
+    result.point(v) = CGAL::ORIGIN + p / std::sqrt(p.squared_length());
+  }
+  return result;
+}
+
 // A sphere with scanner noise of half an edge length.
 inline Mesh noisy_sphere(const std::size_t side)
 {
   std::mt19937_64 random(1);
   Mesh result = subdivided_sphere(side);
-  const double edge = 2 * half_turn() / (2 * double(side));
   for(const Vertex v : result.vertices())
   {
-    const double radius = 1 + edge / 2 * random_sign(random);
+    const double radius = 1 + edge_of_sphere(side) / 2 * random_sign(random);
     const Mesh::Point p = result.point(v);
     result.point(v) = Mesh::Point(radius * p.x(), radius * p.y(), radius * p.z());
   }
   return result;
+}
+
+// A regular mesh over a square, with the tip at a vertex.
+inline Mesh cone(const std::size_t side)
+{
+  const double middle = double(side / 2);
+  return lattice(side, [&](const double x, const double y) {
+    return Mesh::Point(x, y, -std::hypot(x - middle, y - middle));
+  });
 }
 
 // An open box with an aspect ratio of 100, and faces with an aspect ratio of 25.

@@ -2,6 +2,7 @@
 #define TERRAIN_ROUTES_RASTERS_RASTER_H
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -45,6 +46,17 @@ protected:
 [[noreturn]] inline void reject_raster(const std::string& file, const std::string& reason)
 {
   throw std::invalid_argument("cannot read a raster from " + file + ": " + reason);
+}
+
+// Refuses a raster without cells, or of a size that no memory could have.
+inline void check_number_of_cells(const std::string& file, const Raster_frame& frame)
+{
+  constexpr std::size_t most = (std::numeric_limits<std::size_t>::max)() / sizeof(double);
+  if(frame.columns == 0 || frame.rows == 0)
+    reject_raster(file, "it has no cells");
+  if(frame.rows > most / frame.columns)
+    reject_raster(file, "it has too many cells: " + std::to_string(frame.columns) +
+                            " columns and " + std::to_string(frame.rows) + " rows");
 }
 
 #endif // TERRAIN_ROUTES_RASTERS_RASTER_H

@@ -38,14 +38,14 @@ public:
 
   void read_row(std::vector<double>& values) override
   {
-    values.resize(m_frame.columns);
-    for(double& value : values)
+    values.clear(); // and has as many values as come, whatever the header says
+    while(values.size() < m_frame.columns)
     {
       std::string text;
       if(!(m_in >> text))
         reject_raster(m_file, "it ends in row " + std::to_string(m_row) + " of " +
                                   std::to_string(m_frame.rows));
-      value = number(text, "row " + std::to_string(m_row));
+      values.push_back(number(text, "row " + std::to_string(m_row)));
     }
     ++m_row;
     std::string more;

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -74,8 +75,9 @@ private:
   void read_shape(const std::string& header)
   {
     const std::smatch shape = value(header, "shape", R"(\((\d+), *(\d+)\))");
-    m_frame.rows = std::stoul(shape[1]);
-    m_frame.columns = std::stoul(shape[2]);
+    m_frame.rows = std::strtoull(shape.str(1).c_str(), nullptr, 10); // the largest if it overflows
+    m_frame.columns = std::strtoull(shape.str(2).c_str(), nullptr, 10);
+    check_number_of_cells(m_file, m_frame);
     if(value(header, "fortran_order", "(True|False)")[1] == "True")
       reject_raster(m_file, "it holds columns one after the other; numpy.ascontiguousarray() makes "
                             "an array of rows");

@@ -30,8 +30,7 @@ inline std::unique_ptr<Raster_reader> open_raster(const std::string& file, const
     result = std::make_unique<Ascii_grid_reader>(file);
   else
     result = open_gdal(file, band);
-  if(result->frame().columns == 0 || result->frame().rows == 0)
-    reject_raster(file, "it has no cells");
+  check_number_of_cells(file, result->frame());
   return result;
 }
 

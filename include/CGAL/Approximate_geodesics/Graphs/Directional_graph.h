@@ -128,8 +128,8 @@ public:
 
   /// returns a bound of the relative error of the costs, which may be too high where the cost
   /// function was sampled in some directions only; `0` if it has a formula in all faces. It is part
-  /// of `epsilon()`. It holds for convex
-  /// cost functions; for others, costs are those of zigzags in sampled directions.
+  /// of `epsilon()`. It holds for convex cost functions; for others, costs are those of zigzags in
+  /// sampled directions.
   double sampling_error() const { return this->m_triangulation.gauges().sampling_error(); }
 
   /// @}

@@ -14,7 +14,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -210,7 +209,7 @@ private:
       if(triangulation.is_open(h) && h == triangulation.first_of_face(h))
       {
         internal::check_for_interruption();
-        const double error = assign(polygon, samples, triangulation, h, epsilon);
+        const double error = polygon.assign(triangulation, h, SHARE_OF_SAMPLING * epsilon, samples);
         const double smallest = polygon.smallest() / (1 + error);
         m_smallest_cost[gauges.face(h)] = smallest > 0 ? smallest : infinity;
         if(polygon.is_free())
@@ -225,30 +224,6 @@ private:
                                  (1 + epsilon) / (1 + error) - 1)
                   : std::sqrt(epsilon);
       }
-  }
-
-  // Assigns the gauge of the face to the left of `h`. Returns a bound of the relative error of the
-  // polygon: if the gauge has a formula, it is sampled here.
-  static double assign(internal::Gauge_polygon& polygon,
-                       internal::Gauge_samples& samples,
-                       const Intrinsic_triangulation& triangulation,
-                       const Index h,
-                       const double epsilon)
-  {
-    const auto& gauges = triangulation.gauges();
-    const Index face = gauges.face(h);
-    if(!gauges.has_formula(face))
-    {
-      polygon.assign(gauges, face);
-      return 0; // the graph has the costs of the polygon
-    }
-    std::array<internal::Plane_vector, 3> sides;
-    const auto halfedges = triangulation.halfedges_of_face(h);
-    std::transform(halfedges.begin(), halfedges.end(), sides.begin(),
-                   [&](const Index g) { return gauges.side(g); });
-    samples.sample(sides, SHARE_OF_SAMPLING * epsilon, gauges.formula(face));
-    polygon.assign(samples.hull());
-    return samples.hull().largest_error();
   }
 
   static Index previous(const Intrinsic_triangulation& triangulation, const Index h)

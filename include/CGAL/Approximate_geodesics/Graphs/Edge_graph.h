@@ -103,6 +103,34 @@ public:
     m_triangulation.prefetch(m_triangulation.first_halfedge(node));
   }
 
+  /// \name Groups of Nodes
+  /// A search that is repaired reads these, see `GeodesicGraph`. A node and its neighbors are a
+  /// group, with the number of the node.
+  /// @{
+
+  /// returns the number of groups.
+  std::size_t number_of_groups() const { return number_of_nodes(); }
+
+  /// calls `f(group)` for the group of a node and its neighbors.
+  template <typename F>
+  void for_each_group(const Node node, F f) const
+  {
+    f(std::size_t(node));
+  }
+
+  /// calls `f(node)` for the nodes of a group.
+  template <typename F>
+  void for_each_node_of_group(const std::size_t group, F f) const
+  {
+    const Node node = static_cast<Node>(group);
+    f(node);
+    for(Node h = m_triangulation.first_halfedge(node); h < m_triangulation.beyond_halfedge(node);
+        ++h)
+      f(m_triangulation.target(h));
+  }
+
+  /// @}
+
   /// returns the number of bytes that the graph takes, its triangulation included.
   std::size_t memory() const { return m_triangulation.memory(); }
 

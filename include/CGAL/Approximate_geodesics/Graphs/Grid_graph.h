@@ -20,7 +20,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Slope_costs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/read_cells.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -29,9 +28,6 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
-#include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
@@ -67,7 +63,8 @@ namespace CGAL::Approximate_geodesics {
  *
  * Cells of infinite friction cannot be entered, nor those whose friction is `no_data`; paths may
  * run along their sides. No path leads between two of them that touch at a corner, so that a
- * diagonal row of cells is a barrier.
+ * diagonal row of cells is a barrier. Neither are there lines whose costs are infinite, or overflow
+ * a `double` on heights or by a function.
  *
  * The graph takes 8 bytes per cell, 8 more for a height, and a table of arcs that all cells share.
  * With \f$\varepsilon = 0.1\f$, square cells have 15 points on a side, so there are 32 nodes per
@@ -128,9 +125,10 @@ public:
    *
    * \throws std::invalid_argument if there are no cells, the size of a cell is not a finite number
    *         above `0`, there are not as many values as cells, a friction or a cost is negative or
-   *         not a number, a height is not finite, costs of arcs are too large for a `double`,
-   *         `epsilon` is not a finite number above `0`, or latitudes are not from 90 to -90
-   * degrees. Searches throw it if a function of cell and direction returns such a cost then.
+   *         not a number, a finite friction or the length of a line is not below 1e150, a height is
+   *         not below 1e100, `epsilon` is not a finite number above `0`, or latitudes are not from
+   *         90 to -90 degrees. Searches throw it if a function of cell and direction returns such a
+   *         cost then.
    * \throws std::length_error if there are more than \f$2^{32} - 1\f$ nodes, or more than 1000
    *         points on a side.
    *
@@ -307,9 +305,7 @@ private:
   static const Grid_shape& checked(const Grid_shape& shape)
   {
     constexpr std::size_t largest = (std::numeric_limits<Node>::max)();
-    if(shape.columns == 0 || shape.rows == 0)
-      internal::reject("the grid has no cells: " + std::to_string(shape.columns) + " columns and " +
-                       std::to_string(shape.rows) + " rows");
+    internal::check_has_cells(shape.columns, shape.rows);
     internal::checked_positive(shape.cell_width, "the width of a cell");
     internal::checked_positive(shape.cell_height, "the height of a cell");
     if(shape.columns > largest || shape.rows > largest / shape.columns)

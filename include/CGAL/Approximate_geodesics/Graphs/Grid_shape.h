@@ -98,6 +98,13 @@ struct Grid_shape
 
 namespace internal {
 
+inline void check_has_cells(const std::size_t columns, const std::size_t rows)
+{
+  if(columns == 0 || rows == 0)
+    reject("the grid has no cells: " + std::to_string(columns) + " columns and " +
+           std::to_string(rows) + " rows");
+}
+
 // Returns where the cell of a query is. Throws an error if it is not in the grid.
 inline std::size_t checked_index(const Grid_shape& shape, const Grid_cell& cell, const char* role)
 {
@@ -108,10 +115,9 @@ inline std::size_t checked_index(const Grid_shape& shape, const Grid_cell& cell,
   return shape.index(cell);
 }
 
-inline bool is_no_data(const Grid_shape& shape, const double value)
+inline bool is_no_data(const std::optional<double>& no_data, const double value)
 {
-  return shape.no_data &&
-         (value == *shape.no_data || (std::isnan(value) && std::isnan(*shape.no_data)));
+  return no_data && (value == *no_data || (std::isnan(value) && std::isnan(*no_data)));
 }
 
 // The value of a cell, in messages.

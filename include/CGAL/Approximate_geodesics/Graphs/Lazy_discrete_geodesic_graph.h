@@ -109,11 +109,13 @@ public:
       m_triangulation(
           internal::without_weights(std::move(triangulation), np, "Lazy_discrete_geodesic_graph")),
       m_unfolding(m_triangulation.get(), m_loop),
-      m_edge_lengths(m_triangulation.edge_lengths()),
-      m_unit(internal::unit_of_arcs(this->triangulation()))
+      m_edge_lengths(m_triangulation.edge_lengths())
   {
     if(arcs == Arcs::KEPT)
+    {
+      m_unit = internal::unit_of_arcs(this->triangulation());
       m_arc_cache = internal::Arc_cache(number_of_nodes());
+    }
   }
 
   /// @}
@@ -309,7 +311,7 @@ private:
   internal::Cone_triangulation m_triangulation;
   internal::Unfolding m_unfolding;
   Arc_lengths m_edge_lengths;
-  double m_unit;                           // of kept arcs
+  double m_unit = 1;                       // of kept arcs
   mutable internal::Arc_cache m_arc_cache; // may be added to by several threads at the same time
 };
 

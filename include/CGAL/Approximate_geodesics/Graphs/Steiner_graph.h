@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cstddef>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -132,8 +133,8 @@ public:
   void set_weights(Face_weights weights)
   {
     this->m_triangulation.set_weights(std::move(weights));
-    this->summarize_arcs();
     this->m_changes.add_unknown();
+    this->summarize_arcs();
   }
 
   /*!
@@ -146,18 +147,19 @@ public:
    * \throws std::invalid_argument as `Intrinsic_triangulation::set_weights()` does. Then no weight
    *         has changed.
    *
-   * Run time is linear in the number of changes. At the first call for a triangulation without
-   * weights, it is \cgalBigO{n}.
+   * Run time is linear in the number of changes, amortized. At the first call for a triangulation
+   * without weights, it is \cgalBigO{n}.
    */
   void set_weights(const std::vector<Weight_change>& changes)
   {
-    using Index = Intrinsic_triangulation::Index;
-    this->m_changes.reserve(changes.size());
-    this->m_triangulation.set_weights(
-        changes, [this](const Index h, const double before, const double after) {
-          if(after != before)
-            this->add_change(this->groups().group_of_face(h), after < before);
-        });
+    this->change_weights(changes);
+    this->update_summary();
+  }
+
+  /// does the same for a list in braces, which could also stand for `Face_weights`.
+  void set_weights(const std::initializer_list<Weight_change> changes)
+  {
+    set_weights(std::vector<Weight_change>(changes));
   }
 
   /*!
@@ -173,13 +175,7 @@ public:
    *
    * Run time is linear in the number of changes; at the first call, it is \cgalBigO{n}.
    */
-  void set_barriers(const std::vector<Barrier_change>& changes)
-  {
-    this->m_changes.reserve(changes.size());
-    this->m_triangulation.set_barriers(changes);
-    for(const Barrier_change& change : changes)
-      this->add_change(this->groups().group_of_barrier(change.halfedge), !change.is_barrier);
-  }
+  void set_barriers(const std::vector<Barrier_change>& changes) { this->change_barriers(changes); }
 
   /// @}
 };

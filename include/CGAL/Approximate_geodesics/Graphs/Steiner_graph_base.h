@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/Arc_changes.h>
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Nodes_beside.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_groups.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -89,7 +89,7 @@ private:
     } while(!m_triangulation.is_border(h) && !m_triangulation.is_barrier(h));
     // the side of a barrier that belongs to the sector
     expand_edge(m_triangulation.opposite(h), false, f);
-    m_nodes.for_each_joined_sector(m_triangulation, node, [&](const Node next) { f(next, 0.); });
+    for_each_joined_sector(m_triangulation, m_nodes, node, [&](const Node next) { f(next, 0.); });
   }
 
   template <typename F>
@@ -262,29 +262,11 @@ public:
     }
   }
 
-  // Calls `f(node, cost, foot)` for the nodes of the faces that contain the segment to `end`, if
-  // they are nearest to a point inside it. Costs must not depend on the direction.
+  // Calls `f(node, cost, foot)` for the nodes beside the segment to `end`.
   template <typename F, typename OnSample>
   void for_each_node_beside(const Intrinsic_point& end, F f, OnSample /* on_sample */) const
   {
-    for_each_segment(m_triangulation, m_point, end, [&](const Curve_segment& segment) {
-      const Index h = segment.from.halfedge;
-      if(!m_triangulation.is_open(h))
-        return;
-      const Segment_layout layout(m_triangulation, segment);
-      const auto offer = [&](const Node node, const Plane_vector position) {
-        if(const double t = layout.nearest_part(position); t > 0 && t < 1)
-          f(node, m_costs.across(h, {0, position.y}), segment.point(m_triangulation, t));
-      };
-      for(std::size_t i = 0; i < 3; ++i)
-      {
-        const Index side = layout.halfedge(i);
-        offer(m_nodes.at_corner(m_triangulation.source(side), side), layout.corner(i));
-        for_each_node_on_edge(side, [&](const Node node, const double part) {
-          offer(node, layout.corner(i) + part * layout.edge(i, (i + 1) % 3));
-        });
-      }
-    });
+    internal::for_each_node_beside(m_triangulation, m_nodes, m_costs, m_point, end, f);
   }
 
 private:
@@ -304,7 +286,7 @@ private:
         offer(m_nodes.at_corner(m_triangulation.source(side), side),
               m_costs.across(h, start - position), f);
         if(!m_point.is_on_edge_of(side, m_triangulation))
-          for_each_node_on_edge(side, [&](const Node node, const double part) {
+          m_nodes.for_each_node_on_edge(side, [&](const Node node, const double part) {
             offer(node, m_costs.across(h, start + part * (end - start) - position), f);
           });
       }
@@ -324,17 +306,7 @@ private:
     };
     offer_at(m_nodes.at_source(m_triangulation, h), 0);
     offer_at(m_nodes.at_target(m_triangulation, h), 1);
-    for_each_node_on_edge(h, offer_at);
-  }
-
-  // Calls `f(node, part)` for the points at a part of `h`, or of its left side.
-  template <typename F>
-  void for_each_node_on_edge(const Index h, F f) const
-  {
-    const Index e = m_points.edge(h);
-    for(Index p = m_points.first_point(e); p < m_points.beyond_point(e); ++p)
-      f(m_nodes.node_of_point(p),
-        m_points.is_first(h) ? m_points.part_before(e, p) : m_points.part_behind(e, p));
+    m_nodes.for_each_node_on_edge(h, offer_at);
   }
 
   using Steiner_view::m_triangulation;
@@ -346,13 +318,14 @@ private:
  * \ingroup PkgApproximateGeodesicsGraphs
  *
  * The common base class of `Steiner_graph` and `Directional_graph`: the nodes of a mesh with
- * Steiner points, and their arcs.
+ * Steiner points, and their arcs. The nodes at the border of a face are a group, see
+ * `GeodesicGraph`.
  *
  * \tparam Placement a model of `SteinerPointPlacement`
  * \tparam Costs determines the costs of arcs: by the weights of faces, or by their gauges
  */
 template <typename Placement, typename Costs>
-class Steiner_graph_base
+class Steiner_graph_base : public internal::Steiner_groups
 {
 public:
   /// the number of a node; those of the vertices come first.
@@ -412,8 +385,8 @@ public:
   /// returns the unit of costs, in the unit of the mesh times that of the costs per unit of length.
   double unit() const { return m_triangulation.unit() * Costs::unit(m_triangulation); }
 
-  /// returns a summary of the costs of the arcs along edges, as if
-  /// points divided every edge into equal parts.
+  /// returns a summary of the costs of the arcs along edges, as if points divided every edge into
+  /// equal parts. It is updated whenever many weights have changed.
   const Arc_lengths& arc_lengths() const { return m_arc_lengths; }
 
   /// returns an upper bound of the number of arcs that start from a node.
@@ -454,33 +427,6 @@ public:
   /// prefetches the data from which the arcs of `node` are computed.
   void prefetch(const Node node) const { m_nodes.prefetch(m_triangulation, node); }
 
-  /// \name Groups of Nodes
-  /// A search that is repaired reads these, see `GeodesicGraph`. The nodes at the border of a face
-  /// are a group.
-  /// @{
-
-  /// returns the number of groups.
-  std::size_t number_of_groups() const { return groups().number_of_groups(); }
-
-  /// calls `f(group)` for the groups that a node is in, and maybe several times.
-  template <typename F>
-  void for_each_group(const Node node, F f) const
-  {
-    groups().for_each_group(node, f);
-  }
-
-  /// calls `f(node)` for the nodes of a group, and maybe several times.
-  template <typename F>
-  void for_each_node_of_group(const std::size_t group, F f) const
-  {
-    groups().for_each_node(group, f);
-  }
-
-  /// returns what has changed since the graph was built.
-  const Arc_changes& arc_changes() const { return m_changes; }
-
-  /// @}
-
   /// returns the number of bytes that the graph takes, its triangulation included.
   std::size_t memory() const
   {
@@ -498,7 +444,7 @@ protected:
                      Placement placement,
                      const std::size_t maximum_number_of_points,
                      const bool is_backward = false)
-    : m_triangulation(std::move(triangulation)),
+    : Steiner_groups(std::move(triangulation)),
       m_placement(std::move(placement)),
       m_edges(m_triangulation),
       m_is_backward(is_backward)
@@ -507,24 +453,24 @@ protected:
     summarize_arcs();
   }
 
-  // Must be called after the arcs of a group have become shorter or longer.
-  void add_change(const std::size_t group, const bool is_shorter)
+  void summarize_arcs()
   {
-    constexpr std::size_t groups_per_change = 8; // more change results of most nodes
-    m_changes.add({group, is_shorter, !is_shorter}, number_of_groups() / groups_per_change);
+    m_arc_lengths = arcs().along_edges();
+    m_number_of_changes = m_changes.number();
   }
 
-  void summarize_arcs() { m_arc_lengths = arcs().along_edges(); }
+  // Summarizes arcs again if so many have changed that this takes no longer than the changes.
+  void update_summary()
+  {
+    if(m_changes.number() - m_number_of_changes > most_changes())
+      summarize_arcs();
+  }
 
-  Intrinsic_triangulation m_triangulation;
   Placement m_placement;
   typename Costs::Edges m_edges;
-  internal::Steiner_nodes m_nodes;
   Arc_lengths m_arc_lengths;
-  Arc_changes m_changes;
-  bool m_is_backward; // whether distances are those to the sources of a search
-
-  internal::Steiner_groups groups() const { return {m_triangulation, m_nodes}; }
+  std::size_t m_number_of_changes = 0; // before arcs were summarized
+  bool m_is_backward;                  // whether distances are those to the sources of a search
 
 private:
   Costs costs(const bool is_backward) const

@@ -161,13 +161,6 @@ public:
     return Intrinsic_point::on_edge(number(h), t);
   }
 
-  /// returns a halfedge with the face `f` to its left.
-  Index halfedge_of(const face_descriptor f) const
-  {
-    constexpr double third = 1. / 3;
-    return intrinsic_point(f, std::array<double, 3>{third, third, third}).halfedge;
-  }
-
   /// returns the point of the face `f` with the given barycentric coordinates. If some of them are
   /// zero, it is a point on an edge or a vertex.
   template <typename FT>
@@ -190,7 +183,7 @@ public:
   }
 
   /// returns the first halfedge of the face `f`.
-  Index halfedge_of_face(const face_descriptor f) const
+  Index halfedge_of(const face_descriptor f) const
   {
     using internal::whole;
     internal::checked_weights(f, std::array<double, 3>{1, 0, 0}, whole(*m_mesh));

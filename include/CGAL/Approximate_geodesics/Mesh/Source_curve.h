@@ -12,11 +12,8 @@
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <set>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
@@ -68,6 +65,15 @@ template <typename TriangleMesh, typename T>
 constexpr bool are_curves =
     is_curve<TriangleMesh, T> || is_curve<TriangleMesh, Element_of_range<T>>;
 
+// Returns the first point of a curve, or a corner of one of its faces.
+inline Intrinsic_point first_point(const Intrinsic_triangulation& triangulation,
+                                   const Intrinsic_curve& curve)
+{
+  return curve.polylines.empty()
+             ? Intrinsic_point::at_vertex(triangulation.source(curve.faces.front()))
+             : curve.polylines.front().front();
+}
+
 // Converts a region. Its border is divided into closed polylines.
 template <typename Translation>
 Intrinsic_curve intrinsic_curve(const Translation& translation,
@@ -80,7 +86,7 @@ Intrinsic_curve intrinsic_curve(const Translation& translation,
   std::set<Index> faces; // their smallest halfedges
   for(const auto f : region.faces)
   {
-    const Index h = translation.halfedge_of_face(f);
+    const Index h = translation.halfedge_of(f);
     if(faces.insert(triangulation.first_of_face(h)).second)
       result.faces.push_back(h);
   }

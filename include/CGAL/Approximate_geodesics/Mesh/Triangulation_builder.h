@@ -34,11 +34,12 @@ public:
   explicit Vertex_order(const Connectivity& before) : m_before(before)
   {
     const std::size_t v = before.number_of_vertices(), h = before.number_of_halfedges();
+    reserve_huge_pages(m_vertex_of_index, v);
     m_vertex_of_index.assign(v, null_index);
     m_index_of_vertex.resize(v + 1); // copy_targets() may write one more
-    m_result.first_of_vertex.reserve(v + 1);
+    reserve_huge_pages(m_result.first_of_vertex, v + 1);
     m_result.first_of_vertex.assign(1, 0);
-    m_result.target_of_halfedge.resize(h);
+    resize_in_huge_pages(m_result.target_of_halfedge, h);
     m_result.opposite_rank.resize(h);
     m_result.is_border.assign(h, false);
     m_result.number_of_faces = before.number_of_faces;

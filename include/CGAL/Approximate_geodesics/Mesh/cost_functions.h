@@ -11,10 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/property_maps.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Gauge_formula.h>
 #include <CGAL/property_map.h>
-
-#include <boost/type_traits/is_detected.hpp>
 
 #include <array>
 #include <cmath>
@@ -25,6 +22,8 @@
 namespace CGAL::Approximate_geodesics {
 
 namespace internal {
+
+struct Cost_formulas;
 
 // Returns the gain in height per unit of horizontal length; infinity for a vertical direction.
 template <typename Vector_3>
@@ -38,26 +37,6 @@ double slope(const Vector_3& direction)
 // Whether a cost function can be called with a slope alone.
 template <typename CostFunction>
 constexpr bool is_cost_of_slope = std::is_invocable_v<const CostFunction&, double>;
-
-template <typename CostFunction, typename Face>
-using Has_formula =
-    decltype(std::declval<const CostFunction&>().formula(std::declval<const Face&>(),
-                                                         std::declval<const Space_vector&>(),
-                                                         std::declval<const Space_vector&>()));
-
-// Returns the gauge of a cost function in the plane of a face with the axes `x` and `y`, if the
-// function has one in closed form there.
-template <typename CostFunction, typename Face>
-Gauge_formula formula_of([[maybe_unused]] const CostFunction& function,
-                         [[maybe_unused]] const Face& face,
-                         [[maybe_unused]] const Space_vector& x,
-                         [[maybe_unused]] const Space_vector& y)
-{
-  if constexpr(boost::is_detected_v<Has_formula, CostFunction, Face>)
-    return function.formula(face, x, y);
-  else
-    return {};
-}
 
 } // namespace internal
 
@@ -93,16 +72,9 @@ public:
     return static_cast<double>(m_function(slope));
   }
 
-#ifndef DOXYGEN_RUNNING
-  template <typename Face>
-  internal::Gauge_formula
-  formula(const Face& face, const internal::Space_vector& x, const internal::Space_vector& y) const
-  {
-    return internal::formula_of(m_function, face, x, y);
-  }
-#endif
-
 private:
+  friend struct internal::Cost_formulas;
+
   CostFunction m_function;
 };
 
@@ -134,16 +106,9 @@ public:
     return static_cast<double>(m_function(-slope));
   }
 
-#ifndef DOXYGEN_RUNNING
-  template <typename Face>
-  internal::Gauge_formula
-  formula(const Face& face, const internal::Space_vector& x, const internal::Space_vector& y) const
-  {
-    return internal::formula_of(m_function, face, x, y).reversed();
-  }
-#endif
-
 private:
+  friend struct internal::Cost_formulas;
+
   CostFunction m_function;
 };
 
@@ -242,26 +207,8 @@ public:
     return 0.6 / m_factor * std::exp(3.5 * std::abs(slope + 0.05));
   }
 
-#ifndef DOXYGEN_RUNNING
-  template <typename Face>
-  internal::Gauge_formula formula(const Face& /* face */,
-                                  const internal::Space_vector& x,
-                                  const internal::Space_vector& y) const
-  {
-    return internal::Gauge_formula::of_slopes(cost_with_zigzags, 0.6 / m_factor, {x[2], y[2]});
-  }
-#endif
-
 private:
-  // Zigzags have the slope where a unit of height costs least.
-  static double cost_with_zigzags(const double rise, const double run)
-  {
-    constexpr double slope = 0.26673643495531381, uphill = 11.756865910878317,
-                     downhill = 8.2849233798159030; // per unit of height
-    if(!(std::abs(rise) < slope * run))
-      return rise > 0 ? uphill * rise : -downhill * rise;
-    return std::sqrt(rise * rise + run * run) * std::exp(3.5 * std::abs(rise / run + 0.05));
-  }
+  friend struct internal::Cost_formulas;
 
   double m_factor;
 };
@@ -298,30 +245,12 @@ public:
     return std::abs(s) <= STEEPEST_SLOPE ? energy(s) : internal::infinity;
   }
 
-#ifndef DOXYGEN_RUNNING
-  template <typename Face>
-  internal::Gauge_formula formula(const Face& /* face */,
-                                  const internal::Space_vector& x,
-                                  const internal::Space_vector& y) const
-  {
-    return internal::Gauge_formula::of_slopes(energy_with_zigzags, 1, {x[2], y[2]});
-  }
-#endif
-
 private:
+  friend struct internal::Cost_formulas;
+
   static double energy(const double s)
   {
     return ((((280.5 * s - 58.7) * s - 76.8) * s + 51.9) * s + 19.6) * s + 2.5;
-  }
-
-  // Zigzags have the slopes where a unit of height costs least.
-  static double energy_with_zigzags(const double rise, const double run)
-  {
-    constexpr double up = 0.28930815840763749, uphill = 38.904522028198365;
-    constexpr double down = 0.19178515446816457, downhill = 5.5191136206655039;
-    if(!(rise < up * run && -rise < down * run))
-      return rise > 0 ? uphill * rise : -downhill * rise;
-    return std::sqrt(rise * rise + run * run) * energy(rise / run);
   }
 };
 
@@ -424,22 +353,9 @@ public:
     return progress <= 0 ? internal::infinity : 1 / progress;
   }
 
-#ifndef DOXYGEN_RUNNING
-  // The cost is the root of (d w)^2 + r, minus d w, divided by r = v^2 - |w|^2.
-  template <typename Face>
-  internal::Gauge_formula
-  formula(const Face& face, const internal::Space_vector& x, const internal::Space_vector& y) const
-  {
-    const internal::Space_vector w = internal::space_vector(get(m_drift, face));
-    const double rest = m_speed * m_speed - internal::dot(w, w);
-    if(!(rest > 0))
-      return {};
-    const double u = internal::dot(w, x) / rest, v = internal::dot(w, y) / rest;
-    return internal::Gauge_formula::of_norm(u * u + 1 / rest, u * v, v * v + 1 / rest, {-u, -v});
-  }
-#endif
-
 private:
+  friend struct internal::Cost_formulas;
+
   FaceVectorMap m_drift;
   double m_speed;
 };
@@ -477,22 +393,9 @@ public:
     return std::isfinite(square) ? std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
   }
 
-#ifndef DOXYGEN_RUNNING
-  template <typename Face>
-  internal::Gauge_formula
-  formula(const Face& face, const internal::Space_vector& x, const internal::Space_vector& y) const
-  {
-    const std::array<double, 6> a = get(m_tensors, face);
-    const auto product = [&a](const internal::Space_vector& p, const internal::Space_vector& q) {
-      return a[0] * p[0] * q[0] + a[3] * p[1] * q[1] + a[5] * p[2] * q[2] +
-             a[1] * (p[0] * q[1] + p[1] * q[0]) + a[2] * (p[0] * q[2] + p[2] * q[0]) +
-             a[4] * (p[1] * q[2] + p[2] * q[1]);
-    };
-    return internal::Gauge_formula::of_norm(product(x, x), product(x, y), product(y, y), {0, 0});
-  }
-#endif
-
 private:
+  friend struct internal::Cost_formulas;
+
   FaceTensorMap m_tensors;
 };
 

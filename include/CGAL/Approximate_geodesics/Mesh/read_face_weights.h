@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/cost_formulas.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
@@ -182,7 +183,7 @@ Face_gauges gauges_of_faces(const TriangleMesh& tmesh,
     const auto base = halfedges[first];
     const Face_frame frame(vector_along(base), vector_along(opposite(prev(base, tmesh), tmesh)));
     const auto directions = directions_of_sides(Face_layout(triangulation, first));
-    if(const Gauge_formula formula = formula_of(cost, face(base, tmesh), frame.x, frame.y))
+    if(const Gauge_formula formula = Cost_formulas{frame.x, frame.y}.of(cost, face(base, tmesh)))
       return result.add(triangulation.halfedges_of_face(first), directions, formula);
     samples.sample(directions, tolerance, [&](const Plane_vector v) {
       const Space_vector d = frame(v);

@@ -8,8 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/tightened_points.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve_straightener.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -64,11 +65,11 @@ public:
     return finished(std::move(result));
   }
 
-  /// returns a path like `shortened()`, but one that starts and ends at the first point of `loop`,
-  /// where it may have an angle below \f$\pi\f$.
-  Path shortened_with_fixed_base(const Path& loop) const
+  /// returns a path like `shortened()`, but one from the first point of `path` to its last one.
+  /// They may be the same point: then there may be an angle below \f$\pi\f$.
+  Path shortened_with_fixed_ends(const Path& path) const
   {
-    Path result = tightened(loop.points);
+    Path result = tightened(path.points);
     while(!is_point(result) && replace(result, result.points))
       ;
     return finished(std::move(result));
@@ -88,6 +89,7 @@ private:
 
   Path tightened(const Points& points) const
   {
+    internal::check_for_interruption();
     const internal::Path_steps steps(m_triangulation, points);
     if(!std::isfinite(steps.length())) // the points do not form a path
       return {points, steps.length()};

@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/tightened_points.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve_straightener.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 

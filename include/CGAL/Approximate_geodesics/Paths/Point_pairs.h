@@ -112,6 +112,22 @@ private:
   std::vector<std::size_t> m_first; // of each group, and one beyond
 };
 
+// Returns an interval that contains the distance of a point from the source of a search.
+template <typename SurfaceSearch>
+std::pair<double, double> distance_interval(const SurfaceSearch& search,
+                                            const Intrinsic_point& point,
+                                            const double maximum_distance)
+{
+  const auto& graph = search.graph();
+  const double distance = search.distance(point), epsilon = error_bound(graph);
+  const double costs =
+      cost_to_corner(graph, search.sources().front().point) + cost_to_corner(graph, point);
+  const double rounding = epsilon > 0 ? 2.4e-7 : rounding_of_distances; // stored arcs are `float`
+  return {smallest_distance((std::min)(distance, maximum_distance), epsilon, costs) *
+              (1 - rounding),
+          distance * (1 + rounding)};
+}
+
 // Returns a path that a search has found as one from the source to the target of a pair.
 template <typename SurfaceGraph>
 Path from_source_to_target(const SurfaceGraph& graph, Path path)

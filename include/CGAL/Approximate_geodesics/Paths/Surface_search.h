@@ -25,22 +25,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
-
-namespace internal {
-
-inline void check_initial_distance(const double distance, const std::size_t number_of_source)
-{
-  if(!(distance >= 0) || std::isinf(distance))
-    reject("the initial distance of source " + std::to_string(number_of_source) + " is " +
-           text_of(distance) + "; it must be a finite number that is not negative");
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsPaths
@@ -172,7 +160,7 @@ public:
    *
    * \throws std::invalid_argument as `run()` does; if two consecutive points of a polyline are not
    *         in the same face; if costs depend on the direction; or if `Graph` does not support
-   *         curves, as graphs of your own.
+   *         curves, as `SurfaceGraph` says.
    *
    * Run time is that of `run()`, and for each point of a polyline that of attaching a few points.
    */
@@ -352,96 +340,6 @@ private:
       };
   }
 
-  // The same for curves. The lines from each foot are those of one seed.
-  typename Search::Find_entries find_entries(internal::Curve_sources& curves,
-                                             const std::vector<typename Search::Seed>& seeds) const
-  {
-    return [&] {
-      std::vector<typename Search::Entry> result;
-      if constexpr(!Run::attaches_by_labels)
-        for(const auto& seed : seeds)
-          result.push_back({seed, {}});
-      else
-      {
-        curves.clear_feet();
-        const double unit = m_graph->unit();
-        for(std::size_t i = 0; i < curves.curves().size(); ++i)
-        {
-          const double distance = curves.curves()[i].distance;
-          m_search.graph_run().for_each_line_from_curve(
-              curves.curves()[i], distance / unit,
-              [&](const Node node, const double length, const typename Run::Payload& payload,
-                  const Intrinsic_point& foot) {
-                result.push_back(
-                    {{node, distance + length * unit, curves.add_foot(foot, i)}, payload});
-              });
-        }
-      }
-      return result;
-    };
-  }
-
-  std::vector<typename Search::Seed> seeds(internal::Curve_sources& curves) const
-  {
-    std::vector<typename Search::Seed> result;
-    for(std::size_t i = 0; i < curves.curves().size(); ++i)
-    {
-      const Intrinsic_curve& curve = curves.curves()[i];
-      internal::Curve_sources::for_each_line(
-          *m_graph, curve, [&](const Node node, const double length, const Intrinsic_point& foot) {
-            if(length < std::numeric_limits<double>::infinity())
-              result.push_back(
-                  {node, curve.distance + length * m_graph->unit(), curves.add_foot(foot, i)});
-          });
-    }
-    return result;
-  }
-
-  internal::Curve_sources checked(std::vector<Intrinsic_curve> curves) const
-  {
-    const Intrinsic_triangulation& triangulation = m_graph->triangulation();
-    if(triangulation.has_directional_costs())
-      internal::reject("Directional_graph: curves are no sources where costs depend on the "
-                       "direction");
-    for(std::size_t i = 0; i < curves.size(); ++i)
-    {
-      internal::check_initial_distance(curves[i].distance, i);
-      for(const auto& polyline : curves[i].polylines)
-        for(const Intrinsic_point& p : polyline)
-          check(p);
-      for(const auto h : curves[i].faces)
-        if(!(h < triangulation.number_of_halfedges()) || triangulation.is_border(h))
-          internal::reject("source " + std::to_string(i) + " has a face that does not exist");
-    }
-    return internal::Curve_sources(triangulation, std::move(curves));
-  }
-
-  // Considers the lines from curves in sight, and faces around the point.
-  void consider_curves(const Intrinsic_point& point, Answer& best) const
-  {
-    const std::size_t around = m_curves.curve_around(m_graph->triangulation(), point);
-    if(around != internal::null_index && curves()[around].distance < best.distance)
-      best = {curves()[around].distance, around, Search::null_node, 0, point};
-    if(point.is_vertex())
-      return;
-    if constexpr(internal::has_curves<Graph>)
-      internal::attach_target(*m_graph, point)
-          .for_each_point(m_curves.segments(),
-                          [&](const std::size_t i, const double length, const double t) {
-                            consider_segment(i, length, t, best);
-                          });
-  }
-
-  void
-  consider_segment(const std::size_t i, const double length, const double t, Answer& best) const
-  {
-    const internal::Curve_segment& segment = m_curves.segments()[i];
-    const double distance = curves()[segment.curve].distance + length * m_graph->unit();
-    if(distance < best.distance)
-      best = {distance, segment.curve, Search::null_node, length,
-              segment.point(m_graph->triangulation(), t)};
-  }
-
   // Considers lines from nodes and sources in other faces.
   void consider_lines([[maybe_unused]] const Intrinsic_point& point,
                       [[maybe_unused]] Answer& best) const
@@ -460,9 +358,9 @@ private:
         look(m_points, [&](const std::size_t i, const double length) {
           consider(m_sources, i, length, best);
         });
-      else
+      else if constexpr(internal::has_curves<Graph>)
         look(m_curves.segments(), [&](const std::size_t i, const double length, const double t) {
-          consider_segment(i, length, t, best);
+          m_curves.consider(*m_graph, i, length, t, best);
         });
     }
   }
@@ -503,13 +401,7 @@ private:
     m_maximum_distance = std::numeric_limits<double>::infinity();
   }
 
-  void check(const Intrinsic_point& p) const
-  {
-    if(!p.is_valid(m_graph->triangulation()))
-      internal::reject("a point is not one of the triangulated surface: vertex " +
-                       std::to_string(p.vertex) + ", halfedge " + std::to_string(p.halfedge) +
-                       ", weights " + internal::text_of(p.t) + " and " + internal::text_of(p.s));
-  }
+  void check(const Intrinsic_point& p) const { internal::check_point(p, m_graph->triangulation()); }
 
   std::vector<typename Search::Seed> seeds(const std::vector<Source_point>& sources) const
   {
@@ -655,25 +547,6 @@ void Surface_search<SurfaceGraph, PriorityQueue>::repair(std::vector<Source_poin
 }
 
 template <typename SurfaceGraph, typename PriorityQueue>
-template <typename Visitor>
-void Surface_search<SurfaceGraph, PriorityQueue>::run_from_curves(
-    std::vector<Intrinsic_curve> curves, const Stop_rule& stop, Visitor&& visitor)
-{
-  if constexpr(!internal::has_curves<Graph>)
-    internal::reject("this graph does not support curves as sources");
-  else
-  {
-    internal::Curve_sources sources = checked(std::move(curves));
-    run_and_adopt({}, {}, stop, stop.maximum_distance,
-                  [&](const auto&, const auto& rule, const auto&) {
-                    const auto seeds = this->seeds(sources);
-                    m_search.run(seeds, rule, visitor, find_entries(sources, seeds));
-                  });
-    m_curves = std::move(sources);
-  }
-}
-
-template <typename SurfaceGraph, typename PriorityQueue>
 void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& target,
                                                          std::vector<Source_point> sources,
                                                          const Vertex_positions& positions,
@@ -703,42 +576,6 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
 }
 
 template <typename SurfaceGraph, typename PriorityQueue>
-std::vector<double>
-Surface_search<SurfaceGraph, PriorityQueue>::distances(const std::vector<Point_pair>& pairs,
-                                                       const double maximum_distance)
-{
-  return internal::Pairs_by_start(*m_graph, pairs)
-      .find_all(*this, maximum_distance,
-                [](const Surface_search& search, const Intrinsic_point& p) {
-                  return search.distance(p);
-                });
-}
-
-template <typename SurfaceGraph, typename PriorityQueue>
-std::vector<std::pair<double, double>>
-Surface_search<SurfaceGraph, PriorityQueue>::distance_intervals(
-    const std::vector<Point_pair>& pairs, const double maximum_distance)
-{
-  return internal::Pairs_by_start(*m_graph, pairs)
-      .find_all(*this, maximum_distance,
-                [&](const Surface_search& search, const Intrinsic_point& p) {
-                  return internal::distance_interval(search, p, maximum_distance);
-                });
-}
-
-template <typename SurfaceGraph, typename PriorityQueue>
-std::vector<Path>
-Surface_search<SurfaceGraph, PriorityQueue>::paths(const std::vector<Point_pair>& pairs,
-                                                   const double maximum_distance)
-{
-  return internal::Pairs_by_start(*m_graph, pairs)
-      .find_all(*this, maximum_distance,
-                [](const Surface_search& search, const Intrinsic_point& p) {
-                  return internal::from_source_to_target(search.graph(), search.find_path(p));
-                });
-}
-
-template <typename SurfaceGraph, typename PriorityQueue>
 void Surface_search<SurfaceGraph, PriorityQueue>::restart()
 {
   Search search(*m_graph);
@@ -754,7 +591,7 @@ auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point&
   check(point);
   Answer result = nearest_by_line(point, m_sources, m_points);
   if(!m_curves.is_empty())
-    consider_curves(point, result);
+    m_curves.consider(*m_graph, point, result);
   if(point.is_vertex())
     consider(point.vertex, 0, result);
   else
@@ -799,5 +636,8 @@ Path Surface_search<SurfaceGraph, PriorityQueue>::find_path(const Intrinsic_poin
 }
 
 } // namespace CGAL::Approximate_geodesics
+
+#include <CGAL/Approximate_geodesics/Paths/internal/search_from_curves.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/search_pairs.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_SURFACE_SEARCH_H

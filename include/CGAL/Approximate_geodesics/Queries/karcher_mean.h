@@ -315,9 +315,7 @@ Karcher_mean<TriangleMesh> karcher_mean(const TriangleMesh& tmesh,
 {
   static_assert(!internal::ignores_any<NamedParameters, internal_np::edge_length_t>,
                 "karcher_mean() is exact, and reads edge_length_map only");
-  const auto graph =
-      internal::graph_with_epsilon<Saddle_vertex_graph, internal::Concurrency_tag<NamedParameters>>(
-          Intrinsic_triangulation(tmesh, np), 0);
+  const auto graph = internal::exact_graph(tmesh, np);
   Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np), graph.triangulation());
   translation.list_vertices();
   std::vector<Intrinsic_point> places = internal::intrinsic_points(translation, points, "point");

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/trace_geodesic.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -50,7 +51,40 @@ public:
             shortest_segment(m_triangulation, points[0], points[1]).length};
   }
 
+  // How much the angle of a vector grows by parallel transport along a shortest path, which is
+  // straight between vertices.
+  double turn(const std::vector<Intrinsic_point>& path) const
+  {
+    double result = 0;
+    std::vector<Intrinsic_point> line;
+    const std::vector<Intrinsic_point> points = with_vertices(path);
+    for(auto first = points.begin(); first + 1 != points.end();)
+    {
+      const auto last = std::find_if(first + 1, points.end() - 1,
+                                     [](const Intrinsic_point& p) { return p.is_vertex(); });
+      line.assign(first, last + 1);
+      result -= (*this)(line).angle;
+      std::reverse(line.begin(), line.end());
+      result += (*this)(line).angle + straight_angle;
+      first = last;
+    }
+    return result;
+  }
+
 private:
+  // Crossings at the end of an edge are at its vertex, where there may be several of them.
+  std::vector<Intrinsic_point> with_vertices(const std::vector<Intrinsic_point>& path) const
+  {
+    std::vector<Intrinsic_point> result;
+    for(const Intrinsic_point& p : path)
+    {
+      const Intrinsic_point q = p.reduced(m_triangulation);
+      if(result.empty() || !q.is_vertex() || q.vertex != result.back().vertex)
+        result.push_back(q);
+    }
+    return result;
+  }
+
   // If the path first crosses the edge of `g`, into the face to its left.
   std::optional<First_line> line_across(Index g, const std::vector<Intrinsic_point>& points) const
   {
@@ -232,9 +266,7 @@ void logarithmic_map(const TriangleMesh& tmesh,
   static_assert(!internal::ignores_any<NamedParameters, internal_np::edge_length_t,
                                        internal_np::maximum_distance_t>,
                 "logarithmic_map() is exact, and reads edge_length_map and maximum_distance only");
-  const auto graph =
-      internal::graph_with_epsilon<Saddle_vertex_graph, internal::Concurrency_tag<NamedParameters>>(
-          Intrinsic_triangulation(tmesh, np), 0);
+  const auto graph = internal::exact_graph(tmesh, np);
   const Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np),
                                      graph.triangulation());
   const Intrinsic_point point = internal::intrinsic_point(translation, source, "source");

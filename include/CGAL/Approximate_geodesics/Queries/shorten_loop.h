@@ -119,7 +119,7 @@ void shorten_loops_of_cut_graph(const Graph& graph, const Intrinsic_point& base,
   for(const Cut_graph::Link& link : cut_graph.links())
     if(link.lower_bound * triangulation.unit() < shortest.length)
     {
-      Path loop = straightener.shortened_with_fixed_base({cut_graph.loop(link), 0});
+      Path loop = straightener.shortened_with_fixed_ends({cut_graph.loop(link), 0});
       const bool is_point = loop.points.size() == 1; // of parallel edges, only the shortest counts
       if(!is_point && loop.length < shortest.length)
         shortest = std::move(loop);
@@ -250,9 +250,7 @@ shortest_loop_through(const TriangleMesh& tmesh,
 {
   static_assert(!internal::ignores_any<NamedParameters, internal_np::edge_length_t>,
                 "shortest_loop_through() is exact, and reads edge_length_map only");
-  const auto graph =
-      internal::graph_with_epsilon<Saddle_vertex_graph, internal::Concurrency_tag<NamedParameters>>(
-          Intrinsic_triangulation(tmesh, np), 0);
+  const auto graph = internal::exact_graph(tmesh, np);
   Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np), graph.triangulation());
   translation.list_vertices();
   return internal::loop_on_mesh(

@@ -160,8 +160,11 @@ Voronoi_cells<TriangleMesh> cells_of(const TriangleMesh& tmesh,
                                      const bool within_cells,
                                      const NamedParameters& np)
 {
-  const auto graph = graph_with_epsilon<Saddle_vertex_graph, Concurrency_tag<NamedParameters>>(
-      Intrinsic_triangulation(tmesh, np), 0);
+  static_assert(!ignores_any<NamedParameters, internal_np::edge_length_t,
+                             internal_np::initial_distances_t, internal_np::chord_error_t>,
+                "voronoi_borders() and cut_locus() are exact, and read edge_length_map, "
+                "initial_distances and chord_error only");
+  const auto graph = exact_graph(tmesh, np);
   reject_edges_without_length(graph.triangulation());
   Mesh_translation translation(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
   std::vector<Source_point> points;
@@ -214,7 +217,7 @@ Voronoi_cells<TriangleMesh> cells_of(const TriangleMesh& tmesh,
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{chord_error}
  *     \cgalParamDescription{the largest distance of an arc from its polyline, in the unit of the
- *                           mesh: a positive number}
+ *                           mesh: a positive number. An arc in a face has at most 1,000 parts}
  *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
  *     \cgalParamDefault{a thousandth of the mean length of edges}
  *   \cgalParamNEnd
@@ -242,11 +245,6 @@ voronoi_borders(const TriangleMesh& tmesh,
                 const Sources& sources,
                 const NamedParameters& np = parameters::default_values())
 {
-  static_assert(
-      !internal::ignores_any<NamedParameters, internal_np::edge_length_t,
-                             internal_np::initial_distances_t, internal_np::chord_error_t>,
-      "voronoi_borders() is exact, and reads edge_length_map, initial_distances and "
-      "chord_error only");
   return internal::cells_of(tmesh, sources, false, np);
 }
 
@@ -256,10 +254,10 @@ voronoi_borders(const TriangleMesh& tmesh,
  * computes the cut locus of a point: the points of the surface that several shortest paths from
  * there lead to.
  *
- * On a triangulated surface of genus 0 without border, it is a tree, and its leaves are the
- * vertices with an angle of less than \f$2\pi\f$: it has a branch to each of them, most of which
- * are short on a smooth surface. The same function finds the points with several shortest paths to
- * a set of sources, the borders of their cells among them.
+ * On a triangulated surface of genus 0 without border, it is a tree that leads to all vertices with
+ * an angle of less than \f$2\pi\f$ but the source, and has no leaves elsewhere. On a smooth
+ * surface, most branches are short. The same function finds the points with several shortest paths
+ * to a set of sources, the borders of their cells among them.
  *
  * \param tmesh the triangle mesh; it is not changed
  * \param source the point, or a range of points, as for `voronoi_borders()`
@@ -279,11 +277,6 @@ Voronoi_cells<TriangleMesh> cut_locus(const TriangleMesh& tmesh,
                                       const Sources& source,
                                       const NamedParameters& np = parameters::default_values())
 {
-  static_assert(
-      !internal::ignores_any<NamedParameters, internal_np::edge_length_t,
-                             internal_np::initial_distances_t, internal_np::chord_error_t>,
-      "cut_locus() is exact, and reads edge_length_map, initial_distances and "
-      "chord_error only");
   return internal::cells_of(tmesh, source, true, np);
 }
 

@@ -266,19 +266,7 @@ public:
    * \throws std::invalid_argument if a distance is negative, infinite, or not a number.
    */
   template <typename EnterLabels>
-  void resume(const EnterLabels& enter_labels)
-  {
-    static_assert(std::is_same_v<Run, Geodesic_run_base<Graph>>,
-                  "resume() keeps nothing that the Run of a graph keeps");
-    forget();
-    guard([&] {
-      prepare();
-      enter_labels([&](const Node node, const double distance, const Node predecessor,
-                       const bool is_open) { take_over(node, distance, predecessor, is_open); });
-      propagate_all(Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic());
-      m_is_complete = false; // `repair()` would not know the seeds
-    });
-  }
+  void resume(const EnterLabels& enter_labels);
 
   /*!
    * does the same as `run(seeds)`, and takes the time that the difference from the last run is
@@ -297,28 +285,7 @@ public:
    * and of the nodes that have arcs in common with them. At the first call, memory of a byte per
    * group and a bit per node is allocated.
    */
-  void repair(const std::vector<Seed>& seeds)
-  {
-    check(seeds, Stop_rule());
-    Geodesic_visitor_base visitor; // as in other runs, which are instantiated anyway
-    if constexpr(internal::is_repairable<Graph>)
-      if(can_be_repaired())
-      {
-        m_sources.forget(m_labels);
-        if(raise_labels(seeds))
-        {
-          forget_seeds();
-          search(seeds, Stop_rule(), visitor, internal::No_heuristic(), {},
-                 m_repair.border(*m_graph, m_labels));
-          m_repair.tidy(m_labels);
-          count_all();
-          m_repair.finish();
-          return;
-        }
-        m_repair.finish();
-      }
-    run(seeds, Stop_rule(), visitor);
-  }
+  void repair(const std::vector<Seed>& seeds);
 
   /// enables or disables statistics for subsequent runs, which they slow down slightly.
   void collect_statistics(const bool counts) { m_counts = counts; }
@@ -428,8 +395,8 @@ private:
     // The largest label of the search, in units of the graph.
     double limit() const { return search.largest_label(stop); }
 
-    // Whether seeds are found after the start, and are those of curves if lines are not found from
-    // labels.
+    // Whether the search starts from curves. Other seeds are only found after the start if lines
+    // are found from labels.
     bool starts_from_curves() const { return finds_entries && !Run::attaches_by_labels; }
 
     // A lower bound on the distance to the goal, valid during the search; empty without heuristic.
@@ -543,39 +510,6 @@ private:
     return (std::min)(m_limit, to_graph_unit(stop.maximum_distance));
   }
 
-  // Whether labels are those of all nodes, and the changes since the last run are known.
-  bool can_be_repaired() const
-  {
-    if constexpr(boost::is_detected_v<internal::Changes_of_arcs, Graph>)
-      return m_is_complete && m_graph->arc_changes().are_known_since(m_number_of_changes);
-    else
-      return m_is_complete;
-  }
-
-  // Raises the labels that changes of arcs and seeds make invalid. Returns false if these are so
-  // many that a search of the whole graph is faster.
-  bool raise_labels(std::vector<Seed> seeds)
-  {
-    try
-    {
-      m_repair.start(*m_graph);
-      for(Seed& seed : seeds)
-        seed.distance = to_graph_unit(seed.distance);
-      if(!m_repair.replace_seeds(m_seeds, std::move(seeds), *m_graph, m_labels))
-        return false;
-      if constexpr(boost::is_detected_v<internal::Changes_of_arcs, Graph>)
-        m_graph->arc_changes().for_each_since(m_number_of_changes, [this](const auto& change) {
-          m_repair.add(change, *m_graph, m_labels);
-        });
-      return m_repair.spread(*m_graph, m_labels);
-    }
-    catch(...)
-    {
-      forget_all();
-      throw;
-    }
-  }
-
   // Nodes in `border` have labels, and are expanded with these, too.
   template <typename Visitor, typename Heuristic>
   void search(const std::vector<Seed>& seeds,
@@ -664,22 +598,8 @@ private:
       m_run.on_label(seed.node, seed.distance, entry.payload);
   }
 
-  // Labels a node of a run that is continued. Closed nodes are kept for `forget()`; open ones will
-  // be when they are expanded.
-  void take_over(const Node node, const double distance, const Node predecessor, const bool is_open)
-  {
-    const double label = to_graph_unit(distance);
-    if(!(label >= 0 && label < std::numeric_limits<double>::infinity()) ||
-       node >= m_labels.number_of_nodes())
-      check({Seed{node, distance}}, Stop_rule()); // throws
-    m_labels.set(node, label, predecessor);
-    if(predecessor == null_node)
-      m_seeds.push_back({node, label, node});
-    if(is_open)
-      m_queue.push(node, label);
-    else
-      m_labels.order().push_back(node);
-  }
+  // Labels a node of a run that is continued.
+  void take_over(Node node, double distance, Node predecessor, bool is_open);
 
   // Labels a node where the search starts, unless it has a smaller label. Returns whether it did.
   template <typename Heuristic>
@@ -746,5 +666,7 @@ private:
 };
 
 } // namespace CGAL::Approximate_geodesics
+
+#include <CGAL/Approximate_geodesics/Search/internal/continued_runs.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_PROPAGATION_H

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -70,7 +71,7 @@ struct Stop_rule
  */
 struct Propagation_statistics
 {
-  /// the number of nodes that were settled.
+  /// the number of nodes that were settled, also by the earlier runs that this one continues.
   std::size_t settled_nodes = 0;
   /// the number of entries extracted from the queue, and either expanded or skipped as stale.
   std::size_t pops = 0;
@@ -84,8 +85,12 @@ struct Propagation_statistics
   /// if the queue does not count them.
   std::size_t queue_comparisons = 0;
 
-  /// returns the number of pops that expanded a node for the second time or later.
-  std::size_t repeated_pops() const { return pops - stale_pops - settled_nodes; }
+  /// returns the number of pops that expanded a node for the second time or later, as far as they
+  /// outnumber the nodes that earlier runs have settled.
+  std::size_t repeated_pops() const
+  {
+    return pops - stale_pops - (std::min)(pops - stale_pops, settled_nodes);
+  }
 
   /// returns the number of scanned edges: both arcs of an edge count as one.
   std::size_t edges() const { return relaxations / 2; }
@@ -97,6 +102,13 @@ struct Propagation_statistics
 };
 
 namespace internal {
+
+inline void check_initial_distance(const double distance, const std::size_t number_of_source)
+{
+  if(!(distance >= 0) || std::isinf(distance))
+    reject("the initial distance of source " + std::to_string(number_of_source) + " is " +
+           text_of(distance) + "; it must be a finite number that is not negative");
+}
 
 // Rejects invalid seeds and stop rules for a graph of this size and unit.
 inline void check_input(const std::vector<Seed>& seeds,

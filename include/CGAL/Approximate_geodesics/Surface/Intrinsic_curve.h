@@ -237,19 +237,18 @@ public:
       m_numbers.for_each(*m_triangulation, h, f);
   }
 
-  // Calls `f(i, t, position)` for them, and the part `t` of the way that is nearest to the origin.
-  // `corners` are the positions of the source and the target of `h`, and the third vertex.
+  // Calls `f(i, foot, t)` for them, and the part `t` of the way that is nearest to a point.
   template <typename F>
-  void
-  for_each_nearest_in_face(const Index h, const std::array<Plane_vector, 3>& corners, F f) const
+  void for_each_foot_in_face(const Index h, const Intrinsic_point& point, F f) const
   {
     for_each_in_face(h, [&](const std::size_t i) {
-      const Curve_segment& s = m_segments[i];
-      const Plane_vector p = s.from.seen_from(*m_triangulation, h).position(corners);
-      const Plane_vector step = s.to.seen_from(*m_triangulation, h).position(corners) - p;
-      const double square = dot(step, step);
-      const double t = square > 0 ? (std::clamp)(-dot(p, step) / square, 0., 1.) : 0;
-      f(i, t, p + t * step);
+      const Curve_segment& segment = m_segments[i];
+      const Segment_layout layout(*m_triangulation, segment);
+      for_each_face_point(*m_triangulation, point, segment.from.halfedge, [&](const Face_point& p) {
+        const double t = layout.nearest_part(
+            layout.position(p.seen_from(*m_triangulation, segment.from.halfedge)));
+        f(i, segment.point(*m_triangulation, t), t);
+      });
     });
   }
 
@@ -269,6 +268,46 @@ private:
   std::vector<Curve_segment> m_segments;
   Numbers_by_face m_numbers;
 };
+
+// Calls `f(v, corner, foot, p)` for the corners of the faces that paths may enter and that contain
+// the segment between two points, with the nearest point `foot` of it, which is `p`: also if that
+// is an end, as ends where a curve is straight are not attached.
+template <typename F>
+void for_each_corner_beside(const Intrinsic_triangulation& triangulation,
+                            const Intrinsic_point& from,
+                            const Intrinsic_point& to,
+                            F f)
+{
+  for_each_segment(triangulation, from, to, [&](const Curve_segment& segment) {
+    if(!triangulation.is_open(segment.from.halfedge))
+      return;
+    const Segment_layout layout(triangulation, segment);
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const double t = layout.nearest_part(layout.corner(i));
+      f(layout.vertex(i), Face_point::at_source(layout.halfedge(i)), segment.face_point(t),
+        segment.point(triangulation, t));
+    }
+  });
+}
+
+// Calls `f(i, position, t)` for the point of each segment in the face to the left of `h` that is
+// nearest to the origin, at the part `t` of the way, if the corners are at these positions.
+template <typename F>
+void for_each_position(const Intrinsic_triangulation& triangulation,
+                       const Segments_by_face& segments,
+                       const Index h,
+                       const std::array<Plane_vector, 3>& corners,
+                       F f)
+{
+  segments.for_each_in_face(h, [&](const std::size_t i) {
+    const Plane_vector p = segments[i].from.seen_from(triangulation, h).position(corners);
+    const Plane_vector step = segments[i].to.seen_from(triangulation, h).position(corners) - p;
+    const double square = dot(step, step);
+    const double t = square > 0 ? (std::clamp)(-dot(p, step) / square, 0., 1.) : 0;
+    f(i, p + t * step, t);
+  });
+}
 
 } // namespace internal
 } // namespace CGAL::Approximate_geodesics

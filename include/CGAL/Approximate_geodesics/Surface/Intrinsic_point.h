@@ -8,10 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -137,6 +139,14 @@ struct Intrinsic_point
 };
 
 namespace internal {
+
+inline void check_point(const Intrinsic_point& p, const Intrinsic_triangulation& triangulation)
+{
+  if(!p.is_valid(triangulation))
+    reject("a point is not one of the triangulated surface: vertex " + std::to_string(p.vertex) +
+           ", halfedge " + std::to_string(p.halfedge) + ", weights " + text_of(p.t) + " and " +
+           text_of(p.s));
+}
 
 // Numbers of things that lie in faces, sorted by these.
 class Numbers_by_face

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -45,35 +44,8 @@ struct Face_weights
   double unit = 1;
 };
 
-/*!
- * \ingroup PkgApproximateGeodesicsSurface
- *
- * A new weight of a face of an `Intrinsic_triangulation`.
- */
-struct Weight_change
-{
-  /// a halfedge with the face to its left.
-  std::uint32_t halfedge;
-
-  /// what a path in the face costs per unit of length, in the unit of the mesh: not negative;
-  /// infinity if paths must not enter the face.
-  double weight;
-};
-
-/*!
- * \ingroup PkgApproximateGeodesicsSurface
- *
- * Whether a barrier of an `Intrinsic_triangulation` is to be there or lifted, as a door that is
- * closed or open.
- */
-struct Barrier_change
-{
-  /// a halfedge of the edge.
-  std::uint32_t halfedge;
-
-  /// whether paths must not cross the edge.
-  bool is_barrier;
-};
+struct Weight_change;
+struct Barrier_change;
 
 namespace internal {
 
@@ -413,28 +385,12 @@ public:
    * Run time is linear in the number of changes. At the first call for a triangulation without
    * weights, it is \cgalBigO{n}.
    */
-  void set_weights(const std::vector<Weight_change>& changes)
-  {
-    set_weights(changes, [](Index /* halfedge */, double /* before */, double /* after */) {});
-  }
+  void set_weights(const std::vector<Weight_change>& changes);
 
 #ifndef DOXYGEN_RUNNING
   // Calls `f(halfedge, before, after)` for each change.
   template <typename F>
-  void set_weights(const std::vector<Weight_change>& changes, F f)
-  {
-    for(const Weight_change& change : changes)
-      check(change);
-    if(!has_weights())
-      set_weights({weights_of_one(), 1});
-    for(const Weight_change& change : changes)
-    {
-      const double before = weight(change.halfedge), after = in_weight_unit(change.weight);
-      for(const Index h : halfedges_of_face(change.halfedge))
-        m_weight[h] = after;
-      f(change.halfedge, before, after);
-    }
-  }
+  void set_weights(const std::vector<Weight_change>& changes, F f);
 #endif
 
   /// returns whether weights are functions of the direction. `has_weights()` is `false` then.
@@ -474,15 +430,7 @@ public:
    *
    * Run time is linear in the number of changes; at the first call, it is \cgalBigO{n}.
    */
-  void set_barriers(const std::vector<Barrier_change>& changes)
-  {
-    for(const Barrier_change& change : changes)
-      check(change);
-    m_is_lifted.resize(m_is_barrier.size());
-    for(const Barrier_change& change : changes)
-      for(const Index h : {change.halfedge, opposite(change.halfedge)})
-        m_is_lifted[h] = !change.is_barrier;
-  }
+  void set_barriers(const std::vector<Barrier_change>& changes);
 
   /// @}
 
@@ -613,49 +561,9 @@ private:
   friend class internal::Triangulation_builder;
   friend class internal::Retriangulation;
 
-  void check(const Weight_change& change) const
-  {
-    const Index h = change.halfedge;
-    if(h >= number_of_halfedges() || is_border(h))
-      internal::reject("a weight is given for the face to the left of halfedge " +
-                       std::to_string(h) + ", which does not exist");
-    if(!(change.weight >= 0))
-      internal::reject(name_of_face(h) + " gets weight " + internal::text_of(change.weight) +
-                       "; it must be a number that is not negative, or infinity");
-    // bounds the sum over all edges, whose lengths are at most 2^203 units
-    const double cost = in_weight_unit(change.weight) * 0x1p204 * number_of_halfedges();
-    const double largest = (std::max)(cost, cost * (m_unit * m_weight_unit));
-    if(std::isinf(largest) && !std::isinf(change.weight))
-      internal::reject(name_of_face(h) + " gets weight " + internal::text_of(change.weight) +
-                       ", which is too large beside the other weights and the lengths of the "
-                       "mesh. Use infinity for faces that paths must not enter.");
-  }
-
-  void check(const Barrier_change& change) const
-  {
-    const Index h = change.halfedge;
-    if(h >= number_of_halfedges())
-      internal::reject("a barrier is to change at halfedge " + std::to_string(h) +
-                       ", which does not exist");
-    if(!is_barrier(h))
-      internal::reject("the edge between vertices " + std::to_string(index(source(h))) + " and " +
-                       std::to_string(index(target(h))) +
-                       " is to become a barrier or to be lifted; only those edges can that were "
-                       "barriers when the graph was built, and are not at the border");
-  }
-
-  double in_weight_unit(const double weight) const
-  {
-    return weight > 0 ? (std::max)(weight / m_weight_unit, Face_weights::SMALLEST_WEIGHT) : 0;
-  }
-
-  std::vector<double> weights_of_one() const
-  {
-    std::vector<double> result(number_of_halfedges());
-    for(Index h = 0; h < number_of_halfedges(); ++h)
-      result[h] = weight(h);
-    return result;
-  }
+  void check(const Weight_change& change) const;
+  void check(const Barrier_change& change) const;
+  double in_weight_unit(double weight) const;
 
   bool is_valid_halfedge(const Index h) const
   {
@@ -690,5 +598,7 @@ private:
 };
 
 } // namespace CGAL::Approximate_geodesics
+
+#include <CGAL/Approximate_geodesics/Surface/triangulation_changes.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTRINSIC_TRIANGULATION_H

@@ -60,17 +60,10 @@ public:
   void for_each_point(const Segments_by_face& segments, F f) const
   {
     m_point.for_each_face(m_triangulation, [&](const Index h) {
-      segments.for_each_in_face(h, [&](const std::size_t i) {
-        const Curve_segment& segment = segments[i];
-        const Segment_layout layout(m_triangulation, segment);
-        for_each_face_point(
-            m_triangulation, m_point, segment.from.halfedge, [&](const Face_point& p) {
-              const double t = layout.nearest_part(
-                  layout.position(p.seen_from(m_triangulation, segment.from.halfedge)));
-              const auto f_at_t = [&](std::size_t, const double cost) { f(i, cost, t); };
-              for_each_line(h, segment.point(m_triangulation, t), i, f_at_t);
-            });
-      });
+      segments.for_each_foot_in_face(
+          h, m_point, [&](const std::size_t i, const Intrinsic_point& foot, const double t) {
+            for_each_line(h, foot, i, [&](std::size_t, const double cost) { f(i, cost, t); });
+          });
     });
   }
 
@@ -173,27 +166,14 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  // Calls `f(v, cost, foot)` for the corners of the faces that contain the segment to `end`, with
-  // the nearest point of it: also if that is an end, as ends where a curve is straight are not
-  // attached.
+  // Calls `f(v, cost, p)` for the corners and points that `for_each_corner_beside()` reports.
   template <typename F, typename OnSample>
   void for_each_node_beside(const Intrinsic_point& end, F f, OnSample /* on_sample */) const
   {
-    internal::for_each_segment(
-        m_triangulation, m_point, end, [&](const internal::Curve_segment& segment) {
-          const Index h = segment.from.halfedge;
-          if(!m_triangulation.is_open(h))
-            return;
-          const internal::Segment_layout layout(m_triangulation, segment);
-          for(std::size_t i = 0; i < 3; ++i)
-          {
-            const double t = layout.nearest_part(layout.corner(i));
-            f(layout.vertex(i),
-              m_costs.between(h, segment.face_point(t),
-                              internal::Face_point::at_source(layout.halfedge(i))),
-              segment.point(m_triangulation, t));
-          }
-        });
+    internal::for_each_corner_beside(
+        m_triangulation, m_point, end,
+        [&](const Index v, const internal::Face_point& corner, const internal::Face_point& foot,
+            const Intrinsic_point& p) { f(v, m_costs.between(corner.halfedge, foot, corner), p); });
   }
 #endif
 

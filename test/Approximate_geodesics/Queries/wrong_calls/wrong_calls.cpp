@@ -16,6 +16,7 @@
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>
+#include <CGAL/Approximate_geodesics/Queries/voronoi_borders.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Simple_cartesian.h>
@@ -98,6 +99,9 @@ void call_wrongly(const Mesh& mesh,
 
   // approximate_geodesic_distances() does not read one of these named parameters
   AG::voronoi_partition(mesh, cells, vertices, parameters::straighten(true));
+
+  // voronoi_borders() and cut_locus() are exact, and read edge_length_map
+  AG::voronoi_borders(mesh, vertices, parameters::epsilon(0.1));
 
   // epsilon: selective refinement gives no bound
   AG::refined_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <new>
 #include <vector>
 
@@ -64,7 +65,7 @@ private:
 class Failing_allocation
 {
 public:
-  explicit Failing_allocation(const std::ptrdiff_t number)
+  explicit Failing_allocation(const std::ptrdiff_t number) : m_number(number)
   {
     Allocations::s_number_until_failure = number;
   }
@@ -75,7 +76,24 @@ public:
   ~Failing_allocation() { Allocations::s_number_until_failure = 0; }
 
   bool has_failed() const { return Allocations::s_number_until_failure <= 0; }
+
+  // Returns how many have followed, if none has failed.
+  std::ptrdiff_t number_of_allocations() const
+  {
+    return m_number - Allocations::s_number_until_failure;
+  }
+
+private:
+  std::ptrdiff_t m_number;
 };
+
+template <typename Operation>
+std::ptrdiff_t number_of_allocations(const Operation& operation)
+{
+  const Failing_allocation never((std::numeric_limits<std::ptrdiff_t>::max)());
+  operation();
+  return never.number_of_allocations();
+}
 
 // So small that there is time to let one allocation after the other fail.
 inline Mesh small_terrain()
@@ -94,7 +112,8 @@ struct Trial
   std::function<void(Object&)> operation;
   std::function<Values(Object&)> values;
   std::function<void(Object&)> check = [](Object&) {}; // what holds after a failure
-  double deviation = 0; // relative, from the values of the first object
+  double deviation = 0;             // relative, from the values of the first object
+  std::ptrdiff_t first_failure = 1; // the number of the allocation that fails first
 };
 
 inline void expect_values(const Values& found, const Values& expected, const double deviation)
@@ -144,7 +163,9 @@ void expect_survival(const Trial<Object>& trial)
   const Values expected = trial.values(first);
   std::ptrdiff_t number_of_failures = 0;
   bool is_last = false;
-  for(std::ptrdiff_t number = 1; !is_last; number += number < 200 ? 1 : number / 8)
+  const std::ptrdiff_t first_number = trial.first_failure;
+  for(std::ptrdiff_t number = first_number; !is_last;
+      number += number < first_number + 200 ? 1 : number / 8)
   {
     SCOPED_TRACE(testing::Message() << "allocation " << number);
     const std::ptrdiff_t before = Allocations::number_alive();

@@ -62,6 +62,14 @@ inline Solver_options bound(const std::optional<double> epsilon)
   return result;
 }
 
+// A watch that ends everything as soon as it is asked, which is after some time.
+inline CGAL::Approximate_geodesics::Solver_watch impatient_watch()
+{
+  CGAL::Approximate_geodesics::Solver_watch result;
+  result.go_further = [] { return false; };
+  return result;
+}
+
 inline std::vector<double> solver_distances(const Solver& solver,
                                             const std::vector<Solver_point>& sources)
 {

@@ -54,8 +54,8 @@ namespace CGAL::Approximate_geodesics {
  *
  * The graph is built for windows, one at a time: tiles with a margin. Distances and predecessors
  * are in files of a folder, 12 bytes per node. A process can be killed at any time; another one
- * with the same task, and tiles of any size, resumes the search. So it does after a stop of the
- * machine, but has to follow all arcs again that were followed before.
+ * with the same task, and tiles of any size, resumes the search. It also does so after a crash of
+ * the operating system, but then follows all arcs again that were followed before.
  *
  * Memory is that of `Propagation` and a graph on one window, plus 12 bytes per node of a window for
  * the parts of files that are mapped.
@@ -79,14 +79,15 @@ public:
    *
    * \param columns,rows the size of the grid
    * \param graph_of_window builds graphs; it is referred to, not copied
-   * \param sources the cells where paths start
+   * \param sources the cells where paths start; one that cannot be entered has the distance `0`,
+   *        and no other cell is reached from it
    * \param tile_side the number of columns and rows of a tile, except for the last ones
    * \param folder where to keep labels; it is created if needed. An empty name stands for memory
-   * \param costs a text that tells costs apart from others, so that no other search is resumed
+   * \param costs a text that identifies the costs: a search with another one is not resumed
    *
    * \throws std::invalid_argument if a source does not exist, `tile_side` is `0`, another search
-   * has been begun in the folder, or another process uses it. \throws std::runtime_error if files
-   * cannot be written, for instance because the disk is full.
+   *         has been begun in the folder, or another process uses it.
+   * \throws std::runtime_error if files cannot be written, for instance because the disk is full.
    */
   Tiled_grid_search(const std::size_t columns,
                     const std::size_t rows,
@@ -106,7 +107,7 @@ public:
     m_has_labels.resize(number_of_tiles());
     m_labels.emplace(m_nodes, folder, task(sources, costs));
     if(!m_labels->is_intact())
-      doubt_labels();
+      reopen_labels();
     if(m_labels->is_new() || !m_labels->is_intact())
       for(const Grid_cell& source : sources)
         m_labels->open_source({source.column, source.row, 0});
@@ -118,7 +119,7 @@ public:
    * settles tiles until all distances are final, or the visitor stops that.
    *
    * \param visitor a model of `GeodesicVisitor`; it is told of progress, in tiles, and asked
-   * whether to go further before each of them
+   *        whether to go further before each of them
    *
    * \return whether all distances are final.
    */
@@ -230,9 +231,7 @@ private:
   static std::size_t
   checked_side(const std::size_t columns, const std::size_t rows, const std::size_t side)
   {
-    if(columns == 0 || rows == 0)
-      internal::reject("the grid has no cells: " + std::to_string(columns) + " columns and " +
-                       std::to_string(rows) + " rows");
+    internal::check_has_cells(columns, rows);
     if(side == 0)
       internal::reject("tiles have no columns and rows");
     return side;
@@ -296,9 +295,9 @@ private:
       m_smallest_open[tile] = (std::min)(m_smallest_open[tile], distance);
   }
 
-  // After a stop of the machine, files may have new labels that are closed beside old ones, and
-  // labels without their predecessors. So all are found again.
-  void doubt_labels()
+  // After a crash of the operating system, files may have new labels that are closed beside old
+  // ones, and labels without their predecessors. So all are found again.
+  void reopen_labels()
   {
     for_each_label(
         [](const Grid_place& /* place */, internal::Kept_label& label) { label.open_above(); });
@@ -352,7 +351,6 @@ private:
     const Rows rows = m_labels->rows(tile.window.first_row, tile_graph.nodes().rows());
     Propagation search(tile_graph);
     search.resume([&](const auto& set) { enter_labels(tile_graph, rows, set); });
-    m_smallest_open[index] = internal::infinity;
     lower_labels(tile_graph, rows, search);
     std::atomic_signal_fence(std::memory_order_seq_cst); // a process is killed before or after
     close_labels(tile_graph, rows);

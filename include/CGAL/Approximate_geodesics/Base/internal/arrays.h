@@ -12,16 +12,77 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <new>
 #include <type_traits>
+#include <utility>
 #include <vector>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 namespace CGAL::Approximate_geodesics::internal {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Returns the number of bytes that the entries of a vector take, or that an object says it takes.
+// Leaves new entries of a `std::vector` uninitialized, for large arrays of plain data that are
+// written right away.
 template <typename T>
-std::size_t memory_of_part(const std::vector<T>& array)
+struct Uninitialized_allocator : std::allocator<T>
+{
+  template <typename U>
+  struct rebind
+  {
+    using other = Uninitialized_allocator<U>;
+  };
+
+  Uninitialized_allocator() = default;
+
+  template <typename U>
+  Uninitialized_allocator(const Uninitialized_allocator<U>& /* other */)
+  {
+  }
+
+  template <typename U>
+  void construct(U* const entry)
+  {
+    ::new(static_cast<void*>(entry)) U;
+  }
+
+  template <typename U, typename... Arguments>
+  void construct(U* const entry, Arguments&&... arguments)
+  {
+    ::new(static_cast<void*>(entry)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
+// Reserves memory for entries that are written right away. A large array gets huge pages where the
+// system has them on request: to be given pages one by one would take longer than to write them.
+template <typename T, typename Allocator>
+void reserve_huge_pages(std::vector<T, Allocator>& array, const std::size_t size)
+{
+  array.reserve(size);
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  constexpr std::uintptr_t size_of_page = 4096, smallest = std::uintptr_t(1) << 22;
+  const auto begin = reinterpret_cast<std::uintptr_t>(array.data());
+  const std::uintptr_t first = (begin + size_of_page - 1) / size_of_page * size_of_page;
+  const std::uintptr_t beyond = (begin + size * sizeof(T)) / size_of_page * size_of_page;
+  if(size * sizeof(T) >= smallest) // it is advice: nothing depends on its success
+    static_cast<void>(madvise(reinterpret_cast<void*>(first), beyond - first, MADV_HUGEPAGE));
+#endif
+}
+
+template <typename T, typename Allocator>
+void resize_in_huge_pages(std::vector<T, Allocator>& array, const std::size_t size)
+{
+  reserve_huge_pages(array, size);
+  array.resize(size);
+}
+
+// Returns the number of bytes that the entries of a vector take, or that an object says it takes.
+template <typename T, typename Allocator>
+std::size_t memory_of_part(const std::vector<T, Allocator>& array)
 {
   return std::is_same_v<T, bool> ? array.capacity() / 8 : array.capacity() * sizeof(T);
 }
@@ -51,16 +112,21 @@ void reset(std::vector<T>& array, const std::vector<Index>& numbers, const T val
 }
 
 // Prefetches the cache line of entry `i` of an array. The entry may lie beyond the end, so the
-// address is computed as an integer, because pointer arithmetic must stay in the array.
+// address is computed as an integer, because pointer arithmetic must stay in the array. WebAssembly
+// cannot prefetch; it loads, which nothing waits for.
 template <typename T>
 void prefetch(const T* const array, const std::size_t i)
 {
-#if defined(__GNUC__)
-  __builtin_prefetch(
-      reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(array) + i * sizeof(T)));
+  [[maybe_unused]] const std::uintptr_t address =
+      reinterpret_cast<std::uintptr_t>(array) + i * sizeof(T);
+#if defined(__wasm__)
+  constexpr int memory = 0;
+  constexpr std::size_t size_of_page = 65536;
+  if(address / size_of_page < __builtin_wasm_memory_size(memory))
+    static_cast<void>(*reinterpret_cast<const volatile char*>(address));
+#elif defined(__GNUC__)
+  __builtin_prefetch(reinterpret_cast<const void*>(address));
   __asm__ volatile(""); // keeps g++ from removing calls as side-effect free
-#else
-  static_cast<void>(array), static_cast<void>(i);
 #endif
 }
 

@@ -38,6 +38,7 @@
         maximum_number_of_points_per_edge)                                                         \
   APPLY(relative_tolerance_t, relative_tolerance, relative_tolerance)                              \
   APPLY(initial_distances_t, initial_distances, initial_distances)                                 \
+  APPLY(signed_distances_t, signed_distances, signed_distances)                                    \
   APPLY(straighten_t, straighten, straighten)                                                      \
   APPLY(symmetric_t, symmetric, symmetric)                                                         \
   APPLY(targets_t, targets, targets)                                                               \

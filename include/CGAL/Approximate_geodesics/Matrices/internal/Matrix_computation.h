@@ -231,58 +231,71 @@ class Row_search
 public:
   using Input = Matrix_input<Graph>;
 
-  explicit Row_search(const Input& input)
-    : m_input(input), m_search(input.graph), m_row(input.columns.size())
-  {
-  }
+  explicit Row_search(const Input& input);
 
   // Returns the distances from a source. The reference is valid until the next call.
-  const Distance_row& find(const std::size_t row)
-  {
-    const auto& [graph, points, columns, limits] = m_input;
-    m_row.clear();
-    if(limits.number_of_nearest > 0 && columns.are_vertices())
-      search_nearest(points.sources[row]);
-    else
-      m_search.run({{points.sources[row]}}, {limits.maximum_distance, limits.targets});
-    if(limits.are_given())
-      columns.write_reached(m_search, m_row);
-    else
-      columns.write_all(m_search, m_row);
-    return m_row;
-  }
+  const Distance_row& find(std::size_t row);
 
 private:
-  // Whether arcs depend on labels, so that the range of a search affects the last bits of
-  // distances.
-  static constexpr bool depends_on_limit = !std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
-
-  // A search for few columns labels many nodes beyond them. Limiting the distance avoids this; the
-  // estimate is that of the previous row, whose source is near.
-  void search_nearest(const Intrinsic_point& source)
-  {
-    if(depends_on_limit || !search_nearest(source, m_expected_distance))
-      search_nearest(source, m_input.limits.maximum_distance);
-  }
-
-  // Returns whether there are enough columns within `distance`.
-  bool search_nearest(const Intrinsic_point& source, const double distance)
-  {
-    constexpr double margin = 1.25;
-    const Row_limits& limits = m_input.limits;
-    Nearest_columns_visitor nearest(m_input.columns, limits.number_of_nearest);
-    m_search.run({{source}}, {(std::min)(distance, limits.maximum_distance), limits.targets},
-                 nearest);
-    m_expected_distance =
-        nearest.is_enough() ? margin * nearest.farthest() : limits.maximum_distance;
-    return nearest.is_enough() || distance >= limits.maximum_distance;
-  }
+  void search_nearest(const Intrinsic_point& source);
+  bool search_nearest(const Intrinsic_point& source, double distance);
 
   const Input m_input;
   Surface_search<Graph> m_search;
   Distance_row m_row;
   double m_expected_distance = infinity; // of the nearest columns
 };
+
+// Not in the class, as those of `Surface_search`.
+
+template <typename Graph>
+Row_search<Graph>::Row_search(const Input& input)
+  : m_input(input), m_search(input.graph), m_row(input.columns.size())
+{
+}
+
+template <typename Graph>
+const Distance_row& Row_search<Graph>::find(const std::size_t row)
+{
+  const auto& [graph, points, columns, limits] = m_input;
+  m_row.clear();
+  if(limits.number_of_nearest > 0 && columns.are_vertices())
+    search_nearest(points.sources[row]);
+  else
+  {
+    Geodesic_visitor_base visitor; // as in the compiled searches
+    m_search.run({{points.sources[row]}}, {limits.maximum_distance, limits.targets}, visitor);
+  }
+  if(limits.are_given())
+    columns.write_reached(m_search, m_row);
+  else
+    columns.write_all(m_search, m_row);
+  return m_row;
+}
+
+// A search for few columns labels many nodes beyond them. Limiting the distance avoids this; the
+// estimate is that of the previous row, whose source is near. But where arcs depend on labels, the
+// range of a search affects the last bits of distances.
+template <typename Graph>
+void Row_search<Graph>::search_nearest(const Intrinsic_point& source)
+{
+  constexpr bool depends_on_limit = !std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
+  if(depends_on_limit || !search_nearest(source, m_expected_distance))
+    search_nearest(source, m_input.limits.maximum_distance);
+}
+
+// Returns whether there are enough columns within `distance`.
+template <typename Graph>
+bool Row_search<Graph>::search_nearest(const Intrinsic_point& source, const double distance)
+{
+  constexpr double margin = 1.25;
+  const Row_limits& limits = m_input.limits;
+  Nearest_columns_visitor nearest(m_input.columns, limits.number_of_nearest);
+  m_search.run({{source}}, {(std::min)(distance, limits.maximum_distance), limits.targets},
+               nearest);
+  m_expected_distance = nearest.is_enough() ? margin * nearest.farthest() : limits.maximum_distance;
+  return nearest.is_enough() || distance >= limits.maximum_distance;
+}
 
 // Detection of the optional members of models of `DistanceRowSink`.
 

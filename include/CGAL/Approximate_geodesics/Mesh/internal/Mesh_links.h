@@ -302,6 +302,7 @@ private:
   // Returns false if an index is out of range, or a duplicate.
   bool list_vertices()
   {
+    reserve_huge_pages(m_vertices, m_number_of_vertices);
     m_vertices.assign(m_number_of_vertices, Graph_traits::null_vertex());
     std::size_t number = 0;
     for(const vertex_descriptor v : vertices(m_mesh))
@@ -318,6 +319,7 @@ private:
 
   bool link_halfedges()
   {
+    reserve_huge_pages(m_links, m_number_of_halfedges);
     m_links.assign(m_number_of_halfedges, {null_index, null_index});
     m_first_of_vertex.assign(m_number_of_vertices + 1, 0);
     std::size_t number = 0, number_of_sides = 0;
@@ -380,15 +382,25 @@ private:
     return is_right ? static_cast<Index>(result) : null_index;
   }
 
+  // Prefetches the link of a halfedge at the vertex with index `v`, if there is one.
+  void prefetch_link_of(const std::size_t v) const
+  {
+    if(v < m_vertices.size() && m_vertices[v] != Graph_traits::null_vertex())
+      if(const halfedge_descriptor h = halfedge(m_vertices[v], m_mesh);
+         h != Graph_traits::null_halfedge())
+        prefetch(m_links.data(), index(h));
+  }
+
   // If `keeps_ranks`, replaces each counterclockwise link by the rank of the halfedge around its
   // source.
   template <bool keeps_ranks>
   bool write_groups(Vertex_adjacency& result)
   {
     result.first_of_vertex = std::move(m_first_of_vertex);
-    result.target_of_halfedge.resize(result.number_of_halfedges());
+    resize_in_huge_pages(result.target_of_halfedge, result.number_of_halfedges());
     for(Index v = 0; v < result.number_of_vertices(); ++v)
     {
+      prefetch_link_of(v + 16);
       const Index first = first_halfedge(v);
       if((first == null_index) != (result.degree(v) == 0) ||
          !write_cycle<keeps_ranks>(m_links.data(), first, v, result))

@@ -278,7 +278,7 @@ Edge_lengths straight_lengths(std::vector<Space_vector> points,
 {
   Edge_lengths result;
   result.unit = scale_points(points, connectivity, loop);
-  result.of_halfedge.resize(connectivity.number_of_halfedges());
+  resize_in_huge_pages(result.of_halfedge, connectivity.number_of_halfedges());
   constexpr bool finds_corners = std::is_same_v<Connectivity, Intrinsic_triangulation>;
   result.sharp_corners.resize(points.size() / Loop::SIZE_OF_BLOCK + 1);
   loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
@@ -352,7 +352,7 @@ Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
         parameters::get_parameter(np, internal_np::geom_traits));
     const auto point_map = vertex_point_map(tmesh, np);
     std::vector<Space_vector> points;
-    points.reserve(vertices.size());
+    reserve_huge_pages(points, vertices.size());
     for(Index v = 0; v < vertices.size(); ++v)
     {
       points.push_back(double_point(get(point_map, vertices[v]), traits));

@@ -8,14 +8,15 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
+#include <CGAL/Approximate_geodesics/Search/internal/concept_checks.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
 #include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -33,9 +34,15 @@ using Nodes_beside = decltype(std::declval<Attachment_of<Graph>>().for_each_node
     std::declval<void (*)(Index, double, Intrinsic_point)>(),
     std::declval<void (*)(Intrinsic_point)>()));
 
-// Whether a graph can start at curves.
+template <typename Run>
+using Starts_from_curve = decltype(std::declval<const Run&>().for_each_line_from_curve(
+    std::declval<Intrinsic_curve>(), 0., std::declval<Some_function>()));
+
+// Whether searches of a graph can start from curves.
 template <typename Graph>
-constexpr bool has_curves = boost::is_detected_v<Nodes_beside, Graph>;
+constexpr bool has_curves = boost::is_detected_v<Nodes_beside, Graph> &&
+                            (!Run_of<Graph>::attaches_by_labels ||
+                             boost::is_detected_v<Starts_from_curve, Run_of<Graph>>);
 
 template <typename Graph>
 using Looks_across_edges = std::bool_constant<Attachment_of<Graph>::looks_across_edges>;
@@ -55,10 +62,11 @@ public:
 
   Curve_sources() = default;
 
-  // Checks the curves, except for the validity of their points. The triangulation is referred to.
+  // Checks the curves. The triangulation is referred to.
   Curve_sources(const Intrinsic_triangulation& triangulation, std::vector<Intrinsic_curve> curves)
     : m_curves(std::move(curves))
   {
+    check(triangulation);
     for(std::size_t i = 0; i < m_curves.size(); ++i)
     {
       for(auto& polyline : m_curves[i].polylines)
@@ -75,15 +83,80 @@ public:
   const Segments_by_face& segments() const { return m_segments; }
   const Foot& foot(const std::size_t i) const { return m_feet[i]; }
 
-  // Adds a foot, and returns its number.
-  std::size_t add_foot(const Intrinsic_point& point, const std::size_t curve)
+  // Returns a seed for each line to a node of a graph, with the number of its foot as its source.
+  template <typename Graph>
+  std::vector<Seed> seeds(const Graph& graph)
   {
-    m_feet.push_back({point, curve});
-    return m_feet.size() - 1;
+    std::vector<Seed> result;
+    for(std::size_t i = 0; i < m_curves.size(); ++i)
+      for_each_line(graph, m_curves[i],
+                    [&](const Index node, const double length, const Intrinsic_point& foot) {
+                      if(length < infinity)
+                        result.push_back({node, m_curves[i].distance + length * graph.unit(),
+                                          add_foot(foot, i)});
+                    });
+    return result;
   }
 
-  void clear_feet() { m_feet.clear(); }
+  // Returns the lines where a search of a graph starts that has these seeds. If its run finds lines
+  // from labels, the seeds are only upper bounds.
+  template <typename Search>
+  std::vector<typename Search::Entry> entries(const Search& search,
+                                              [[maybe_unused]] const std::vector<Seed>& seeds)
+  {
+    std::vector<typename Search::Entry> result;
+    if constexpr(!Search::Run::attaches_by_labels)
+      for(const Seed& seed : seeds)
+        result.push_back({seed, {}});
+    else
+    {
+      m_feet.clear();
+      const double unit = search.graph().unit();
+      for(std::size_t i = 0; i < m_curves.size(); ++i)
+        search.graph_run().for_each_line_from_curve(
+            m_curves[i], m_curves[i].distance / unit,
+            [&](const Index node, const double length, const auto& payload,
+                const Intrinsic_point& foot) {
+              result.push_back(
+                  {{node, m_curves[i].distance + length * unit, add_foot(foot, i)}, payload});
+            });
+    }
+    return result;
+  }
 
+  // Considers, for the answer of a search at a point, the curves with faces around it, and the
+  // lines from curves that do not depend on labels.
+  template <typename Graph, typename Answer>
+  void consider(const Graph& graph, const Intrinsic_point& point, Answer& best) const
+  {
+    const std::size_t around = curve_around(graph.triangulation(), point);
+    if(around != null_index && m_curves[around].distance < best.distance)
+      best = {m_curves[around].distance, around, null_index, 0, point};
+    if constexpr(has_curves<Graph>)
+      if(!point.is_vertex())
+        attach_target(graph, point)
+            .for_each_point(m_segments,
+                            [&](const std::size_t i, const double length, const double t) {
+                              consider(graph, i, length, t, best);
+                            });
+  }
+
+  // Considers the line of this length from the part `t` of a segment.
+  template <typename Graph, typename Answer>
+  void consider(const Graph& graph,
+                const std::size_t segment,
+                const double length,
+                const double t,
+                Answer& best) const
+  {
+    const auto& [from, to, curve] = m_segments[segment];
+    const double distance = m_curves[curve].distance + length * graph.unit();
+    if(distance < best.distance)
+      best = {distance, curve, null_index, length,
+              m_segments[segment].point(graph.triangulation(), t)};
+  }
+
+private:
   // The nearest of the curves that have the point in one of their faces; null_index if there is
   // none.
   std::size_t curve_around(const Intrinsic_triangulation& triangulation,
@@ -100,6 +173,29 @@ public:
             result = it->second;
       });
     return result;
+  }
+
+  void check(const Intrinsic_triangulation& triangulation) const
+  {
+    if(triangulation.has_directional_costs())
+      reject("Directional_graph: curves are no sources where costs depend on the direction");
+    for(std::size_t i = 0; i < m_curves.size(); ++i)
+    {
+      check_initial_distance(m_curves[i].distance, i);
+      for(const auto& polyline : m_curves[i].polylines)
+        for(const Intrinsic_point& p : polyline)
+          check_point(p, triangulation);
+      for(const Index h : m_curves[i].faces)
+        if(!(h < triangulation.number_of_halfedges()) || triangulation.is_border(h))
+          reject("source " + std::to_string(i) + " has a face that does not exist");
+    }
+  }
+
+  // Adds a foot, and returns its number.
+  std::size_t add_foot(const Intrinsic_point& point, const std::size_t curve)
+  {
+    m_feet.push_back({point, curve});
+    return m_feet.size() - 1;
   }
 
   // Calls `f(node, length, foot)` for the lines from a curve to nodes of a graph.
@@ -133,7 +229,6 @@ public:
     }
   }
 
-private:
   // Upper bounds of distances from a curve.
   class Known_labels
   {

@@ -178,22 +178,6 @@ smallest_distance(const double distance, const double epsilon, const double cost
   return (std::max)(distance - detour, 0.) / (1 + epsilon) * (1 - rounding_of_distances);
 }
 
-// Returns an interval that contains the distance of a point from the source of a search.
-template <typename SurfaceSearch>
-std::pair<double, double> distance_interval(const SurfaceSearch& search,
-                                            const Intrinsic_point& point,
-                                            const double maximum_distance)
-{
-  const auto& graph = search.graph();
-  const double distance = search.distance(point), epsilon = error_bound(graph);
-  const double costs =
-      cost_to_corner(graph, search.sources().front().point) + cost_to_corner(graph, point);
-  const double rounding = epsilon > 0 ? 2.4e-7 : rounding_of_distances; // stored arcs are `float`
-  return {smallest_distance((std::min)(distance, maximum_distance), epsilon, costs) *
-              (1 - rounding),
-          distance * (1 + rounding)};
-}
-
 } // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_SURFACE_GRAPH_H

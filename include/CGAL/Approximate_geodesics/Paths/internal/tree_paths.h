@@ -10,7 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/signed_distances.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/curve_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 
@@ -179,8 +180,12 @@ public:
       for(const auto node : search.reached_nodes())
         if(m_search.source(node) != Search::null_source)
           break; // the first source that is found allocates memory for all
+    const std::vector<double> with_sign =
+        is_signed(np) ? signed_distances(m_search) : std::vector<double>();
     put_for_all(distances, [&](auto /* vertex */, const auto node) {
-      return node == Search::null_node ? infinity : search.distance(node);
+      if(node == Search::null_node)
+        return infinity;
+      return with_sign.empty() ? search.distance(node) : with_sign[node];
     });
     if constexpr(with_sources)
     {
@@ -203,6 +208,13 @@ public:
 
 private:
   using Stop_rule = typename Surface_search::Stop_rule;
+
+  template <typename NamedParameters>
+  static bool is_signed([[maybe_unused]] const NamedParameters& np)
+  {
+    return parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::signed_distances), false);
+  }
 
   // Reads the named parameters that limit a run.
   template <typename NamedParameters>

@@ -33,6 +33,14 @@ Graph graph_with_epsilon(Intrinsic_triangulation triangulation, const double eps
                parameters::epsilon(epsilon).concurrency_tag(ConcurrencyTag()));
 }
 
+// Returns the exact graph of a mesh, for queries that are always exact.
+template <typename TriangleMesh, typename NamedParameters>
+Saddle_vertex_graph exact_graph(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  return graph_with_epsilon<Saddle_vertex_graph, Concurrency_tag<NamedParameters>>(
+      Intrinsic_triangulation(tmesh, np), 0);
+}
+
 // Whether a query that reads the parameters of meshes and graphs, and `Read`, ignores a parameter.
 template <typename NamedParameters, typename... Read>
 constexpr bool query_ignores_any = ignores_any<NamedParameters,
@@ -190,39 +198,6 @@ auto with_graph(const TriangleMesh& tmesh,
 
 } // namespace CGAL::Approximate_geodesics::internal
 
-/*
- * The target `Approximate_geodesics::compiled` instantiates what a query does once the mesh is
- * read: these functions, and what they call, know neither the type of the mesh nor the named
- * parameters. A program that links the target does not compile them again.
- */
-#ifdef CGAL_APPROXIMATE_GEODESICS_COMPILED
-#ifndef CGAL_APPROXIMATE_GEODESICS_INSTANTIATION // empty where the library is compiled
-#define CGAL_APPROXIMATE_GEODESICS_INSTANTIATION extern
-#endif
-
-#define CGAL_APPROXIMATE_GEODESICS_SEARCH(GRAPH)                                                   \
-  CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template class Surface_search<GRAPH>;                   \
-  CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template void Surface_search<GRAPH>::run(               \
-      std::vector<Source_point>, const Stop_rule&, Geodesic_visitor_base&);
-
-#define CGAL_APPROXIMATE_GEODESICS_GRAPH(GRAPH)                                                    \
-  CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template GRAPH                                          \
-  internal::graph_with_epsilon<GRAPH, Sequential_tag>(Intrinsic_triangulation, double);
-
-namespace CGAL::Approximate_geodesics {
-
-CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template internal::Edge_lengths
-internal::straight_lengths(std::vector<Space_vector>, const Intrinsic_triangulation&, const Loop&);
-CGAL_APPROXIMATE_GEODESICS_GRAPH(Lazy_discrete_geodesic_graph)
-CGAL_APPROXIMATE_GEODESICS_GRAPH(Saddle_vertex_graph)
-CGAL_APPROXIMATE_GEODESICS_SEARCH(Edge_graph)
-CGAL_APPROXIMATE_GEODESICS_SEARCH(Lazy_discrete_geodesic_graph)
-CGAL_APPROXIMATE_GEODESICS_SEARCH(Saddle_vertex_graph)
-
-} // namespace CGAL::Approximate_geodesics
-
-#undef CGAL_APPROXIMATE_GEODESICS_SEARCH
-#undef CGAL_APPROXIMATE_GEODESICS_GRAPH
-#endif // CGAL_APPROXIMATE_GEODESICS_COMPILED
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_QUERY_PARAMETERS_H

@@ -32,8 +32,10 @@ public:
   static constexpr Node null_node = (std::numeric_limits<Node>::max)();
 
   explicit Labels(const std::size_t number_of_nodes)
-    : m_distance(number_of_nodes, infinity), m_predecessor(number_of_nodes)
   {
+    reserve_huge_pages(m_distance, number_of_nodes);
+    m_distance.resize(number_of_nodes, infinity);
+    resize_in_huge_pages(m_predecessor, number_of_nodes);
     m_order.reserve(number_of_nodes + number_of_nodes / 16); // for those expanded twice
   }
 

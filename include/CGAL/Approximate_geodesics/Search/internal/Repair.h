@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -50,6 +49,17 @@ std::size_t number_of_changes([[maybe_unused]] const Graph& graph)
     return 0;
 }
 
+// Returns whether all changes are listed since there were so many.
+template <typename Graph>
+bool are_changes_known([[maybe_unused]] const Graph& graph,
+                       [[maybe_unused]] const std::size_t number_before)
+{
+  if constexpr(boost::is_detected_v<Changes_of_arcs, Graph>)
+    return graph.arc_changes().are_known_since(number_before);
+  else
+    return true;
+}
+
 /*
  * Prepares the labels of a search for another one, after arcs or seeds have changed.
  *
@@ -70,79 +80,23 @@ class Repair
   using Group = std::size_t;
 
 public:
-  // Memory is allocated at the first repair.
-  void start(const Graph& graph)
+  // Raises the labels that other seeds, and the changes of arcs since there were `number_before`,
+  // make invalid. All seeds have their distances in units of the graph. Returns false if so many
+  // labels are invalid that a repair is not worthwhile. Memory is allocated at the first call.
+  bool raise_labels(const Graph& graph,
+                    Labels& labels,
+                    const std::vector<Seed>& seeds_before,
+                    std::vector<Seed> seeds,
+                    [[maybe_unused]] const std::size_t number_before)
   {
     m_state.resize(graph.number_of_groups());
     m_is_marked.resize(graph.number_of_nodes());
-  }
-
-  // Raises what a change makes invalid, and lists the nodes that have shorter arcs.
-  void add(const Arc_changes::Change& change, const Graph& graph, Labels& labels)
-  {
-    if(change.is_shorter)
-      touch(change.group);
-    if(!change.is_longer)
-      return;
-    m_nodes.clear();
-    graph.for_each_node_of_group(change.group, [&](const Node node) { mark(node); });
-    for(const Node node : m_nodes)
-      if(labels.is_reached(node))
-      {
-        const Node predecessor = labels.predecessor(node);
-        if(predecessor != Labels::null_node && m_is_marked[predecessor])
-          m_raised.push_back(node);
-      }
-    unmark();
-    for(; m_number_raised < m_raised.size(); ++m_number_raised)
-      raise(m_raised[m_number_raised], graph, labels);
-  }
-
-  // Raises the seeds of the last search that are not among the new ones. Both have their distances
-  // in units of the graph. Returns false if most are gone, so that a repair is not worthwhile.
-  bool replace_seeds(const std::vector<Seed>& before,
-                     std::vector<Seed> now,
-                     const Graph& graph,
-                     Labels& labels)
-  {
-    std::sort(now.begin(), now.end(), [](const Seed& a, const Seed& b) {
-      return std::make_pair(a.node, a.distance) < std::make_pair(b.node, b.distance);
-    });
-    std::size_t number_of_roots = 0;
-    for(const Seed& seed : before)
-      if(is_root(seed.node, labels))
-      {
-        ++number_of_roots;
-        if(!is_at_least_as_near(now, seed.node, labels.distance(seed.node)))
-          m_raised.push_back(seed.node);
-      }
-    if(2 * (m_raised.size() - m_number_raised) > number_of_roots)
+    if(!replace_seeds(seeds_before, std::move(seeds), graph, labels))
       return false;
-    for(; m_number_raised < m_raised.size(); ++m_number_raised)
-      raise(m_raised[m_number_raised], graph, labels);
-    return true;
-  }
-
-  // Raises all nodes below those that were raised. Returns false if there are many, so that a
-  // repair is not worthwhile.
-  bool spread(const Graph& graph, Labels& labels)
-  {
-    const std::size_t most = labels.order().size() / LARGEST_PART;
-    for(std::size_t i = 0; i < m_waiting.size(); ++i)
-    {
-      m_state[m_waiting[i]] &= ~WAITS;
-      graph.for_each_node_of_group(m_waiting[i], [&](const Node node) {
-        if(labels.is_reached(node) && labels.predecessor(node) != Labels::null_node &&
-           !labels.is_reached(labels.predecessor(node)))
-        {
-          m_raised.push_back(node);
-          raise(node, graph, labels);
-        }
-      });
-      if(m_raised.size() > most)
-        return false;
-    }
-    return true;
+    if constexpr(boost::is_detected_v<Changes_of_arcs, Graph>)
+      graph.arc_changes().for_each_since(
+          number_before, [&](const Arc_changes::Change& change) { add(change, graph, labels); });
+    return spread(graph, labels);
   }
 
   // Returns the nodes with labels whose arcs can lower others.
@@ -200,6 +154,73 @@ private:
   static constexpr std::size_t LARGEST_PART = 2;
 
   static constexpr std::uint8_t IS_TOUCHED = 1, WAITS = 2; // states of groups
+
+  // Raises what a change makes invalid, and lists the nodes that have shorter arcs.
+  void add(const Arc_changes::Change& change, const Graph& graph, Labels& labels)
+  {
+    if(change.is_shorter)
+      touch(change.group);
+    if(!change.is_longer)
+      return;
+    m_nodes.clear();
+    graph.for_each_node_of_group(change.group, [&](const Node node) { mark(node); });
+    for(const Node node : m_nodes)
+      if(labels.is_reached(node))
+      {
+        const Node predecessor = labels.predecessor(node);
+        if(predecessor != Labels::null_node && m_is_marked[predecessor])
+          m_raised.push_back(node);
+      }
+    unmark();
+    for(; m_number_raised < m_raised.size(); ++m_number_raised)
+      raise(m_raised[m_number_raised], graph, labels);
+  }
+
+  // Raises the seeds of the last search that are not among the new ones. Returns false if most are
+  // gone.
+  bool replace_seeds(const std::vector<Seed>& before,
+                     std::vector<Seed> now,
+                     const Graph& graph,
+                     Labels& labels)
+  {
+    std::sort(now.begin(), now.end(), [](const Seed& a, const Seed& b) {
+      return std::make_pair(a.node, a.distance) < std::make_pair(b.node, b.distance);
+    });
+    std::size_t number_of_roots = 0;
+    for(const Seed& seed : before)
+      if(is_root(seed.node, labels))
+      {
+        ++number_of_roots;
+        if(!is_at_least_as_near(now, seed.node, labels.distance(seed.node)))
+          m_raised.push_back(seed.node);
+      }
+    if(2 * (m_raised.size() - m_number_raised) > number_of_roots)
+      return false;
+    for(; m_number_raised < m_raised.size(); ++m_number_raised)
+      raise(m_raised[m_number_raised], graph, labels);
+    return true;
+  }
+
+  // Raises all nodes below those that were raised. Returns false if there are many.
+  bool spread(const Graph& graph, Labels& labels)
+  {
+    const std::size_t most = labels.order().size() / LARGEST_PART;
+    for(std::size_t i = 0; i < m_waiting.size(); ++i)
+    {
+      m_state[m_waiting[i]] &= ~WAITS;
+      graph.for_each_node_of_group(m_waiting[i], [&](const Node node) {
+        if(labels.is_reached(node) && labels.predecessor(node) != Labels::null_node &&
+           !labels.is_reached(labels.predecessor(node)))
+        {
+          m_raised.push_back(node);
+          raise(node, graph, labels);
+        }
+      });
+      if(m_raised.size() > most)
+        return false;
+    }
+    return true;
+  }
 
   static bool is_root(const Node node, const Labels& labels)
   {

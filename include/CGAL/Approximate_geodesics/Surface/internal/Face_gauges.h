@@ -443,6 +443,21 @@ public:
 
   const std::vector<Sector>& all_sectors() const { return m_sectors; }
 
+  // Appends the sectors of the polygon of a hull.
+  static void append_sectors(const Gauge_hull& hull, std::vector<Sector>& sectors)
+  {
+    constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+    Gauge_hull::Id i = 0;
+    do
+    {
+      const Gauge_hull::Direction& d = hull[i];
+      if(d.is_corner)
+        sectors.push_back(
+            {d.vector, d.is_finite ? d.functional : Plane_vector{no_number, no_number}});
+      i = d.next;
+    } while(i != 0);
+  }
+
   // ----- construction
 
   void reserve(const std::size_t number_of_halfedges, const std::size_t number_of_faces)
@@ -459,7 +474,8 @@ public:
   void add(const Halfedges& halfedges, const Sides& sides, const Gauge_samples& samples)
   {
     add_corners(halfedges, sides);
-    add_sectors(samples.hull());
+    append_sectors(samples.hull(), m_sectors);
+    m_sampling_error = (std::max)(m_sampling_error, samples.hull().largest_error());
     m_first_sector.push_back(m_sectors.size());
     const Sector* const first = first_sector(number_of_faces());
     const Sector* const beyond = sectors() + m_sectors.size();
@@ -521,23 +537,6 @@ private:
       m_corner_of_halfedge[halfedges[i]] = static_cast<Index>(m_side.size());
       m_side.push_back(sides[i]);
     }
-  }
-
-  void add_sectors(const Gauge_hull& hull)
-  {
-    constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-    Gauge_hull::Id i = 0;
-    do
-    {
-      const Gauge_hull::Direction& d = hull[i];
-      if(d.is_corner)
-      {
-        m_sectors.push_back(
-            {d.vector, d.is_finite ? d.functional : Plane_vector{no_number, no_number}});
-        m_sampling_error = (std::max)(m_sampling_error, d.error());
-      }
-      i = d.next;
-    } while(i != 0);
   }
 
   // Returns whether a direction is in the half circle that begins with the first one of the face.

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 
 #include <algorithm>

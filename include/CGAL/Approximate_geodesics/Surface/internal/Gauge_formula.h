@@ -25,8 +25,8 @@ namespace CGAL::Approximate_geodesics::internal {
 class Gauge_formula
 {
 public:
-  // The cost of a vector, which is convex in every plane, and homogeneous. A vertical vector has
-  // the largest cost of those of length 1 with the same sign of the rise, or no smaller one.
+  // The cost of a vector: convex in every plane, and positively homogeneous. No unit vector costs
+  // more than the vertical one with the same sign of the rise.
   using Slope_cost = double (*)(double rise, double run);
 
   Gauge_formula() = default;
@@ -43,7 +43,7 @@ public:
   }
 
   // The cost of (x, y) is the root of `xx x^2 + 2 xy x y + yy y^2`, plus a linear functional.
-  // Returns no formula unless this is a number, and clearly positive in all directions.
+  // Returns no formula unless it is finite, and positive in all directions, also after rounding.
   static Gauge_formula
   of_norm(const double xx, const double xy, const double yy, const Plane_vector linear)
   {
@@ -94,9 +94,9 @@ public:
   void multiply(const double factor) { m_factor *= factor; }
 
 private:
-  // Ratios at which sampling is more accurate than the formula, or bounds the error at least.
-  static constexpr double SMALLEST_RATIO = 1e-8;
-  static constexpr double LARGEST_DRIFT = 0.9999;
+  // Beyond these, cancellation makes formulas less accurate than samples, whose error is bounded.
+  static constexpr double SMALLEST_RATIO = 1e-8;  // of the determinant to the squared trace
+  static constexpr double LARGEST_DRIFT = 0.9999; // the norm of the functional
 
   Slope_cost m_slope_cost = nullptr;
   double m_factor = 0; // 0 if there is no formula

@@ -93,8 +93,8 @@ class Unfolded_faces
 public:
   // Throws if a face violates the triangle inequality.
   explicit Unfolded_faces(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
-    : m_faces(triangulation.number_of_halfedges())
   {
+    resize_in_huge_pages(m_faces, triangulation.number_of_halfedges());
     std::atomic<bool> is_any_suspicious(false);
     loop.run_blocks(
         triangulation.number_of_vertices(), [&](const std::size_t first, const std::size_t beyond) {
@@ -122,7 +122,7 @@ public:
   std::size_t memory() const { return memory_of(m_faces); }
 
 private:
-  std::vector<Face> m_faces;
+  std::vector<Face, Uninitialized_allocator<Face>> m_faces;
 };
 
 using Unfolding = Unfolded_faces<Unfolded_face>;

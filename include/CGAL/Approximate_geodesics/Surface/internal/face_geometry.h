@@ -374,6 +374,34 @@ void for_each_face_point(const Intrinsic_triangulation& triangulation,
       f(Face_point::on_edge(side, 1 - p.t));
 }
 
+// Calls `f(position)` for the point in that face, if the corners from the source of `h` on are at
+// these positions.
+template <typename F>
+void for_each_position(const Intrinsic_triangulation& triangulation,
+                       const Intrinsic_point& p,
+                       const Index h,
+                       const std::array<Plane_vector, 3>& corners,
+                       F f)
+{
+  for_each_face_point(triangulation, p, h, [&](const Face_point& point) {
+    f(point.seen_from(triangulation, h).position(corners));
+  });
+}
+
+// Calls `f(i, position)` for all points there.
+template <typename F>
+void for_each_position(const Intrinsic_triangulation& triangulation,
+                       const Points_by_face& points,
+                       const Index h,
+                       const std::array<Plane_vector, 3>& corners,
+                       F f)
+{
+  points.for_each_in_face(h, [&](const std::size_t i) {
+    for_each_position(triangulation, points[i], h, corners,
+                      [&](const Plane_vector position) { f(i, position); });
+  });
+}
+
 // The end of a line, which is a vertex or any point.
 inline Intrinsic_point point_at(const Index v) { return Intrinsic_point::at_vertex(v); }
 inline Intrinsic_point point_at(const Intrinsic_point& point) { return point; }

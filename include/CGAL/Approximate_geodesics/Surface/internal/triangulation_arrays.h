@@ -36,7 +36,10 @@ constexpr Index null_index = (std::numeric_limits<Index>::max)();
 class Opposite_ranks
 {
 public:
-  void resize(const std::size_t number_of_halfedges) { m_rank.resize(number_of_halfedges); }
+  void resize(const std::size_t number_of_halfedges)
+  {
+    resize_in_huge_pages(m_rank, number_of_halfedges);
+  }
 
   Index rank_of_opposite(const Index h) const
   {

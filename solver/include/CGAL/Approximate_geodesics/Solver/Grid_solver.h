@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Workspaces.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/search_on_grid.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines_on_grid.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
@@ -45,9 +46,9 @@ public:
   /*!
    * builds the graph. It copies what it needs, and keeps no pointer.
    *
-   * \throws std::invalid_argument, std::length_error as the constructor of `Grid_graph` does, and
-   * if costs are of the slope and there are no heights, if there is a bound `epsilon` with heights
-   *         or costs, or if numbers of the costs are wrong.
+   * \throws std::invalid_argument, std::length_error as the constructor of `Grid_graph` does.
+   * \throws std::invalid_argument also if costs are of the slope and there are no heights, if there
+   *         is a bound `epsilon` with heights or costs, or if numbers of the costs are wrong.
    */
   explicit Grid_solver(const Grid_shape& shape,
                        const Grid_solver_options& options = Grid_solver_options(),
@@ -84,9 +85,8 @@ public:
    *
    * \param sources the sources
    * \param costs receives one number per cell, infinity if it is not reached
-   * \param nearest_sources if not null, receives the position of the nearest source of each cell,
-   * or
-   *        `-1` if it is not reached
+   * \param nearest_sources if not null, receives the position among the sources of the nearest one
+   *        of each cell, or `-1` if it is not reached
    * \param predecessors if not null, receives the previous cell whose center is on the path, by its
    *        place in the order of values: the cell itself if there is none, or `-1` if it is not
    *        reached
@@ -105,7 +105,7 @@ public:
   {
     internal::Solver_visitor visitor(watch);
     const auto search = searches(options.direction_to_source).borrow();
-    search->run(seeds(sources), Stop_rule{options.maximum_distance});
+    search->run(internal::seeds_of_cells(m_graph, sources), Stop_rule{options.maximum_distance});
     for(std::size_t i = 0; i < m_graph.shape().number_of_cells(); ++i)
     {
       const auto node = static_cast<Grid_graph::Node>(i);
@@ -138,25 +138,23 @@ public:
     const Grid_graph::Node end = internal::name_in_message([] { return std::string("target"); },
                                                            [&] { return m_graph.node(target); });
     const auto search = m_searches.borrow();
-    search->run_toward(seeds({source}), Stop_rule{internal::infinity, {end}},
-                       [&](const Grid_graph::Node node) { return m_graph.lower_bound(node, end); });
-    std::vector<Grid_point> from_target;
-    if(search->is_reached(end))
-      for(Grid_graph::Node node = end; node != search->null_node; node = search->predecessor(node))
-        from_target.push_back(m_graph.position(node));
-    points.assign(from_target.rbegin(), from_target.rend());
+    points = internal::find_path_on_grid(
+        *search, internal::seeds_of_cells(m_graph, std::vector<Grid_cell>{source}),
+        internal::infinity, end);
     visitor.finish();
     return search->distance(end);
   }
 
   /// returns the lines where a function, given by one value per cell, has a value: see
-  /// `isolines_on_grid()`.
+  /// `isolines_on_grid()`. Values are costs, or others without `Grid_shape::no_data`; where there
+  /// is no value, it is infinite or NaN.
   std::vector<std::vector<Grid_point>> find_isolines(const double* const values,
                                                      const double isovalue) const
   {
     std::vector<std::vector<Grid_point>> result;
-    const std::size_t number = m_graph.shape().number_of_cells();
-    isolines_on_grid(m_graph.shape(), CGAL::make_range(values, values + number), isovalue,
+    Grid_shape shape = m_graph.shape();
+    shape.no_data.reset(); // that of friction can be a cost
+    isolines_on_grid(shape, CGAL::make_range(values, values + shape.number_of_cells()), isovalue,
                      std::back_inserter(result));
     return result;
   }
@@ -181,18 +179,6 @@ private:
     if(m_reversed == nullptr)
       m_reversed = std::make_unique<Reversed>(m_graph);
     return m_reversed->searches;
-  }
-
-  std::vector<Seed> seeds(const std::vector<Grid_cell>& sources) const
-  {
-    std::vector<Seed> result;
-    for(const Grid_cell& source : sources)
-      result.push_back(
-          internal::name_in_message([&] { return internal::name_in_list("source", result.size()); },
-                                    [&] {
-                                      return Seed{m_graph.node(source), 0, result.size()};
-                                    }));
-    return result;
   }
 
   // Returns the previous center on the path to a node.

@@ -14,10 +14,29 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
+ * The parameters of `Solver_cells`.
+ */
+struct Solver_cell_options
+{
+  /// whether borders are also those of the cut locus.
+  bool within_cells = false;
+
+  /// a distance to add for each source; if there are none, they are `0`.
+  std::vector<double> initial_distances = {};
+
+  /// the largest distance of an arc from its polyline; if absent, a thousandth of the mean length
+  /// of edges.
+  std::optional<double> chord_error = std::nullopt;
+};
 
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
@@ -41,31 +60,31 @@ public:
     bool is_closed;                     ///< whether it is closed
   };
 
-  /// divides the surface of a solver among sources. If `within_cells` is `true`, borders are also
-  /// those of the cut locus.
+  /// divides the surface of a solver among sources.
+  /// \param solver is not kept
+  /// \param sources the sources
+  /// \param options which borders, and how exact their polylines are
+  /// \param watch is called during the run
   /// \throws std::invalid_argument as `voronoi_borders()` does.
   Solver_cells(const Solver& solver,
                const std::vector<Solver_point>& sources,
-               const bool within_cells = false)
+               const Solver_cell_options& options = Solver_cell_options(),
+               const Solver_watch& watch = Solver_watch())
   {
+    internal::Solver_visitor visitor(watch);
     std::vector<Surface_point<Mesh>> points;
     for(const Solver_point& p : sources)
       points.push_back(solver.surface_point(p, "source " + std::to_string(points.size())));
-    const Mesh& mesh = solver.mesh();
-    const auto cells = within_cells ? cut_locus(mesh, points) : voronoi_borders(mesh, points);
-    m_areas = cells.areas;
-    m_neighbors = cells.neighbors();
-    m_triangles = cells.triangles();
-    for(const auto& border : cells.borders)
-    {
-      m_borders.push_back({border.sources, {}, border.is_closed()});
-      for(const auto& location : border.points)
-      {
-        const auto p = Polygon_mesh_processing::construct_point(location, mesh);
-        m_borders.back().coordinates.insert(m_borders.back().coordinates.end(),
-                                            {p.x(), p.y(), p.z()});
-      }
-    }
+    std::vector<double> initial = options.initial_distances;
+    if(initial.empty())
+      initial.resize(points.size(), 0);
+    const auto np = parameters::initial_distances(initial);
+    const auto divided = [&](const auto& given) {
+      return internal::cells_of(solver.mesh(), points, options.within_cells, given);
+    };
+    set(solver.mesh(),
+        options.chord_error ? divided(np.chord_error(*options.chord_error)) : divided(np));
+    visitor.finish();
   }
 
   /// returns the area of the cell of each source.
@@ -81,6 +100,23 @@ public:
   const std::vector<std::array<std::size_t, 3>>& triangles() const { return m_triangles; }
 
 private:
+  void set(const Mesh& mesh, const Voronoi_cells<Mesh>& cells)
+  {
+    m_areas = cells.areas;
+    m_neighbors = cells.neighbors();
+    m_triangles = cells.triangles();
+    for(const auto& border : cells.borders)
+    {
+      m_borders.push_back({border.sources, {}, border.is_closed()});
+      std::vector<double>& coordinates = m_borders.back().coordinates;
+      for(const auto& location : border.points)
+      {
+        const auto p = Polygon_mesh_processing::construct_point(location, mesh);
+        coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+      }
+    }
+  }
+
   std::vector<double> m_areas;
   std::vector<Border> m_borders;
   std::vector<std::array<std::size_t, 2>> m_neighbors;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Queries/offset_curves.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
+#include <CGAL/Approximate_geodesics/Solver/internal/Solver_visitor.h>
 #include <CGAL/approximate_geodesic_distances.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -31,7 +32,8 @@ namespace CGAL::Approximate_geodesics {
  * barriers. The header is not part of `Solver.h`, as most programs do not need it.
  *
  * All member functions are thread-safe, and throw `std::invalid_argument` for points and faces that
- * do not exist, and where `approximate_geodesic_distances()` and `offset_curves()` do.
+ * do not exist, and where `approximate_geodesic_distances()` and `offset_curves()` do. They throw
+ * `Solver_interrupted` if a watch ends the call.
  */
 class Solver_curves
 {
@@ -81,22 +83,32 @@ public:
     return result;
   }
 
-  /// writes the distance of each vertex from a curve or a region, infinity if it is not reached.
+  /// writes the distance of each vertex from a curve or a region, infinity if it is not reached. If
+  /// `is_signed`, distances are negative to the left of the curve, as with `signed_distances`.
   template <typename Source>
-  void find_distances(const Source& source, double* const distances) const
+  void find_distances(const Source& source,
+                      double* const distances,
+                      const bool is_signed = false,
+                      const Solver_watch& watch = Solver_watch()) const
   {
+    internal::Solver_visitor visitor(watch);
     const Mesh& mesh = m_solver.mesh();
     approximate_geodesic_distances(
         mesh, boost::make_iterator_property_map(distances, get(boost::vertex_index, mesh)), source,
-        parameters::epsilon(0));
+        parameters::epsilon(0).signed_distances(is_signed));
+    visitor.finish();
   }
 
   /// returns the curves at some distances from a curve or a region, ordered by distance.
   template <typename Source>
-  std::vector<Offset> offsets(const Source& source, const std::vector<double>& distances) const
+  std::vector<Offset> offsets(const Source& source,
+                              const std::vector<double>& distances,
+                              const Solver_watch& watch = Solver_watch()) const
   {
+    internal::Solver_visitor visitor(watch);
     std::vector<Offset_curve<Kernel::Point_3>> curves;
     offset_curves(m_solver.mesh(), source, distances, std::back_inserter(curves));
+    visitor.finish();
     std::vector<Offset> result;
     for(auto& c : curves)
     {
@@ -107,6 +119,7 @@ public:
       for(const auto& p : c.points)
         offset.coordinates.insert(offset.coordinates.end(), {p.x(), p.y(), p.z()});
     }
+    visitor.finish();
     return result;
   }
 

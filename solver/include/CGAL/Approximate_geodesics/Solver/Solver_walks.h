@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Queries/internal/curve_parameters.h>
 #include <CGAL/Approximate_geodesics/Queries/karcher_mean.h>
 #include <CGAL/Approximate_geodesics/Queries/shorten_loop.h>
 #include <CGAL/Approximate_geodesics/Queries/trace_geodesic.h>
@@ -15,8 +16,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <variant>
@@ -33,7 +34,7 @@ namespace CGAL::Approximate_geodesics {
  *
  * A direction is a vector in space, of which the part along the surface counts, or a
  * `Tangent_vector`, whose frame at a vertex `find_frames()` gives. All `const` member functions are
- * thread-safe.
+ * thread-safe. A watch is told the progress of each search.
  */
 class Solver_walks
 {
@@ -56,11 +57,11 @@ public:
     bool meets_border;               ///< whether it has ended early at the border
   };
 
-  /// A closed curve.
-  struct Loop
+  /// A locally shortest curve.
+  struct Curve
   {
-    std::vector<double> coordinates; ///< those of its points, three each; the first one is also the
-                                     ///< last, unless there is only one
+    std::vector<double> coordinates; ///< those of its points, three each; the first one of a loop
+                                     ///< is also the last. There is only one if it contracts to it
     double length;                   ///< its length; infinity if there is none
   };
 
@@ -75,14 +76,9 @@ public:
   /// reads the mesh of a solver, which is referred to, not copied. It takes about 300 bytes per
   /// vertex.
   /// \throws std::invalid_argument if a face breaks the triangle inequality.
-  explicit Solver_walks(const Solver& solver)
-    : m_solver(solver),
-      m_tracer(solver.mesh()),
-      m_graph(internal::graph_with_epsilon<Saddle_vertex_graph, Sequential_tag>(
-          Intrinsic_triangulation(solver.mesh()), 0)),
-      m_translation(solver.mesh(), get(boost::vertex_index, solver.mesh()), m_graph.triangulation())
+  explicit Solver_walks(const Solver& solver, const Solver_watch& watch = Solver_watch())
+    : Solver_walks(solver, internal::Solver_visitor(watch))
   {
-    m_translation.list_vertices();
   }
 
   /// not copyable.
@@ -91,8 +87,12 @@ public:
 
   /// walks straight ahead, as `trace_geodesic()` does.
   template <typename Direction>
-  Walk trace(const Solver_point& start, const Direction& direction, const double length) const
+  Walk trace(const Solver_point& start,
+             const Direction& direction,
+             const double length,
+             const Solver_watch& watch = Solver_watch()) const
   {
+    const internal::Solver_visitor visitor(watch);
     const auto walk = m_tracer.trace(point(start, "start"), vector(direction), length);
     Walk result{{}, {}, walk.length, walk.meets_border};
     for(const Point& p : walk.points)
@@ -105,19 +105,21 @@ public:
 
   /// writes the logarithmic map of a point, two numbers per vertex, as `logarithmic_map()` computes
   /// it.
-  void find_logarithms(const Solver_point& source, double* vectors) const
+  void find_logarithms(const Solver_point& source,
+                       double* vectors,
+                       const Solver_watch& watch = Solver_watch()) const
   {
+    internal::Solver_visitor visitor(watch);
     const Intrinsic_point p = intrinsic_point(source, "source");
-    Surface_search<Saddle_vertex_graph> search(m_graph);
-    Geodesic_visitor_base visitor; // as in the compiled searches
-    search.run({{p}}, {}, visitor);
+    Search search(m_graph);
+    run(search, {p});
     internal::Logarithms logarithms(search, p);
     for(const auto v : m_solver.mesh().vertices())
     {
-      const Tangent_vector vector = logarithms(m_translation.node(v));
-      *vectors++ = vector.x;
-      *vectors++ = vector.y;
+      internal::check_for_interruption_at(v);
+      vectors = write(logarithms(m_translation.node(v)), vectors);
     }
+    visitor.finish();
   }
 
   /// transports a vector along a shortest path, as `parallel_transport()` does, and returns it in
@@ -126,16 +128,54 @@ public:
   template <typename Direction>
   Tangent_vector transport(const Solver_point& source,
                            const Solver_point& target,
-                           const Direction& direction) const
+                           const Direction& direction,
+                           const Solver_watch& watch = Solver_watch()) const
   {
-    const auto path =
-        path_between(intrinsic_point(source, "source"), intrinsic_point(target, "target"));
-    if(path.empty())
+    const internal::Solver_visitor visitor(watch);
+    const Intrinsic_point p = intrinsic_point(source, "source"),
+                          q = intrinsic_point(target, "target");
+    Search search(m_graph);
+    search.run_to(q, {{p}});
+    const Path path = search.find_path(q);
+    if(path.points.empty())
       internal::reject("there is no path to transport the vector along");
     std::vector<Point> points;
-    for(const Intrinsic_point& p : path)
-      points.push_back(m_translation.surface_point(p));
+    std::transform(path.points.rbegin(), path.points.rend(), std::back_inserter(points),
+                   [&](const Intrinsic_point& r) { return m_translation.surface_point(r); });
     return m_tracer.transport(points, vector(direction));
+  }
+
+  /// writes, for each vertex, the vector of the nearest source after it has been transported along
+  /// a shortest path, two numbers in the frame of the vertex; zeros if it is not reached.
+  void extend_vectors(const std::vector<Solver_point>& sources,
+                      const std::vector<Tangent_vector>& vectors,
+                      double* extended,
+                      const Solver_watch& watch = Solver_watch()) const
+  {
+    internal::Solver_visitor visitor(watch);
+    if(vectors.size() != sources.size())
+      internal::reject("there are " + std::to_string(sources.size()) + " sources, and " +
+                       std::to_string(vectors.size()) + " vectors");
+    for(std::size_t i = 0; i < vectors.size(); ++i)
+      internal::check_tangent_vector(vectors[i], ("vector " + std::to_string(i)).c_str());
+    Search search(m_graph);
+    run(search, intrinsic_points(sources, "source"));
+    const internal::First_lines lines(m_graph.triangulation());
+    for(const auto v : m_solver.mesh().vertices())
+    {
+      internal::check_for_interruption_at(v);
+      Tangent_vector result;
+      if(const auto node = m_translation.node(v); node != Search::Search::null_node)
+        if(const std::size_t source = search.source(node); source != Search::null_source)
+        {
+          const Path path = search.find_path(Intrinsic_point::at_vertex(node)); // to the source
+          result = internal::tangent_vector(internal::angle_of(vectors[source]) -
+                                                lines.turn(path.points),
+                                            internal::length(vectors[source]));
+        }
+      extended = write(result, extended);
+    }
+    visitor.finish();
   }
 
   /// returns the vector in space that a tangent vector at a point stands for.
@@ -145,8 +185,11 @@ public:
   }
 
   /// finds a mean of points, as `karcher_mean()` does.
-  Mean find_mean(const std::vector<Solver_point>& points, const std::vector<double>& weights) const
+  Mean find_mean(const std::vector<Solver_point>& points,
+                 const std::vector<double>& weights,
+                 const Solver_watch& watch = Solver_watch()) const
   {
+    const internal::Solver_visitor visitor(watch);
     if(points.empty())
       internal::reject("there are no points to find the mean of");
     std::vector<double> shares = internal::shares(weights, points.size());
@@ -159,32 +202,29 @@ public:
 
   /// shortens a closed curve, as `shorten_loop()` does. Points that have no face in common with the
   /// next one are joined to it by a shortest path.
-  Loop shorten_loop(const std::vector<Solver_point>& curve) const
+  Curve shorten_loop(const std::vector<Solver_point>& points,
+                     const Solver_watch& watch = Solver_watch()) const
   {
-    const std::vector<Intrinsic_point> points = intrinsic_points(curve, "point");
-    if(points.empty())
-      internal::reject("the loop has no points");
-    Path loop{{points.front()}, 0};
-    for(std::size_t i = 0; i < points.size(); ++i)
-    {
-      const Intrinsic_point &p = points[i], &q = points[(i + 1) % points.size()];
-      if(std::isinf(internal::shortest_segment(m_graph.triangulation(), p, q).length))
-      {
-        const auto path = path_between(p, q);
-        if(path.empty())
-          internal::reject("there is no path from point " + std::to_string(i) + " to the next one");
-        loop.points.insert(loop.points.end(), path.begin() + 1, path.end() - 1);
-      }
-      loop.points.push_back(q);
-    }
-    return loop_of(Loop_straightener(m_graph.triangulation()).shortened(loop));
+    const internal::Solver_visitor visitor(watch);
+    return curve_of(Loop_straightener(m_graph.triangulation()).shortened(path(points, true)));
+  }
+
+  /// shortens a curve in the same way, but keeps its ends where they are.
+  Curve shorten_curve(const std::vector<Solver_point>& points,
+                      const Solver_watch& watch = Solver_watch()) const
+  {
+    const internal::Solver_visitor visitor(watch);
+    const Loop_straightener straightener(m_graph.triangulation());
+    return curve_of(straightener.shortened_with_fixed_ends(path(points, false)));
   }
 
   /// finds a shortest loop through a point, as `shortest_loop_through()` does. It has no points if
   /// there is none.
-  Loop shortest_loop_through(const Solver_point& p) const
+  Curve shortest_loop_through(const Solver_point& p,
+                              const Solver_watch& watch = Solver_watch()) const
   {
-    return loop_of(internal::shortest_loop(m_graph, intrinsic_point(p, "point")));
+    const internal::Solver_visitor visitor(watch);
+    return curve_of(internal::shortest_loop(m_graph, intrinsic_point(p, "point")));
   }
 
   /// writes the axes of the frame of each vertex, of length `1` in the plane that is orthogonal to
@@ -207,6 +247,29 @@ public:
   }
 
 private:
+  using Search = Surface_search<Saddle_vertex_graph>;
+
+  // The visitor watches the construction.
+  Solver_walks(const Solver& solver, internal::Solver_visitor&& visitor)
+    : m_solver(solver),
+      m_tracer(solver.mesh()),
+      m_graph(internal::graph_with_epsilon<Saddle_vertex_graph, Sequential_tag>(
+          Intrinsic_triangulation(solver.mesh()), 0)),
+      m_translation(solver.mesh(), get(boost::vertex_index, solver.mesh()), m_graph.triangulation())
+  {
+    m_translation.list_vertices();
+    visitor.finish();
+  }
+
+  static void run(Search& search, const std::vector<Intrinsic_point>& sources)
+  {
+    std::vector<Source_point> points;
+    for(const Intrinsic_point& p : sources)
+      points.push_back({p});
+    Geodesic_visitor_base visitor; // as in the compiled searches
+    search.run(std::move(points), {}, visitor);
+  }
+
   // ----- points
 
   Point point(const Solver_point& p, const std::string& role) const
@@ -246,23 +309,22 @@ private:
     coordinates.insert(coordinates.end(), {position.x(), position.y(), position.z()});
   }
 
-  Loop loop_of(const Path& path) const
+  // Along the curve that points of the mesh stand for.
+  Path path(const std::vector<Solver_point>& points, const bool is_closed) const
   {
-    Loop result{{}, path.points.empty() ? internal::infinity : path.length};
+    Source_curve<Mesh> curve{{}, is_closed};
+    for(const Intrinsic_point& p : intrinsic_points(points, "point"))
+      curve.points.push_back(m_translation.surface_point(p));
+    internal::Curve_reader reader(m_graph, m_translation);
+    return {reader.read(curve).polylines.front(), 0};
+  }
+
+  Curve curve_of(const Path& path) const
+  {
+    Curve result{{}, path.points.empty() ? internal::infinity : path.length};
     for(const Intrinsic_point& p : path.points)
       append(m_translation.surface_point(p), result.coordinates);
     return result;
-  }
-
-  // Empty if there is none.
-  std::vector<Intrinsic_point> path_between(const Intrinsic_point& p,
-                                            const Intrinsic_point& q) const
-  {
-    Surface_search<Saddle_vertex_graph> search(m_graph);
-    search.run_to(q, {{p}});
-    Path path = search.find_path(q);
-    std::reverse(path.points.begin(), path.points.end());
-    return std::move(path.points);
   }
 
   // ----- vectors
@@ -270,6 +332,13 @@ private:
   static Tangent_vector vector(const Tangent_vector& v) { return v; }
   static Vector_3 vector(const Vector& v) { return {v[0], v[1], v[2]}; }
   static Vector numbers(const Vector_3& v) { return {v.x(), v.y(), v.z()}; }
+
+  static double* write(const Tangent_vector& v, double* const numbers)
+  {
+    numbers[0] = v.x;
+    numbers[1] = v.y;
+    return numbers + 2;
+  }
 
   Vector normal_at(const Mesh::Vertex_index v) const
   {

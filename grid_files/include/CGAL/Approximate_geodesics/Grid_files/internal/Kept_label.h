@@ -65,7 +65,6 @@ public:
 
   bool exists() const { return m_bits != 0; }
 
-  void reset() { m_bits = 0; }
   void set(const Grid_place& predecessor, const Grid_place& place)
   {
     const auto columns = static_cast<std::uint32_t>(predecessor.column + CENTER - place.column);

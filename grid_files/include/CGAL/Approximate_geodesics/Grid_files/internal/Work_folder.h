@@ -18,8 +18,8 @@ namespace CGAL::Approximate_geodesics::internal {
  * A folder for the files of one task at a time, which one process works on. The file `task` says
  * which it is, and appears when the other files are ready to be resumed from.
  *
- * What a process has written to mapped files is kept if it is killed. If the machine stops, it may
- * be kept in part; `is_intact()` tells, by the boot that `task` was written in.
+ * What a process has written to mapped files is kept if it is killed. If the operating system
+ * crashes, it may be kept in part; `is_intact()` tells, by the boot that `task` was written in.
  */
 class Work_folder
 {
@@ -34,7 +34,7 @@ public:
   // Returns whether this task was begun. Throws std::invalid_argument if another one was.
   bool has_begun(const std::string& task) const;
 
-  // Returns whether the machine has not stopped since `begin()`.
+  // Returns whether the operating system has run without a restart since `begin()`.
   bool is_intact() const;
 
   // Notes that the files of this task are ready.

@@ -45,29 +45,6 @@ struct Cone_rules
     return (std::max)(smallest, SHARE_OF_ENDS - 6 * epsilon);
   }
 
-  // By how much, relatively, ways from samples of a curve may be longer than those from the curve.
-  // It is most of what cones leave of epsilon; searches from a curve that end cones by labels leave
-  // it, too.
-  double largest_error_of_samples() const
-  {
-    constexpr double part = 0.8;
-    return part * ((1 + epsilon) / longest_detour - 1);
-  }
-
-  // The bound that is left for the lines from samples: the product of both errors is within
-  // epsilon.
-  double epsilon_from_samples() const
-  {
-    return (1 + epsilon) / (1 + largest_error_of_samples()) - 1;
-  }
-
-  // The ratio of width to height up to which a point is such a sample.
-  double slope_of_strips() const
-  {
-    const double error = largest_error_of_samples();
-    return std::sqrt(error * (2 + error));
-  }
-
   explicit Cone_rules(const double bound, const double share_of_detours = SHARE_OF_DETOURS)
     : epsilon(bound),
       longest_detour(1 + SHARE_OF_ENDS * bound),

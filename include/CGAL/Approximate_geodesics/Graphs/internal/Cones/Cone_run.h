@@ -67,7 +67,7 @@ public:
   template <typename Search>
   void start(Search& search)
   {
-    m_epsilon = search.starts_from_curves() ? graph().m_rules.epsilon_from_samples()
+    m_epsilon = search.starts_from_curves() ? epsilon_from_samples(graph().m_rules)
                                             : graph().m_rules.epsilon;
   }
 

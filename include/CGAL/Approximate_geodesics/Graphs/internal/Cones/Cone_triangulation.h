@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Lines_by_direction.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,21 +38,11 @@ public:
 
   const Intrinsic_triangulation& get() const { return m_other ? m_other->triangulation() : m_mesh; }
 
-  // A summary of the lengths of edges. Nodes in needles are far closer to each other than most
-  // edges are long, so the mean is that of the shortest edge of each node.
+  // A summary of the lengths of edges.
   Arc_lengths edge_lengths() const
   {
-    if(!m_other || !m_other->has_refined_needles())
-      return summarize_arc_lengths(m_mesh.lengths());
-    const Intrinsic_triangulation& t = m_other->triangulation();
-    Arc_lengths result = summarize_arc_lengths(t.lengths());
-    double sum = 0;
-    for(Index v = 0; v < t.number_of_vertices(); ++v)
-      if(t.degree(v) > 0)
-        sum += *std::min_element(t.lengths().begin() + t.first_halfedge(v),
-                                 t.lengths().begin() + t.beyond_halfedge(v));
-    result.mean = sum / t.number_of_vertices();
-    return result;
+    return m_other && m_other->has_refined_needles() ? summarize_edges(m_other->triangulation())
+                                                     : summarize_arc_lengths(m_mesh.lengths());
   }
 
   // Where a node is in the mesh.
@@ -99,7 +89,7 @@ public:
     }
     const Intrinsic_point end = position(target);
     const Cone_rules latest(1e-300); // cones end as late as possible
-    const Cones_of_point lines(m_mesh, latest, position(source));
+    const Lines_by_direction lines(m_mesh, latest, position(source));
     Line_search line(length, rounding);
     lines.consider_lines_in_faces(end, line);
     if(!line.is_found())

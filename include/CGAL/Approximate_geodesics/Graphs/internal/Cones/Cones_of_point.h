@@ -8,16 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Strips_of_curve.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Strip_expansion.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <type_traits>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -33,10 +29,10 @@ public:
                  const Cone_rules& rules,
                  const Intrinsic_point& point)
     : m_triangulation(triangulation),
+      m_point(point),
       m_unfolding{triangulation},
       m_expansion(triangulation, m_unfolding, rules),
       m_rules(rules),
-      m_point(point),
       m_lines(triangulation, point)
   {
   }
@@ -51,12 +47,7 @@ public:
   template <typename F>
   void for_each_node(F f) const
   {
-    m_lines.for_each_node(f);
-    if(!m_point.is_vertex())
-      for_each_view([&](const View& view) {
-        m_expansion.expand_through(
-            view, [&](const Straight_arc& arc) { f(arc.target, arc.length); }, Leave_out_nothing());
-      });
+    for_each_node_in_cones(Leave_out_nothing(), f);
   }
 
   // The same for lines that may be of use to a search from a curve, to which the point belongs. The
@@ -64,42 +55,19 @@ public:
   template <typename Labels, typename F>
   void for_each_node(const Labels& labels, const double label, F f) const
   {
-    m_lines.for_each_node(f);
-    if(m_point.is_vertex())
-      return;
-    for_each_view([&](const View& view) {
-      m_expansion.expand_through(
-          view, [&](const Straight_arc& arc) { f(arc.target, arc.length); },
-          Label_pruning<Leave_out_nothing, Labels>{
-              {}, m_triangulation, labels, label, 1 + m_rules.epsilon_from_samples()});
-    });
+    for_each_node_in_cones(
+        Label_pruning<Leave_out_nothing, Labels>{
+            {}, m_triangulation, labels, label, 1 + epsilon_from_samples(m_rules)},
+        f);
   }
 
-  /*
-   * Calls `f(v, length, foot)` for vertices that are nearest to a point `foot` inside the segment
-   * to `end`, along parallel rays from there. `on_sample(p)` is called for points of the segment
-   * whose lines are needed, too: those where a strip of rays ends at a height that is far larger
-   * than its width. The way from `p` to all that lies behind is longer than the rays by a factor of
-   * at most `1 + Cone_rules::largest_error_of_samples()`.
-   */
+  // Calls `f(v, length, foot)` and `on_sample(p)` for the segment to `end`: see `Strips_of_curve`.
   template <typename F, typename OnSample>
   void for_each_node_beside(const Intrinsic_point& end, F f, OnSample on_sample) const
   {
     m_lines.for_each_node_beside(end, f, on_sample);
-    for_each_segment(m_triangulation, m_point, end, [&](const Curve_segment& segment) {
-      for(const Curve_segment& s : {segment, Curve_segment{segment.to, segment.from}})
-      {
-        const Segment_layout layout(m_triangulation, s);
-        if(!(layout.length() > 0))
-          continue;
-        Strip_visitor<F, OnSample> visitor{
-            m_triangulation, f, on_sample, s, layout.length(), m_rules.slope_of_strips()};
-        const Face_steps_on_demand steps(m_triangulation);
-        Strip_expansion<Face_steps_on_demand, Strip_visitor<F, OnSample>>(m_triangulation, steps, 0,
-                                                                          visitor)
-            .look(layout, is_along_halfedge(s.from, s.to));
-      }
-    });
+    Strips_of_curve<F, OnSample>{m_triangulation, slope_of_strips(m_rules), f, on_sample}.follow(
+        m_point, end);
   }
 
   // Calls `f(i, length)` for the lines to given points, or `f(i, length, t)` for those to the
@@ -156,51 +124,7 @@ public:
   template <typename Visitor>
   void find_line(const Intrinsic_point& end, const Visitor& visitor, Line_search& search) const
   {
-    for_each_view([&](const View& view) { find_line(end, view, visitor, search); });
-  }
-
-  // Considers those in the given direction, up to a small angle, that are no longer than `reach`.
-  void find_line(const Intrinsic_point& end,
-                 const Direction_in_mesh& direction,
-                 const double tolerance,
-                 const double reach,
-                 Line_search& search) const
-  {
-    const Intrinsic_triangulation& t = m_triangulation;
-    const auto look = [&](const Index h, const double angle) {
-      for_each_view_out_of_face(h, [&](const View& view) {
-        const Plane_vector ray =
-            turned_left(unit_vector(h, view.start), {std::cos(angle), std::sin(angle)});
-        find_line(end, view, Along_line{{}, ray, reach, tolerance}, search);
-      });
-    };
-    if(!m_point.is_vertex())
-      return look(direction.halfedge, direction.angle);
-    Index h = direction.halfedge;
-    double angle = direction.angle;
-    for(Index n = t.degree(m_point.vertex); n > 0 && !t.is_border(h) && angle >= -tolerance; --n)
-    {
-      const double corner = angle_of(corner_angle(t, h));
-      if(angle <= corner + tolerance)
-        look(h, angle);
-      angle -= corner;
-      h = t.counterclockwise(m_point.vertex, h);
-    }
-  }
-
-  // Considers the line of an arc from `source`, the point, that was found in another triangulation.
-  void find_arc(const Retriangulation& other,
-                const Index source,
-                const Straight_arc& arc,
-                const Intrinsic_point& end,
-                Line_search& search) const
-  {
-    std::optional<Direction_in_mesh> direction = other.direction(source, arc.start);
-    if(!direction)
-      return;
-    direction->angle += angle_of(arc.position);
-    for(double tolerance = 1e-11; tolerance < 1e-3 && !search.is_found(); tolerance *= 100)
-      find_line(end, *direction, tolerance, arc.length, search);
+    for_each_view([&](const View& view) { find_line_in_view(end, view, visitor, search); });
   }
 
   // Calls `f(h, t)` for the edges that the line found crosses. Returns its length.
@@ -212,71 +136,13 @@ public:
     return search.found.length;
   }
 
-private:
-  // Follows strips until they are far higher than wide.
-  template <typename F, typename OnSample>
-  struct Strip_visitor
-  {
-    double bound(Index /* v */) const { return infinity; }
-
-    void on_vertex(const Index v,
-                   const double length,
-                   const double x,
-                   const Strip& /* strip */,
-                   const Plane_vector /* apex */,
-                   const Plane_vector /* left_edge */)
-    {
-      f(v, length, segment.point(triangulation, x / width));
-    }
-
-    bool ends(const Strip& strip)
-    {
-      const double height = strip.height(), begin = strip.begin / width, end = strip.end / width;
-      const double t = simplest_part(begin, end);
-      if(!(height > 0 && width * (std::max)(t - begin, end - t) <= slope * height))
-        return false;
-      on_sample(segment.point(triangulation, t));
-      return true;
-    }
-
-    // Samples are at few places, so that strips share them: at the ends of the segment, its middle,
-    // and so on.
-    static double simplest_part(const double begin, const double end)
-    {
-      for(double step = 1; step > 1e-6; step /= 2)
-        if(const double t = step * std::ceil(begin / step); t <= end)
-          return t;
-      return (begin + end) / 2;
-    }
-
-    const Intrinsic_triangulation& triangulation;
-    F& f;
-    OnSample& on_sample;
-    const Curve_segment& segment;
-    double width, slope;
-  };
-
-  // Windows that a line with this direction and length may go through.
-  struct Along_line : Leave_out_nothing_in_doubt
-  {
-    bool prune(const Window& w) const
-    {
-      const Plane_vector edge = w.left_position - w.right_position;
-      return cross(direction, w.left_position) < -tolerance * length(w.left_position) ||
-             cross(w.right_position, direction) < -tolerance * length(w.right_position) ||
-             cross(w.right_position, edge) > 1.01 * reach * cross(direction, edge);
-    }
-
-    Plane_vector direction; // of length 1
-    double reach;
-    double tolerance;
-  };
-
+protected:
+  // Considers the lines to a point through the windows of a view.
   template <typename Visitor>
-  void find_line(const Intrinsic_point& end,
-                 const View& view,
-                 const Visitor& visitor,
-                 Line_search& search) const
+  void find_line_in_view(const Intrinsic_point& end,
+                         const View& view,
+                         const Visitor& visitor,
+                         Line_search& search) const
   {
     const auto consider = [&](const Straight_arc& arc) {
       if(arc.target == end.vertex)
@@ -289,6 +155,32 @@ private:
                        [&](std::size_t, const Straight_arc& line) { search.consider(line); });
   }
 
+  // Calls `f(view)` for the sides through which lines leave the face to the left of `h`.
+  template <typename F>
+  void for_each_view_out_of_face(const Index h, F f) const
+  {
+    for(const Index side : m_triangulation.halfedges_of_face(h))
+      if(!m_triangulation.is_border(m_triangulation.opposite(side)) &&
+         !m_point.is_on_edge_of(side, m_triangulation))
+        if(const View v = view(side); v.window.left_distance > 0 && v.window.right_distance > 0)
+          f(v);
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Intrinsic_point m_point;
+
+private:
+  template <typename Visitor, typename F>
+  void for_each_node_in_cones(const Visitor& visitor, F& f) const
+  {
+    m_lines.for_each_node(f);
+    if(!m_point.is_vertex())
+      for_each_view([&](const View& view) {
+        m_expansion.expand_through(
+            view, [&](const Straight_arc& arc) { f(arc.target, arc.length); }, visitor);
+      });
+  }
+
   // Looks for points in the faces that cones cross.
   template <typename Visitor, typename Points, typename Report>
   struct Finding_points : Remembering<Visitor>
@@ -298,23 +190,12 @@ private:
     void on_face(const Cone& cone, const Plane_vector apex) const
     {
       const Window& w = cone.window;
-      const auto consider = [&](const std::size_t i, const Plane_vector position, const auto... t) {
-        if(is_seen(position, cone))
-          report(i, Straight_arc{0, length(position), position, start, w.trail}, t...);
-      };
-      const std::array<Plane_vector, 3> corners{w.left_position, w.right_position, apex};
-      if constexpr(std::is_same_v<Points, Segments_by_face>)
-        points.for_each_nearest_in_face(
-            w.halfedge, corners,
-            [&](const std::size_t i, const double t, const Plane_vector position) {
-              consider(i, position, t);
-            });
-      else
-        points.for_each_in_face(w.halfedge, [&](const std::size_t i) {
-          for_each_face_point(triangulation, points[i], w.halfedge, [&](const Face_point& point) {
-            consider(i, point.seen_from(triangulation, w.halfedge).position(corners));
+      for_each_position(
+          triangulation, points, w.halfedge, {w.left_position, w.right_position, apex},
+          [&](const std::size_t i, const Plane_vector position, const auto... t) {
+            if(is_seen(position, cone))
+              report(i, Straight_arc{0, length(position), position, start, w.trail}, t...);
           });
-        });
     }
 
     static bool is_seen(const Plane_vector position, const Cone& cone)
@@ -350,28 +231,6 @@ private:
     m_point.for_each_face(m_triangulation, [&](const Index h) { for_each_view_out_of_face(h, f); });
   }
 
-  template <typename F>
-  void for_each_view_out_of_face(const Index h, F f) const
-  {
-    for(const Index side : m_triangulation.halfedges_of_face(h))
-      if(!m_triangulation.is_border(m_triangulation.opposite(side)) &&
-         !m_point.is_on_edge_of(side, m_triangulation))
-        if(const View v = view(side); v.window.left_distance > 0 && v.window.right_distance > 0)
-          f(v);
-  }
-
-  // The direction of `h` as it is laid out for the view through `side`, a halfedge of the same
-  // face.
-  Plane_vector unit_vector(const Index h, const Index side) const
-  {
-    const Face_layout layout(m_triangulation, side);
-    std::size_t i = 0;
-    while(i < 2 && layout.halfedge(i) != h)
-      ++i;
-    const Plane_vector edge = layout.edge(i, (i + 1) % 3);
-    return 1 / length(edge) * edge;
-  }
-
   // The view out of the face to the left of `side`, from the point at the origin.
   View view(const Index side) const
   {
@@ -398,11 +257,9 @@ private:
             side};
   }
 
-  const Intrinsic_triangulation& m_triangulation;
   const Unfolding_on_demand m_unfolding;
   const Cone_expansion<Unfolding_on_demand> m_expansion;
   const Cone_rules m_rules;
-  const Intrinsic_point m_point;
   const Lines_in_faces m_lines;
 };
 

@@ -184,16 +184,15 @@ private:
     const auto offset = [&](const std::ptrdiff_t i, const std::ptrdiff_t j) {
       return y_sign * j * m_stride + x_sign * i;
     };
-    m_cuts.clear();
-    if(m_has_profiles)
-      cut_at_rows_and_columns(v, offset);
+    std::vector<End> ends;
+    ends.reserve(static_cast<std::size_t>(v.columns + v.rows + 1));
     std::ptrdiff_t i = 0, j = 0;
     while(i < v.columns || j < v.rows)
     {
       const std::ptrdiff_t lead = (2 * i + 1) * v.rows - (2 * j + 1) * v.columns;
       const double at = lead <= 0 ? (static_cast<double>(i) + 0.5) / static_cast<double>(v.columns)
                                   : (static_cast<double>(j) + 0.5) / static_cast<double>(v.rows);
-      m_ends.push_back({offset(i, j), at});
+      ends.push_back({offset(i, j), at});
       if(lead == 0)
       {
         line.passes_corner = true;
@@ -202,21 +201,37 @@ private:
       i += lead <= 0 ? 1 : 0;
       j += lead >= 0 ? 1 : 0;
     }
-    m_ends.push_back({offset(i, j), 1});
+    ends.push_back({offset(i, j), 1});
     line.first_piece = m_pieces.size();
-    add_parts(length);
+    add_parts(length, ends, m_has_profiles ? cuts(v, offset) : std::vector<Cut>());
     line.beyond_piece = m_pieces.size();
     line.beyond_part = m_parts.size();
     m_lines.push_back(line);
   }
 
-  // Finds where a line crosses rows and columns of centers.
-  template <typename Offset>
-  void cut_at_rows_and_columns(const Vector& v, const Offset& offset)
+  // where a line crosses a row or a column of centers
+  struct Cut
   {
+    double at; // relative to its length
+    std::ptrdiff_t first, second;
+    double share;
+  };
+
+  // where a line leaves a cell
+  struct End
+  {
+    std::ptrdiff_t offset;
+    double at;
+  };
+
+  template <typename Offset>
+  static std::vector<Cut> cuts(const Vector& v, const Offset& offset)
+  {
+    std::vector<Cut> result;
+    result.reserve(static_cast<std::size_t>(v.columns + v.rows + 1));
     const auto add_cut = [&](const double at, const std::ptrdiff_t first,
                              const std::ptrdiff_t second, const double share) {
-      m_cuts.push_back({at, first, second, share});
+      result.push_back({at, first, second, share});
     };
     const auto part = [](const std::ptrdiff_t i, const std::ptrdiff_t n) {
       return static_cast<double>(i) / static_cast<double>(n);
@@ -235,22 +250,23 @@ private:
     }
     const std::ptrdiff_t last = offset(v.columns, v.rows);
     add_cut(1, last, last, 0);
-    std::sort(m_cuts.begin(), m_cuts.end(), [](const Cut& a, const Cut& b) { return a.at < b.at; });
+    std::sort(result.begin(), result.end(), [](const Cut& a, const Cut& b) { return a.at < b.at; });
+    return result;
   }
 
   // Adds parts that end where the line enters another cell, or where it is cut.
-  void add_parts(const double length)
+  void add_parts(const double length, const std::vector<End>& ends, const std::vector<Cut>& cuts)
   {
     double last = 0, last_cut = 0;
-    auto cut = m_cuts.begin();
+    auto cut = cuts.begin();
     const auto add_part = [&](const std::ptrdiff_t offset, const double at) {
       if(at > last)
         m_parts.push_back({offset, (at - last) * length});
       last = at;
     };
-    for(const End& end : m_ends)
+    for(const End& end : ends)
     {
-      for(; cut != m_cuts.end() && cut->at <= end.at; ++cut)
+      for(; cut != cuts.end() && cut->at <= end.at; ++cut)
       {
         add_part(end.offset, cut->at);
         const double extent = (cut->at - last_cut) * length;
@@ -260,23 +276,7 @@ private:
       }
       add_part(end.offset, end.at);
     }
-    m_ends.clear();
   }
-
-  // where a line crosses a row or a column of centers
-  struct Cut
-  {
-    double at; // relative to its length
-    std::ptrdiff_t first, second;
-    double share;
-  };
-
-  // where a line leaves a cell
-  struct End
-  {
-    std::ptrdiff_t offset;
-    double at;
-  };
 
   bool m_has_profiles = false;
   double m_largest_error = LARGEST_ERROR;
@@ -286,8 +286,6 @@ private:
   std::vector<Line> m_lines;
   std::vector<Part> m_parts;
   std::vector<Piece> m_pieces;
-  std::vector<Cut> m_cuts; // of the line that is being added
-  std::vector<End> m_ends; // likewise
   double m_error = 0;
 };
 

@@ -89,16 +89,16 @@ public:
     return checked_cost(cell, direction(line, sides, 0));
   }
 
-  // Returns the cost of a line if all cells have the same friction, with the bits of the function
-  // below. The line has this length relative to its own one.
+  // Returns the cost of a line if all cells have the same friction, with the bits of `cost()`. The
+  // line has this length relative to its own one.
   double cost_if_uniform(const Grid_lines& lines,
                          const Grid_lines::Line& line,
                          const std::size_t from,
                          const double scale,
                          const double friction) const
   {
-    return for_each_piece(lines, line, from, scale,
-                          [=](const auto& piece, std::size_t) { return piece.length * friction; });
+    return sum_over_pieces(lines, line, from, scale,
+                           [=](const auto& piece, std::size_t) { return piece.length * friction; });
   }
 
   // Returns the cost of a line from a cell, by the friction of cells; infinity if it is blocked.
@@ -110,10 +110,10 @@ public:
   {
     if(Grid_lines::is_blocked_at_corner(line, friction + from))
       return infinity;
-    return for_each_piece(lines, line, from, scale,
-                          [&](const Grid_lines::Piece& piece, const std::size_t first_part) {
-                            return weight_of_piece(lines, piece, first_part, friction + from);
-                          });
+    return sum_over_pieces(lines, line, from, scale,
+                           [&](const Grid_lines::Piece& piece, const std::size_t first_part) {
+                             return weight_of_piece(lines, piece, first_part, friction + from);
+                           });
   }
 
   // Returns the cost of a line by the function of cells.
@@ -178,11 +178,11 @@ private:
   // Adds up the costs of the pieces of a line. `weight(piece, first_part)` is the length of a piece
   // times friction.
   template <typename Weight>
-  double for_each_piece(const Grid_lines& lines,
-                        const Grid_lines::Line& line,
-                        const std::size_t from,
-                        const double scale,
-                        const Weight& weight) const
+  double sum_over_pieces(const Grid_lines& lines,
+                         const Grid_lines::Line& line,
+                         const std::size_t from,
+                         const double scale,
+                         const Weight& weight) const
   {
     const double* const height = m_heights.data() + from;
     const double inverse = 1 / scale;

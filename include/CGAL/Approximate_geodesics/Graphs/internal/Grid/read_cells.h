@@ -62,12 +62,12 @@ std::vector<double> read_friction(const Grid_shape& shape, const FrictionRange& 
     return std::vector<double>(shape.number_of_cells(), checked_friction(friction, {}));
   else
     return read_cells(shape, friction, "friction", [&](const double value, const Grid_cell& cell) {
-      return is_no_data(shape, value) ? infinity : checked_friction(value, cell);
+      return is_no_data(shape.no_data, value) ? infinity : checked_friction(value, cell);
     });
 }
 
-// Gives a cell without a height the mean of its neighbors that can be entered, from which lines may
-// pass beside it.
+// Gives a cell without a height the mean of its neighbors that can be entered: a line that passes
+// beside it interpolates between its height and that of a neighbor.
 inline void extend_height(const Grid_shape& shape,
                           const std::vector<double>& friction,
                           std::vector<double>& heights,
@@ -94,7 +94,7 @@ read_heights(const Grid_shape& shape, const HeightRange& range, std::vector<doub
   std::vector<std::size_t> without;
   std::vector<double> result =
       read_cells(shape, range, "height", [&](const double height, const Grid_cell& cell) {
-        if(is_no_data(shape, height))
+        if(is_no_data(shape.no_data, height))
         {
           without.push_back(shape.index(cell));
           friction[without.back()] = infinity;

@@ -132,6 +132,7 @@ private:
 
     void on_face(const Sight& sight, Plane_vector /* apex */)
     {
+      check_for_interruption_at(found.m_number_of_sights++);
       if(found.is_wanted(sight.halfedge, source))
         found.add(from_tip_in_plane(sight.halfedge, source, false, label_of_tip, sight.left,
                                     sight.edge, sight.right_ray.direction,
@@ -191,6 +192,7 @@ private:
   std::vector<Side_windows> m_sides; // of faces, by halfedge
   std::vector<Side_windows::Part> m_workspace;
   std::vector<Face_window> m_windows; // with a tip in the face
+  std::size_t m_number_of_sights = 0;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -13,7 +13,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
 #include <boost/container/static_vector.hpp>
-#include <boost/type_traits/is_detected.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -277,9 +276,22 @@ public:
   {
   }
 
+  // Calls `f(v, length, arrival, foot)` for the lines from a curve to vertices, for paths that
+  // start with the label `label` and are no longer than `bound(v)`.
+  template <typename Bound, typename F>
+  void
+  for_each_line(const Intrinsic_curve& curve, const double label, const Bound& bound, F f) const
+  {
+    for(const std::vector<Intrinsic_point>& polyline : curve.polylines)
+      for_each_line(polyline, label, bound, f);
+    for(const Index h : curve.faces)
+      for(const Index side : m_triangulation.halfedges_of_face(h))
+        f(m_triangulation.target(side), 0., Arrival::on_curve(side),
+          Intrinsic_point::at_vertex(m_triangulation.target(side)));
+  }
+
   // Calls `f(v, length, arrival, foot)` for the lines from a polyline to vertices, for paths that
-  // start with the label `label` and are no longer than `bound(v)`. Calls `f.on_face(sight)` and
-  // `f.on_face(strip)` for what is seen of other faces, if it has such functions.
+  // start with the label `label` and are no longer than `bound(v)`.
   template <typename Bound, typename F>
   void for_each_line(const std::vector<Intrinsic_point>& polyline,
                      const double label,
@@ -307,21 +319,10 @@ public:
   }
 
 private:
-  template <typename F>
-  using Face_report = decltype(std::declval<F&>().on_face(std::declval<const Strip&>()));
-
   template <typename Bound, typename F>
   struct Sight_visitor : Sight_visitor_base
   {
-    static constexpr bool wants_faces = boost::is_detected_v<Face_report, F>;
-
     double bound(const Index v) const { return bounds(v); }
-
-    void on_face(const Sight& sight, Plane_vector /* apex */)
-    {
-      if constexpr(wants_faces)
-        f.on_face(sight);
-    }
 
     void on_vertex(const Index v,
                    const Sight_path& path,
@@ -342,14 +343,7 @@ private:
   {
     double bound(const Index v) const { return bounds(v); }
 
-    bool ends(const Strip& strip) const
-    {
-      if constexpr(boost::is_detected_v<Face_report, F>)
-        f.on_face(strip);
-      else
-        (void)strip;
-      return false;
-    }
+    bool ends(const Strip& /* strip */) const { return false; }
 
     void on_vertex(const Index v,
                    const double length,

@@ -68,56 +68,6 @@ struct Sight_search : Sought_line<Sight_line>
   }
 };
 
-// Calls `f(position, length)` with the position of a point in the face ahead, and the length of the
-// path to it, if the sight sees the point.
-template <typename F>
-void for_each_position(const Intrinsic_triangulation& triangulation,
-                       const Intrinsic_point& point,
-                       const Sight& sight,
-                       const Plane_vector apex,
-                       F f)
-{
-  for_each_face_point(triangulation, point, sight.halfedge, [&](const Face_point& p) {
-    const Plane_vector position =
-        p.seen_from(triangulation, sight.halfedge).position({sight.left, sight.right, apex});
-    const Sight_path path = sight.path_to(position, length(position));
-    if(path.length < infinity)
-      f(position, path.length);
-  });
-}
-
-// Calls `f(i, length)` for the points in the face ahead that the sight sees.
-template <typename F>
-void for_each_seen(const Intrinsic_triangulation& triangulation,
-                   const Points_by_face& points,
-                   const Sight& sight,
-                   const Plane_vector apex,
-                   F f)
-{
-  points.for_each_in_face(sight.halfedge, [&](const std::size_t i) {
-    for_each_position(triangulation, points[i], sight, apex,
-                      [&](Plane_vector /* position */, const double way) { f(i, way); });
-  });
-}
-
-// Calls `f(i, length, t)` for the segments there whose nearest point the sight sees, which is at
-// the part `t` of the way along the segment.
-template <typename F>
-void for_each_seen(const Intrinsic_triangulation& /* triangulation */,
-                   const Segments_by_face& segments,
-                   const Sight& sight,
-                   const Plane_vector apex,
-                   F f)
-{
-  segments.for_each_nearest_in_face(
-      sight.halfedge, {sight.left, sight.right, apex},
-      [&](const std::size_t i, const double t, const Plane_vector position) {
-        const Sight_path path = sight.path_to(position, length(position));
-        if(path.length < infinity)
-          f(i, path.length, t);
-      });
-}
-
 // Considers the lines to a given point, for a search. Sights are followed depth first, so the
 // halfedges on the way of a sight are the first `depth` of the recorded ones.
 template <typename Bound>
@@ -147,9 +97,12 @@ struct Tracing_visitor : Sight_visitor_base
   void on_face(const Sight& sight, const Plane_vector apex)
   {
     if(!end.is_vertex())
-      for_each_position(
-          triangulation, end, sight, apex,
-          [&](const Plane_vector position, const double way) { consider(way, position); });
+      for_each_position(triangulation, end, sight.halfedge, {sight.left, sight.right, apex},
+                        [&](const Plane_vector position) {
+                          const Sight_path path = sight.path_to(position, length(position));
+                          if(path.length < infinity)
+                            consider(path.length, position);
+                        });
   }
 
   void consider(const double length, const Plane_vector position)
@@ -398,7 +351,12 @@ private:
 
     void on_face(const Sight& sight, const Plane_vector apex)
     {
-      for_each_seen(triangulation, points, sight, apex, on_point);
+      for_each_position(triangulation, points, sight.halfedge, {sight.left, sight.right, apex},
+                        [&](const std::size_t i, const Plane_vector position, const auto... t) {
+                          const Sight_path path = sight.path_to(position, length(position));
+                          if(path.length < infinity)
+                            on_point(i, path.length, t...);
+                        });
     }
 
     const Intrinsic_triangulation& triangulation;

@@ -213,13 +213,8 @@ public:
   void for_each_line_from_curve(const Intrinsic_curve& curve, const double label, F f) const
   {
     const auto bound = [&](const Node node) { return this->bound(node); };
-    const Lines_from_curve lines(graph().triangulation(), graph().m_tables);
-    for(const std::vector<Intrinsic_point>& polyline : curve.polylines)
-      lines.for_each_line(polyline, label, bound, f);
-    for(const Node h : curve.faces)
-      for(const Node side : graph().triangulation().halfedges_of_face(h))
-        f(graph().triangulation().target(side), 0., Arrival::on_curve(side),
-          Intrinsic_point::at_vertex(graph().triangulation().target(side)));
+    Lines_from_curve(graph().triangulation(), graph().m_tables)
+        .for_each_line(curve, label, bound, f);
   }
 
   // Calls `on_node(node, length)` and `on_point(i, length)` for the lines from nodes and from

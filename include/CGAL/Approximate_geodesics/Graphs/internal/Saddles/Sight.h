@@ -14,9 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace CGAL::Approximate_geodesics::internal {
 

@@ -10,6 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -232,6 +234,39 @@ public:
       h = next;
     }
     return {};
+  }
+
+  // Calls `f(h, angle)` for the halfedges from the vertex: with the angle to the line on that side
+  // where it is smaller, up to pi.
+  template <typename F>
+  void for_each_angle(const Arrival& arrival, F f) const
+  {
+    const Index first = m_triangulation.first_halfedge(m_vertex), start = side(arrival);
+    const std::size_t degree = m_triangulation.degree(m_vertex);
+    boost::container::small_vector<double, 16> angles(degree, straight_angle);
+    const auto lower = [&](const Index h, const double angle) {
+      angles[h - first] = (std::min)(angles[h - first], angle);
+    };
+    const double to_start = angle_of(way_back(arrival));
+    lower(start, to_start);
+    double angle = -to_start;
+    Index h = start;
+    for(std::size_t n = degree; n > 1 && m_steps[h].has_face() && angle < straight_angle; --n)
+    {
+      angle += angle_of(corner(h));
+      h = m_triangulation.counterclockwise(m_vertex, h);
+      lower(h, angle);
+    }
+    angle = to_start;
+    h = m_triangulation.clockwise(m_vertex, start);
+    for(std::size_t n = degree; n > 1 && m_steps[h].has_face() && angle < straight_angle; --n)
+    {
+      angle += angle_of(corner(h));
+      lower(h, angle);
+      h = m_triangulation.clockwise(m_vertex, h);
+    }
+    for(std::size_t i = 0; i < degree; ++i)
+      f(static_cast<Index>(first + i), angles[i]);
   }
 
 private:

@@ -8,13 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -35,26 +34,40 @@ public:
   // steps are not larger
   static constexpr double LARGEST_STEP = 40;
 
-  // Takes the polygon of a face without a formula.
+  // Copies the polygon of the face to the left of `h`. If its gauge has a formula, it is sampled so
+  // that the relative error is about `epsilon`. Returns a bound of this error.
+  double assign(const Intrinsic_triangulation& triangulation,
+                const Index h,
+                const double epsilon,
+                Gauge_samples& samples)
+  {
+    const Face_gauges& gauges = triangulation.gauges();
+    const Index face = gauges.face(h);
+    if(!gauges.has_formula(face))
+    {
+      assign(gauges, face);
+      return 0; // the graph has the costs of the polygon
+    }
+    std::array<Plane_vector, 3> sides;
+    const auto halfedges = triangulation.halfedges_of_face(h);
+    std::transform(halfedges.begin(), halfedges.end(), sides.begin(),
+                   [&](const Index g) { return gauges.side(g); });
+    samples.sample(sides, epsilon, gauges.formula(face));
+    assign(samples.hull());
+    return samples.hull().largest_error();
+  }
+
+  // Copies the polygon of a face without a formula.
   void assign(const Face_gauges& gauges, const Index face)
   {
     m_sectors.assign(gauges.first_sector(face), gauges.beyond_sector(face));
   }
 
-  // ... of a hull of samples.
+  // Copies the polygon of a hull.
   void assign(const Gauge_hull& hull)
   {
-    constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
     m_sectors.clear();
-    Gauge_hull::Id i = 0;
-    do
-    {
-      if(hull[i].is_corner)
-        m_sectors.push_back({hull[i].vector, hull[i].is_finite
-                                                 ? hull[i].functional
-                                                 : Plane_vector{no_number, no_number}});
-      i = hull[i].next;
-    } while(i != 0);
+    Face_gauges::append_sectors(hull, m_sectors);
   }
 
   // Returns whether no direction is free or forbidden.
@@ -73,13 +86,13 @@ public:
     });
   }
 
-  // Returns the cost of the cheapest direction per unit of length, or zero or infinity.
+  // Returns the smallest cost per unit of length; infinity if all directions are forbidden.
   double smallest() const
   {
     double result = infinity;
     for(std::size_t i = 0; i < m_sectors.size(); ++i)
       if(m_sectors[i].is_finite())
-        for(const Plane_vector d : {m_sectors[i].direction, turning(i + 1).direction})
+        for(const Plane_vector d : {m_sectors[i].direction, cyclic_sector(i + 1).direction})
           result = (std::min)(result, (std::max)(dot(m_sectors[i].functional, d), 0.));
     return result;
   }
@@ -145,8 +158,8 @@ private:
     Plane_vector d = start;
     for(std::size_t k = 0; k <= number; ++k, d = turned_left(d, turn))
     {
-      while(cross(turning(i + 1).direction, d) > 0)
-        add(turning(++i).direction);
+      while(cross(cyclic_sector(i + 1).direction, d) > 0)
+        add(cyclic_sector(++i).direction);
       add(d);
     }
     m_knots.front().ratio = infinity; // not rounded
@@ -182,26 +195,26 @@ private:
     const double sine = cross(a.direction, b.direction);
     if(!(sine > 0)) // rounded
       return last == first + 1;
-    const double at_a = dot(turning(a.sector).functional, a.direction);
-    const double at_b = dot(turning(b.sector).functional, b.direction);
+    const double at_a = dot(cyclic_sector(a.sector).functional, a.direction);
+    const double at_b = dot(cyclic_sector(b.sector).functional, b.direction);
     const Plane_vector chord{(at_a * b.direction.y - at_b * a.direction.y) / sine,
                              (at_b * a.direction.x - at_a * b.direction.x) / sine};
     std::size_t low = a.sector, high = b.sector;
     while(low < high)
     {
       const std::size_t middle = (low + high) / 2;
-      if(cross(turning(middle).functional, chord) > 0)
+      if(cross(cyclic_sector(middle).functional, chord) > 0)
         low = middle + 1;
       else
         high = middle;
     }
-    const Sector& corner = turning(low);
+    const Sector& corner = cyclic_sector(low);
     return low == a.sector ||
            dot(chord, corner.direction) <= (1 + error) * dot(corner.functional, corner.direction);
   }
 
-  // Returns the sector with a number below twice that of sectors.
-  const Sector& turning(const std::size_t i) const
+  // Returns a sector, counted from the first one and around at most twice.
+  const Sector& cyclic_sector(const std::size_t i) const
   {
     return m_sectors[i < m_sectors.size() ? i : i - m_sectors.size()];
   }
@@ -210,7 +223,7 @@ private:
   {
     std::size_t i = 0;
     while(i + 1 < m_sectors.size() &&
-          !(cross(m_sectors[i].direction, d) >= 0 && cross(turning(i + 1).direction, d) < 0))
+          !(cross(m_sectors[i].direction, d) >= 0 && cross(cyclic_sector(i + 1).direction, d) < 0))
       ++i;
     return i;
   }

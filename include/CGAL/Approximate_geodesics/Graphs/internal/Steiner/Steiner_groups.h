@@ -8,29 +8,49 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Arc_changes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
+// Calls `f(node)` for the sectors of a vertex that lifted barriers join to the one of `node`.
+template <typename F>
+void for_each_joined_sector(const Intrinsic_triangulation& triangulation,
+                            const Steiner_nodes& nodes,
+                            const Index node,
+                            F f)
+{
+  const Index sector = nodes.sector(node), v = nodes.sectors().vertex(sector);
+  Index h = nodes.sectors().first_halfedge(sector);
+  if(triangulation.is_lifted(h))
+    f(nodes.at_corner(v, triangulation.clockwise(v, h)));
+  do
+    h = triangulation.counterclockwise(v, h);
+  while(!triangulation.is_border(h) && !triangulation.is_barrier(h));
+  if(triangulation.is_lifted(h))
+    f(nodes.at_corner(v, h));
+}
+
 /*
- * The groups of nodes within which the arcs of a Steiner graph run: the nodes at the border of a
- * face, those of an edge without faces, a divided vertex with its sectors, and the nodes on both
- * sides of a barrier, which may be lifted.
+ * The triangulation and the nodes of a Steiner graph whose weights and barriers may change, and
+ * what has changed since the graph was built, as `GeodesicGraph` says for searches that are
+ * repaired.
  *
- * The group of a face or of an edge without faces has the number of its smallest halfedge; those of
- * vertices follow, and then those of barriers.
+ * These are the groups of nodes within which arcs run: the nodes at the border of a face, those of
+ * an edge without faces, a divided vertex with its sectors, and the nodes on both sides of a
+ * barrier, which may be lifted. The group of a face or of an edge without faces has the number of
+ * its smallest halfedge; those of vertices follow, and then those of barriers.
  */
-class Steiner_groups : Steiner_view
+class Steiner_groups
 {
 public:
-  Steiner_groups(const Intrinsic_triangulation& triangulation, const Steiner_nodes& nodes)
-    : Steiner_view(triangulation, nodes)
-  {
-  }
+  using Node = Steiner_nodes::Node;
 
   std::size_t number_of_groups() const
   {
@@ -39,27 +59,19 @@ public:
                : m_triangulation.number_of_halfedges();
   }
 
-  // The group of the barrier of `h`.
-  std::size_t group_of_barrier(const Index h) const
-  {
-    return first_of_barriers() + (std::min)(h, m_triangulation.opposite(h));
-  }
-
-  // The group of the face to the left of `h`.
-  std::size_t group_of_face(const Index h) const { return m_triangulation.first_of_face(h); }
-
   // Calls `f(group)` for the groups of a node; for some of them several times.
   template <typename F>
   void for_each_group(const Node node, F f) const
   {
     if(m_nodes.is_point(node))
     {
-      const Index h = m_points.halfedge(m_nodes.point(node));
+      const Index h = m_nodes.points().halfedge(m_nodes.point(node));
       for_side(h, f);
       if(m_triangulation.is_barrier(h))
         f(group_of_barrier(h));
       const Index opposite = m_triangulation.opposite(h);
-      if(m_points.edge(opposite) == m_points.edge(h) && !m_triangulation.is_border(opposite))
+      if(m_nodes.points().edge(opposite) == m_nodes.points().edge(h) &&
+         !m_triangulation.is_border(opposite))
         f(group_of_face(opposite));
     }
     else if(m_nodes.is_sector(node))
@@ -74,7 +86,7 @@ public:
 
   // Calls `f(node)` for the nodes of a group; for some of them several times.
   template <typename F>
-  void for_each_node(const std::size_t group, F f) const
+  void for_each_node_of_group(const std::size_t group, F f) const
   {
     if(group >= first_of_barriers())
     {
@@ -98,7 +110,58 @@ public:
       }
   }
 
+  const Arc_changes& arc_changes() const { return m_changes; }
+
+protected:
+  explicit Steiner_groups(Intrinsic_triangulation triangulation)
+    : m_triangulation(std::move(triangulation))
+  {
+  }
+
+  void change_weights(const std::vector<Weight_change>& changes)
+  {
+    m_changes.reserve(changes.size());
+    m_triangulation.set_weights(changes,
+                                [this](const Index h, const double before, const double after) {
+                                  if(after != before)
+                                    add_change(group_of_face(h), after < before);
+                                });
+  }
+
+  void change_barriers(const std::vector<Barrier_change>& changes)
+  {
+    m_changes.reserve(changes.size());
+    m_triangulation.set_barriers(changes);
+    for(const Barrier_change& change : changes)
+      add_change(group_of_barrier(change.halfedge), !change.is_barrier);
+  }
+
+  // The number of changes after which those before are dropped, as they change most results.
+  std::size_t most_changes() const
+  {
+    constexpr std::size_t groups_per_change = 8;
+    return number_of_groups() / groups_per_change;
+  }
+
+  Intrinsic_triangulation m_triangulation;
+  Steiner_nodes m_nodes;
+  Arc_changes m_changes;
+
 private:
+  void add_change(const std::size_t group, const bool is_shorter)
+  {
+    m_changes.add({group, is_shorter, !is_shorter}, most_changes());
+  }
+
+  // The group of the barrier of `h`.
+  std::size_t group_of_barrier(const Index h) const
+  {
+    return first_of_barriers() + (std::min)(h, m_triangulation.opposite(h));
+  }
+
+  // The group of the face to the left of `h`.
+  std::size_t group_of_face(const Index h) const { return m_triangulation.first_of_face(h); }
+
   std::size_t first_of_barriers() const
   {
     return std::size_t(m_triangulation.number_of_halfedges()) +
@@ -150,8 +213,8 @@ private:
   template <typename F>
   void for_each_point(const Index h, F& f) const
   {
-    const Index e = m_points.edge(h);
-    for(Index p = m_points.first_point(e); p < m_points.beyond_point(e); ++p)
+    const Index e = m_nodes.points().edge(h);
+    for(Index p = m_nodes.points().first_point(e); p < m_nodes.points().beyond_point(e); ++p)
       f(m_nodes.node_of_point(p));
   }
 };

@@ -8,57 +8,16 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/limit_of_points.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-
-#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
-
-// Returns the maximum number of points on all edges together: `given`, or the default if that is 0.
-// The default is enough for small bounds on large meshes, and on small meshes it limits a search to
-// some seconds. A point takes about 50 bytes in a graph and a search together.
-inline std::size_t maximum_number_of_points(const Intrinsic_triangulation& triangulation,
-                                            const std::size_t given)
-{
-  constexpr double smallest = 1e6, per_edge = 1000, largest = 1e8;
-  const double by_default =
-      (std::clamp)(per_edge * (triangulation.number_of_halfedges() / 2), smallest, largest);
-  return given > 0 ? given : static_cast<std::size_t>(by_default);
-}
-
-// Returns a number of points for a message. Sums of these are doubles, which do not overflow.
-inline std::string text_of_points(const double number)
-{
-  constexpr double far_too_many = 1e12;
-  return number < far_too_many ? std::to_string(static_cast<long long>(number))
-                               : std::string("more than 10^12");
-}
-
-// Returns whether there are more than `limit` points on the edges that paths may cross. They are
-// only counted, which takes time proportional to the number of edges.
-template <typename Placement>
-bool has_more_points(const Intrinsic_triangulation& triangulation,
-                     const Placement& placement,
-                     const std::size_t limit)
-{
-  double sum = 0;
-  for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-    if(h < triangulation.opposite(h) && triangulation.length(h) > 0)
-      sum += double(placement.number_of_points(triangulation, h)) *
-             (triangulation.is_barrier(h) ? 2 : 1);
-  return sum > double(limit);
-}
-
-template <typename Placement>
-using Accepts_weaker_bound = decltype(std::declval<const Placement&>().accepts_weaker_bound());
 
 /*
  * The points that a placement puts on the edges of a triangulation, numbered from 0. Those of an
@@ -238,32 +197,6 @@ private:
       m_position[beyond_point(e) - 1 - i] = -m_position[first_point(edge(h)) + i];
   }
 
-  template <typename Placement>
-  [[noreturn]] static void refuse_points(const Intrinsic_triangulation& triangulation,
-                                         const Placement& placement,
-                                         const double number,
-                                         const Index halfedge_with_most,
-                                         const std::size_t most,
-                                         const std::size_t limit)
-  {
-    std::string reason = "can have at most 2^32 - 1 nodes";
-    if(number > double(limit))
-    {
-      reason = "maximum_number_of_points is " + std::to_string(limit);
-      if constexpr(boost::is_detected_v<Accepts_weaker_bound, Placement>)
-        if(!placement.accepts_weaker_bound())
-          reason += "; fewer are enough for a larger epsilon, or with accept_weaker_bound(true)";
-    }
-    const auto index = [&](const Index h) {
-      return std::to_string(triangulation.index(triangulation.target(h)));
-    };
-    throw std::length_error("Approximate_geodesics: the graph needs " + text_of_points(number) +
-                            " points on edges, " + text_of_points(double(most)) +
-                            " of them between vertices " +
-                            index(triangulation.opposite(halfedge_with_most)) + " and " +
-                            index(halfedge_with_most) + ", and " + reason);
-  }
-
   std::vector<Index> m_edge;              // per halfedge: twice the edge, plus one if not first
   std::vector<Index> m_first_point = {0}; // per edge, and one beyond
   std::vector<Index> m_halfedge;          // per point
@@ -426,20 +359,14 @@ public:
       f(node_of_sector(s));
   }
 
-  // Calls `f(node)` for the sectors that lifted barriers join to the one of `node`.
+  // Calls `f(node, part)` for the points at a part of `h`, or of its left side.
   template <typename F>
-  void
-  for_each_joined_sector(const Intrinsic_triangulation& triangulation, const Node node, F f) const
+  void for_each_node_on_edge(const Index h, F f) const
   {
-    const Node v = m_sectors.vertex(sector(node));
-    Index h = m_sectors.first_halfedge(sector(node));
-    if(triangulation.is_lifted(h))
-      f(at_corner(v, triangulation.clockwise(v, h)));
-    do
-      h = triangulation.counterclockwise(v, h);
-    while(!triangulation.is_border(h) && !triangulation.is_barrier(h));
-    if(triangulation.is_lifted(h))
-      f(at_corner(v, h));
+    const Index e = m_points.edge(h);
+    for(Index p = m_points.first_point(e); p < m_points.beyond_point(e); ++p)
+      f(node_of_point(p),
+        m_points.is_first(h) ? m_points.part_before(e, p) : m_points.part_behind(e, p));
   }
 
   // Returns the node of the vertex `v` in the face to the left of `h`, which starts there.

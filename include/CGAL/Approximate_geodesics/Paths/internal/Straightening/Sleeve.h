@@ -299,21 +299,16 @@ private:
 
   // ----- funnel
 
-  // Appends an end of a gate to one side. `step` leads there from the tip. If the path goes
-  // straight through such an end, that is a bend too: the path past its other side may be shorter.
+  // Appends an end of a gate to one side. `step` leads there from the tip.
   void add(const std::size_t gate, const Plane_vector position, const bool is_left)
   {
     const Bend bend{{gate, gate + 1, is_left}, position};
     std::ptrdiff_t& end = is_left ? m_left : m_right;
     const std::ptrdiff_t other_end = is_left ? m_right : m_left, step = is_left ? -1 : 1;
-    const auto side = static_cast<double>(step);
-    while(end != m_tip && (side * turn(at(end - step), at(end), bend) > 0 ||
-                           turns_back(at(end - step), at(end), bend)))
+    while(end != m_tip && !is_bend(at(end - step), at(end), bend))
       end -= step;
     if(end == m_tip)
-      for(; m_tip != other_end && side * turn(at(m_tip), at(m_tip - step), bend) >= 0 &&
-            !turns_back(at(m_tip), at(m_tip - step), bend);
-          end = m_tip)
+      for(; m_tip != other_end && is_bend(at(m_tip), at(m_tip - step), bend); end = m_tip)
       {
         m_tip -= step;
         m_bends.push_back(at(m_tip));
@@ -322,33 +317,38 @@ private:
     at(end) = bend;
   }
 
-  // positive if the path from `a` over `b` to `c` turns left
-  static double turn(const Bend& a, const Bend& b, const Bend& c)
-  {
-    return cross(b.position - a.position, c.position - b.position);
-  }
-
-  // Whether `c` lies on the way from `a` to `b`, as in flat faces, where rounding decides how the
-  // path turns. A path around `b`, in a full turn, is as good as there in the plane, too; but then
-  // it crosses gates on the way.
-  bool turns_back(const Bend& a, const Bend& b, const Bend& c) const
+  // Whether the shortest path from `a` to `c` passes `b`, in a turn around it. If it goes straight
+  // through `b`, that is a bend too: the path past its other side may be shorter.
+  //
+  // If `c` lies on the way from `a` to `b`, as in flat faces, rounding decides how the path turns,
+  // and the gates tell whether it makes a full turn or none.
+  bool is_bend(const Bend& a, const Bend& b, const Bend& c) const
   {
     constexpr double rounding = 1e-12;
     const Plane_vector back = a.position - b.position, ahead = c.position - b.position;
-    const double cosine = dot(back, ahead);
-    if(!(cosine > 0 && std::abs(cross(back, ahead)) <= rounding * cosine))
-      return false;
+    const double turn = (b.is_left ? 1 : -1) * cross(ahead, back), cosine = dot(back, ahead);
+    if(cosine > 0 && std::abs(turn) <= rounding * cosine)
+      return makes_full_turn(back, b, c);
+    return turn >= 0;
+  }
+
+  // Whether there are gates between `b` and `c` that start from `b` in other directions than
+  // `back`. In a full turn, one of two that follow each other does, as angles of faces are at most
+  // pi.
+  bool makes_full_turn(const Plane_vector back, const Bend& b, const Bend& c) const
+  {
+    constexpr double cosine_of_other_directions = 0.5;
     const std::size_t beyond = (std::min)(c.first + 1, m_gates.size());
-    const double side = b.is_left ? 1 : -1;
+    const double limit = cosine_of_other_directions * internal::length(back);
     for(std::size_t i = b.first; i < beyond; ++i)
     {
       const Plane_vector moved = position(i, b.is_left) - b.position;
       if(moved.x != 0 || moved.y != 0) // `b` is no end of later gates
         break;
-      if(side * dot(back, m_gates[i].direction) < 0)
-        return false;
+      if((b.is_left ? 1 : -1) * dot(back, m_gates[i].direction) < limit)
+        return true;
     }
-    return true;
+    return false;
   }
 
   Bend& at(const std::ptrdiff_t i) { return m_funnel[static_cast<std::size_t>(i)]; }

@@ -8,11 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Path_sleeves.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -256,6 +257,28 @@ private:
   Funnel m_path, m_new_path;                  // in the first two of them
   std::size_t m_work = 0, m_largest_work = 0; // in gates laid out
 };
+
+// The points of the path that is left when the sleeves of a path are tightened, one after the
+// other. Crossings at the end of an edge are at its vertex, where there may be several of them.
+inline std::vector<Intrinsic_point> tightened_points(const Intrinsic_triangulation& triangulation,
+                                                     const Path_steps& path)
+{
+  std::vector<Intrinsic_point> result;
+  const auto append = [&](const Intrinsic_point& p) {
+    const Intrinsic_point q = p.reduced(triangulation);
+    if(result.empty() || !q.is_vertex() || q.vertex != result.back().vertex)
+      result.push_back(q);
+  };
+  append(path.points.front());
+  Sleeve_straightener straightener(triangulation);
+  Path_sleeves(triangulation, path)
+      .for_each_sleeve([&](const Sleeve& sleeve, const Intrinsic_point& end) {
+        straightener.tighten(sleeve);
+        straightener.for_each_point(append);
+        append(end);
+      });
+  return result;
+}
 
 } // namespace CGAL::Approximate_geodesics::internal
 

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_windows.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Cells/Hyperbola_branch.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Cells/Window_cell.h>
 
 #include <algorithm>
@@ -179,7 +180,7 @@ private:
                        q_in = w.has_entry() ? cell.entry().point(end) : Plane_vector{0, 0};
     double area = cross(p - q_in, q - p_in) / 2;
     if(piece.end == Cell_end::EQUAL_DISTANCE)
-      area += Hyperbola(w, m_windows[piece.other]).area_beside_chord(p, q);
+      area += branch(w, m_windows[piece.other]).area_beside_chord(p, q);
     if(std::isfinite(area))
       m_areas[w.source] += area;
   }
@@ -217,55 +218,11 @@ private:
            (m_options.within_cells && differ_in_direction(middle, from_other));
   }
 
-  /*
-   * The points that are at the same distance from the tips of two windows: center + x e + y f with
-   * x = -(c / 2) cosh s and y = b sinh s, where e is the direction from the first tip to the
-   * second, at distance d, c the difference of labels, and 4 b^2 = d^2 - c^2.
-   */
-  class Hyperbola
+  // Where the tips of two windows are at the same distance, relative to the first tip.
+  static Hyperbola_branch branch(const Placed_window& w, const Placed_window& v)
   {
-  public:
-    Hyperbola(const Placed_window& w, const Placed_window& v)
-      : m_focus(v.tip - w.tip), m_difference(w.label - v.label)
-    {
-      const double distance = length(m_focus);
-      m_axis = 1 / distance * m_focus;
-      m_semiaxis = std::sqrt((distance - m_difference) * (distance + m_difference)) / 2;
-    }
-
-    // Points are relative to the tip of the first window.
-    double parameter(const Plane_vector p) const
-    {
-      return std::asinh(cross(m_axis, p) / m_semiaxis);
-    }
-
-    Plane_vector point(const double s) const
-    {
-      const Plane_vector p{-m_difference / 2 * std::cosh(s), m_semiaxis * std::sinh(s)};
-      return 0.5 * m_focus + turned_left(p, m_axis);
-    }
-
-    // Positive if the arc is farther from the first tip than the chord.
-    double area_beside_chord(const Plane_vector p, const Plane_vector q) const
-    {
-      const double s = std::abs(parameter(q) - parameter(p));
-      return m_difference * m_semiaxis / 4 * sinh_minus(s);
-    }
-
-  private:
-    // sinh s - s
-    static double sinh_minus(const double s)
-    {
-      constexpr double small = 0.1;
-      if(s > small)
-        return std::sinh(s) - s;
-      const double x = s * s;
-      return s * x / 6 * (1 + x / 20 * (1 + x / 42 * (1 + x / 72 * (1 + x / 110))));
-    }
-
-    Plane_vector m_focus, m_axis;
-    double m_difference, m_semiaxis;
-  };
+    return {v.tip - w.tip, w.label - v.label};
+  }
 
   void add_arc(const Cell_piece& piece, const std::size_t number)
   {
@@ -275,16 +232,8 @@ private:
     Border_arc arc{m_face, w.source, v.source, {}};
     const auto add = [&](const Plane_vector x) { arc.points.push_back(weights(w.tip + x)); };
     add(p);
-    if(piece.end == Cell_end::EQUAL_DISTANCE && w.label != v.label)
-    {
-      const Hyperbola hyperbola(w, v);
-      const double begin = hyperbola.parameter(p), end = hyperbola.parameter(q);
-      const double bulge = length(hyperbola.point((begin + end) / 2) - 0.5 * (p + q));
-      constexpr double most = 1000;
-      const double n = std::ceil((std::min)(most, std::sqrt(bulge / m_options.chord_error)));
-      for(double i = 1; i < n; ++i)
-        add(hyperbola.point(begin + i / n * (end - begin)));
-    }
+    if(piece.end == Cell_end::EQUAL_DISTANCE)
+      branch(w, v).for_each_between(p, q, m_options.chord_error, add);
     add(q);
     if(arc.left > arc.right)
     {

@@ -8,13 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Cells/Cell_network.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -107,7 +107,10 @@ private:
         tips.emplace_back(labels.distance(v), v);
     std::sort(tips.begin(), tips.end());
     for(const auto& tip : tips)
+    {
+      check_for_interruption();
       found.add_vertex(tip.second, nodes.source(tip.second));
+    }
   }
 
   // Faces that only one source reaches are not divided, unless borders within cells are wanted.
@@ -125,6 +128,7 @@ private:
     std::vector<Face_window> windows;
     for(auto it = order.begin(); it != order.end();)
     {
+      check_for_interruption();
       const Index h = it->first;
       windows.clear();
       for(; it != order.end() && it->first == h; ++it)

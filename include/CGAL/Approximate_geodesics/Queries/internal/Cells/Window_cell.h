@@ -184,18 +184,17 @@ private:
       return;
     Region region;
     if(!is_always_nearer)
-    {
-      const Focal_curve curve = Focal_curve::hyperbola(focus, difference);
-      for(const Focal_curve& side : m_sides)
-        if(!((curve - side).maximum(range()) > 0))
-          return;
-      region.upper.push_back({Cell_end::EQUAL_DISTANCE, curve});
-    }
+      region.upper.push_back({Cell_end::EQUAL_DISTANCE, Focal_curve::hyperbola(focus, difference)});
     if(m_entry)
       region.upper.push_back({Cell_end::ENTRY, *m_entry});
     add_ray(focus, v.right, Cell_end::RIGHT_RAY, rounding, region);
     add_ray(focus, -1. * v.left, Cell_end::LEFT_RAY, rounding, region);
-    cut(other, region);
+    const bool is_outside =
+        std::any_of(region.upper.begin(), region.upper.end(), [&](const Region::Bound& bound) {
+          return !is_anywhere_nearer({range(), bound.first, bound.second, other});
+        });
+    if(!is_outside)
+      cut(other, region);
   }
 
   bool yields_to(const std::size_t other) const

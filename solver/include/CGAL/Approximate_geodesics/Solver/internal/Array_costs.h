@@ -48,7 +48,7 @@ public:
   Cost_function(F f) // NOLINT(google-explicit-constructor)
     : m_cost(f),
       m_formula([f](const std::size_t face, const Space_vector& x, const Space_vector& y) {
-        return formula_of(f, face, x, y);
+        return Cost_formulas{x, y}.of(f, face);
       })
   {
   }

@@ -1,0 +1,117 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_STRIPS_OF_CURVE_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_STRIPS_OF_CURVE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Strip_expansion.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+// By how much, relatively, ways from samples of a curve may be longer than those from the curve. It
+// is most of what cones leave of epsilon; searches from a curve that end cones by labels leave it,
+// too.
+inline double largest_error_of_samples(const Cone_rules& rules)
+{
+  constexpr double part = 0.8;
+  return part * ((1 + rules.epsilon) / rules.longest_detour - 1);
+}
+
+// The bound that is left for the lines from samples: the product of both errors is within epsilon.
+inline double epsilon_from_samples(const Cone_rules& rules)
+{
+  return (1 + rules.epsilon) / (1 + largest_error_of_samples(rules)) - 1;
+}
+
+// The ratio of width to height up to which a point is such a sample.
+inline double slope_of_strips(const Cone_rules& rules)
+{
+  const double error = largest_error_of_samples(rules);
+  return std::sqrt(error * (2 + error));
+}
+
+/*
+ * Follows strips of parallel rays from a segment of a curve until they are far higher than wide.
+ *
+ * `f(v, length, foot)` is called for vertices that are nearest to a point `foot` inside the
+ * segment, along these rays, and `on_sample(p)` for points of the segment whose lines are needed,
+ * too: those where a strip ends. The way from `p` to all that lies behind is longer than the rays
+ * by a factor of at most `1 + largest_error_of_samples()`.
+ */
+template <typename F, typename OnSample>
+struct Strips_of_curve
+{
+  struct Visitor
+  {
+    double bound(Index /* v */) const { return infinity; }
+
+    void on_vertex(const Index v,
+                   const double length,
+                   const double x,
+                   const Strip& /* strip */,
+                   const Plane_vector /* apex */,
+                   const Plane_vector /* left_edge */)
+    {
+      strips.f(v, length, segment.point(strips.triangulation, x / width));
+    }
+
+    bool ends(const Strip& strip)
+    {
+      const double height = strip.height(), begin = strip.begin / width, end = strip.end / width;
+      const double t = simplest_part(begin, end);
+      if(!(height > 0 && width * (std::max)(t - begin, end - t) <= strips.slope * height))
+        return false;
+      strips.on_sample(segment.point(strips.triangulation, t));
+      return true;
+    }
+
+    // Samples are at few places, so that strips share them: at the ends of the segment, its middle,
+    // and so on.
+    static double simplest_part(const double begin, const double end)
+    {
+      for(double step = 1; step > 1e-6; step /= 2)
+        if(const double t = step * std::ceil(begin / step); t <= end)
+          return t;
+      return (begin + end) / 2;
+    }
+
+    const Strips_of_curve& strips;
+    const Curve_segment& segment;
+    double width;
+  };
+
+  // Follows those from the segment between two points, to both sides.
+  void follow(const Intrinsic_point& from, const Intrinsic_point& to) const
+  {
+    for_each_segment(triangulation, from, to, [&](const Curve_segment& segment) {
+      for(const Curve_segment& s : {segment, Curve_segment{segment.to, segment.from}})
+      {
+        const Segment_layout layout(triangulation, s);
+        if(!(layout.length() > 0))
+          continue;
+        Visitor visitor{*this, s, layout.length()};
+        const Face_steps_on_demand steps(triangulation);
+        Strip_expansion<Face_steps_on_demand, Visitor>(triangulation, steps, 0, visitor)
+            .look(layout, is_along_halfedge(s.from, s.to));
+      }
+    });
+  }
+
+  const Intrinsic_triangulation& triangulation;
+  double slope; // largest ratio of width to height
+  F& f;
+  OnSample& on_sample;
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_STRIPS_OF_CURVE_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_LIMIT_OF_POINTS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_LIMIT_OF_POINTS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <boost/type_traits/is_detected.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+// Returns the maximum number of points on all edges together: `given`, or the default if that is 0.
+// The default is enough for small bounds on large meshes, and on small meshes it limits a search to
+// some seconds. A point takes about 50 bytes in a graph and a search together.
+inline std::size_t maximum_number_of_points(const Intrinsic_triangulation& triangulation,
+                                            const std::size_t given)
+{
+  constexpr double smallest = 1e6, per_edge = 1000, largest = 1e8;
+  const double by_default =
+      (std::clamp)(per_edge * (triangulation.number_of_halfedges() / 2), smallest, largest);
+  return given > 0 ? given : static_cast<std::size_t>(by_default);
+}
+
+// Returns a number of points for a message. Sums of these are doubles, which do not overflow.
+inline std::string text_of_points(const double number)
+{
+  constexpr double far_too_many = 1e12;
+  return number < far_too_many ? std::to_string(static_cast<long long>(number))
+                               : std::string("more than 10^12");
+}
+
+// Returns whether there are more than `limit` points on the edges that paths may cross. They are
+// only counted, which takes time proportional to the number of edges.
+template <typename Placement>
+bool has_more_points(const Intrinsic_triangulation& triangulation,
+                     const Placement& placement,
+                     const std::size_t limit)
+{
+  double sum = 0;
+  for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+    if(h < triangulation.opposite(h) && triangulation.length(h) > 0)
+      sum += double(placement.number_of_points(triangulation, h)) *
+             (triangulation.is_barrier(h) ? 2 : 1);
+  return sum > double(limit);
+}
+
+template <typename Placement>
+using Accepts_weaker_bound = decltype(std::declval<const Placement&>().accepts_weaker_bound());
+
+// Throws an error: `number` points are needed in all, `most` of them on the edge of a halfedge, and
+// there may be `limit`, or fewer than the graph can have nodes.
+template <typename Placement>
+[[noreturn]] void refuse_points(const Intrinsic_triangulation& triangulation,
+                                const Placement& placement,
+                                const double number,
+                                const Index halfedge_with_most,
+                                const std::size_t most,
+                                const std::size_t limit)
+{
+  std::string reason = "can have at most 2^32 - 1 nodes";
+  if(number > double(limit))
+  {
+    reason = "maximum_number_of_points is " + std::to_string(limit);
+    if constexpr(boost::is_detected_v<Accepts_weaker_bound, Placement>)
+      if(!placement.accepts_weaker_bound())
+        reason += "; fewer are enough for a larger epsilon, or with accept_weaker_bound(true)";
+  }
+  const auto index = [&](const Index h) {
+    return std::to_string(triangulation.index(triangulation.target(h)));
+  };
+  throw std::length_error("Approximate_geodesics: the graph needs " + text_of_points(number) +
+                          " points on edges, " + text_of_points(double(most)) +
+                          " of them between vertices " +
+                          index(triangulation.opposite(halfedge_with_most)) + " and " +
+                          index(halfedge_with_most) + ", and " + reason);
+}
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_LIMIT_OF_POINTS_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_OFFSETS_DISTANCES_ON_EDGES_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_OFFSETS_DISTANCES_ON_EDGES_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * Distances of points on edges, from what an exact search knows at vertices: the distance, the
+ * direction in which the shortest path arrives, and how far the path is straight. The direction
+ * gives the slope of the distance along each edge. All in units of the triangulation.
+ */
+template <typename Search>
+class Distances_on_edges
+{
+public:
+  // The search is referred to, not copied.
+  explicit Distances_on_edges(const Search& search)
+    : m_triangulation(search.graph().triangulation()),
+      m_labels(search.search().labels()),
+      m_slopes(m_triangulation.number_of_halfedges(), std::numeric_limits<double>::quiet_NaN()),
+      m_straight(m_triangulation.number_of_vertices(), infinity)
+  {
+    const auto& run = search.search().graph_run();
+    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
+    {
+      check_for_interruption_at(v);
+      if(m_labels.is_reached(v))
+      {
+        set_straight(v, search);
+        set_slopes(v, run.arrival(v), run.tables().steps);
+      }
+    }
+  }
+
+  // About the largest error of `at()`, off the medial axis; infinity where a direction is not
+  // known. Curves that are tangent to a cubic function at both ends are close to it, unless they
+  // turn in between as they do near the start of a straight line.
+  double error(const Index h) const
+  {
+    constexpr double sharp = 1. / 8, smooth = 1. / 48;
+    const Side side = this->side(h);
+    if(std::isnan(side.slope) || std::isnan(side.slope_back))
+      return infinity;
+    const double straight =
+        (std::min)(m_straight[m_triangulation.source(h)], m_straight[m_triangulation.target(h)]);
+    const double turn = side.is_convex() ? -(side.slope + side.slope_back) : 0;
+    return turn * side.length * (straight < 2 * side.length ? sharp : smooth);
+  }
+
+  // The distance at the part `t` of the way along the edge. Except where paths from different
+  // directions meet, it is a convex function, which a cubic one with its slopes comes close to.
+  double at(const Index h, const double t) const
+  {
+    const Side side = this->side(h);
+    if(side.is_convex())
+    {
+      const double s = 1 - t;
+      return side.start * s * s * (1 + 2 * t) + side.end * t * t * (1 + 2 * s) +
+             side.length * s * t * (side.slope * s + side.slope_back * t);
+    }
+    const double x = t * side.length;
+    return (std::min)(straight_on(side.start, m_straight[m_triangulation.source(h)], side.slope, x),
+                      straight_on(side.end, m_straight[m_triangulation.target(h)], side.slope_back,
+                                  side.length - x));
+  }
+
+private:
+  struct Side
+  {
+    double start, end;        // distances
+    double slope, slope_back; // from the start, and from the end
+    double length;
+
+    bool is_convex() const
+    {
+      return slope * length <= end - start && slope_back * length <= start - end;
+    }
+  };
+
+  Side side(const Index h) const
+  {
+    return {m_labels.distance(m_triangulation.source(h)),
+            m_labels.distance(m_triangulation.target(h)), m_slopes[h],
+            m_slopes[m_triangulation.opposite(h)], m_triangulation.length(h)};
+  }
+
+  // The distance at `x` from a vertex, as far as the paths come from where that to the vertex does.
+  static double
+  straight_on(const double distance, const double straight, const double slope, const double x)
+  {
+    if(!(straight < infinity))
+      return distance + slope * x;
+    const double difference = x * (2 * straight * slope + x); // of squares
+    const double end = std::sqrt((std::max)(0., straight * straight + difference));
+    return end + straight > 0 ? distance + difference / (straight + end) : distance;
+  }
+
+  // Paths from a curve count as parallel.
+  void set_straight(const Index v, const Search& search)
+  {
+    const auto& nodes = search.search();
+    const Index before = m_labels.predecessor(v);
+    if(before != null_index)
+      m_straight[v] = m_labels.distance(v) - m_labels.distance(before);
+    else if(search.curves().empty())
+      m_straight[v] = m_labels.distance(v) -
+                      search.sources()[nodes.source(v)].distance / m_triangulation.unit();
+  }
+
+  void set_slopes(const Index v, const Arrival& arrival, const Face_steps& steps)
+  {
+    if(!arrival.is_none() && (arrival.is_along_halfedge() || arrival.has_direction()))
+      Bend_sectors(m_triangulation, steps, v)
+          .for_each_angle(
+              arrival, [&](const Index h, const double angle) { m_slopes[h] = -std::cos(angle); });
+  }
+
+  const Intrinsic_triangulation& m_triangulation;
+  const Labels& m_labels;
+  std::vector<double> m_slopes;   // by halfedge, at its source
+  std::vector<double> m_straight; // by vertex: the length of the last line of the path to it
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_OFFSETS_DISTANCES_ON_EDGES_H

@@ -1,0 +1,30 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_COMPILED_MATRICES_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_COMPILED_MATRICES_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+
+// The same for matrices and lists of pairs.
+#ifdef CGAL_APPROXIMATE_GEODESICS_COMPILED
+
+namespace CGAL::Approximate_geodesics {
+
+CGAL_APPROXIMATE_GEODESICS_GRAPH(Discrete_geodesic_graph)
+CGAL_APPROXIMATE_GEODESICS_SEARCH(Discrete_geodesic_graph)
+CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template class internal::Row_search<
+    Discrete_geodesic_graph>;
+CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template class internal::Row_search<Saddle_vertex_graph>;
+
+} // namespace CGAL::Approximate_geodesics
+
+#endif // CGAL_APPROXIMATE_GEODESICS_COMPILED
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_COMPILED_MATRICES_H
