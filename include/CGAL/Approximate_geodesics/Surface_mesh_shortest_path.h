@@ -583,7 +583,7 @@ public:
   void prepare_pairs(const std::size_t number_of_landmarks = Landmarks<Graph>::DEFAULT_NUMBER)
   {
     auto landmarks = std::make_unique<const Landmarks<Graph>>(m_graph, number_of_landmarks);
-    m_workspaces.set_up([l = landmarks.get()](auto& search) { search.use_landmarks(*l); });
+    m_pairs.use_landmarks(*landmarks);
     m_pair_search.reset();
     m_landmarks = std::move(landmarks);
   }
