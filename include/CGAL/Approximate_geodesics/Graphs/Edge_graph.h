@@ -68,6 +68,9 @@ public:
   /// returns the triangulation that the graph was built on.
   const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
 
+  /// returns by how much, relatively, distances there are larger than those back: `0`.
+  static constexpr double asymmetry() { return 0; }
+
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
 
