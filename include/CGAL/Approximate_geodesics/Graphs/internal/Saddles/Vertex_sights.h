@@ -58,6 +58,9 @@ public:
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(steps[h].has_face() && is_degenerate(triangulation, steps, h))
         m_bends[steps[h].apex] = Bend_kind::ANY;
+    m_number_of_bends = static_cast<std::size_t>(
+        std::count_if(m_bends.begin(), m_bends.end(),
+                      [](const Bend_kind kind) { return kind >= Bend_kind::SADDLE; }));
   }
 
   Bend_kind operator[](const Index v) const { return m_bends[v]; }
@@ -75,6 +78,13 @@ public:
   double mean_excess() const
   {
     return m_sum_of_excess / static_cast<double>((std::max)(m_bends.size(), std::size_t(1)));
+  }
+
+  // The share of vertices where paths can bend.
+  double share_of_bends() const
+  {
+    return static_cast<double>(m_number_of_bends) /
+           static_cast<double>((std::max)(m_bends.size(), std::size_t(1)));
   }
 
   std::size_t memory() const { return memory_of(m_bends); }
@@ -129,6 +139,7 @@ private:
 
   std::vector<Bend_kind> m_bends; // per vertex
   double m_sum_of_excess = 0;
+  std::size_t m_number_of_bends = 0;
 };
 
 /*
