@@ -81,6 +81,36 @@ TEST_F(Offset_curves, have_the_distance_everywhere)
   }
 }
 
+// Not all of them: offsets cut corners where several shortest paths meet.
+TEST(Offset_curves_on_terrain, have_the_distance_nearly_everywhere)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(24, 20, random));
+  AG::Surface_mesh_shortest_path<Mesh, AG::Saddle_vertex_graph> exact(mesh);
+  const Vertex start(2 + 24 * 3), end(17 + 24 * 15);
+  for(const Curve& source : {Curve{{start, end}}, Curve{{start}}})
+  {
+    exact.remove_all_source_points();
+    exact.add_source_curve(source);
+    std::vector<Offset> curves;
+    constexpr double step = 0.4;
+    AG::offset_curves(mesh, source, std::vector<double>{step, 2 * step, 5 * step, 6 * step},
+                      std::back_inserter(curves));
+    ASSERT_GE(curves.size(), 4u);
+    std::size_t number = 0, number_within = 0;
+    for(const Offset& c : curves)
+      for(const Point& p : c.points)
+      {
+        const auto [face, weights] = location_at(mesh, p);
+        const double distance = exact.shortest_distance_to_source_points(face, weights).first;
+        ++number;
+        number_within += std::abs(distance - c.distance) <= 0.01 * step ? 1 : 0;
+        EXPECT_NEAR(distance, c.distance, 0.5 * step);
+      }
+    EXPECT_GT(double(number_within), 0.97 * double(number)) << number;
+  }
+}
+
 TEST_F(Offset_curves, end_at_the_border)
 {
   std::vector<Offset> curves;

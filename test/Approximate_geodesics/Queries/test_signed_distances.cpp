@@ -243,12 +243,12 @@ TEST(Signed_distances_on_cone, are_negative_around_the_apex)
 {
   const std::size_t valence = 12;
   const Mesh mesh = to_mesh(fan(valence, 2));
-  Closed_or_open_curve circle{{}, true};
+  Closed_or_open_curve ring{{}, true};
   for(unsigned i = 1; i <= valence; ++i)
-    circle.points.push_back(Edge_location(mesh.halfedge(Vertex(0), Vertex(i)), 0.5));
+    ring.points.push_back(Edge_location(mesh.halfedge(Vertex(0), Vertex(i)), 0.5));
   const double edge = std::sqrt(5.), side = 2 * std::sin(std::acos(-1.) / double(valence));
   const double height = std::sqrt(edge * edge - side * side / 4);
-  const auto found = signed_distances(mesh, circle);
+  const auto found = signed_distances(mesh, ring);
   EXPECT_NEAR(found[0], -height / 2, 1e-9);
   for(std::size_t i = 1; i <= valence; ++i)
     EXPECT_NEAR(found[i], edge / 2, 1e-9);

@@ -157,7 +157,8 @@ void expect_sides(const AG::Saddle_vertex_graph& graph, const Intrinsic_curve& c
   AG::Surface_search<AG::Saddle_vertex_graph> search(graph);
   search.run_from_curves({curve});
   const std::vector<double> found = AG::internal::signed_distances(search);
-  const double small = 1e-7 * graph.arc_lengths().longest * t.unit();
+  const double small = 1e-7 * graph.arc_lengths().longest * t.unit() +
+                       16 * std::numeric_limits<double>::denorm_min();
   for(unsigned v = 0; v < t.number_of_vertices(); ++v)
   {
     EXPECT_EQ(std::abs(found[v]), search.distance(Intrinsic_point::at_vertex(v)));

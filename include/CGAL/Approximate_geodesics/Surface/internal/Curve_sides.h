@@ -44,7 +44,8 @@ public:
     : m_triangulation(triangulation),
       m_segments(triangulation, curves),
       m_sides(triangulation.number_of_vertices() + triangulation.number_of_halfedges(), NONE),
-      m_is_passed(m_sides.size(), false)
+      m_is_passed(m_sides.size(), false),
+      m_is_crossed(triangulation.number_of_halfedges(), false)
   {
     for(std::size_t i = 0; i < curves.size(); ++i)
       for(const auto& polyline : curves[i].polylines)
@@ -57,6 +58,7 @@ public:
         look_around_face(h);
     });
     spread();
+    check_edges();
   }
 
   // That of a vertex; none if it belongs to a curve, or is unknown.
@@ -71,7 +73,11 @@ private:
   {
     double distance = infinity; // of the curve
     double sine = 0;            // of the angle between the curve and the line to the point
+
+    Side side() const { return sine == 0 ? NONE : sine > 0 ? LEFT : RIGHT; }
   };
+
+  static constexpr double ROUNDING = 1e-12; // in longest sides of a face
 
   // Vertices and faces are numbered together.
   std::size_t face(const Index h) const
@@ -99,6 +105,8 @@ private:
     for(const Intrinsic_point& p : polyline)
       if(p.is_vertex())
         m_is_passed[p.vertex] = true;
+      else if(p.is_on_edge())
+        m_is_crossed[p.halfedge] = m_is_crossed[m_triangulation.opposite(p.halfedge)] = true;
   }
 
   bool is_on_border(const Intrinsic_point& p) const
@@ -127,34 +135,33 @@ private:
       return;
     for(const Index h : m_triangulation.halfedges_of_face(face_of))
     {
-      mark(m_triangulation.source(h), side(h, 0, size));
-      if(const Index opposite = m_triangulation.opposite(h); !m_triangulation.is_border(opposite))
-        mark(face(opposite), side(h, 0.5, size));
+      mark(m_triangulation.source(h), nearest(h, 0, size).side());
+      mark_face(m_triangulation.opposite(h), nearest(h, 0.5, size).side());
     }
   }
 
-  // The side where the point of an edge at the part `t` of the way lies, seen in the face to the
-  // left of `h`. Where segments meet in the nearest point of the curve, the one counts that is
-  // closer to a right angle with the line from there.
-  Side side(const Index h, const double t, const double size) const
+  // What is seen of the nearest point of the curves in the face to the left of `h`, from the point
+  // of the edge at the part `t` of the way; without an angle if that is uncertain. Where segments
+  // meet, the one counts that is closer to a right angle with the line from there.
+  View nearest(const Index h, const double t, const double size) const
   {
-    constexpr double rounding = 1e-12, smallest_sine = 1e-9;
+    constexpr double smallest_sine = 1e-9;
     const auto is_as_near = [&](const View& v, const View& best) {
-      return v.distance < best.distance + rounding * size;
+      return v.distance < best.distance + ROUNDING * size;
     };
     View best;
     for_each_view(h, t, [&](const View& v) {
-      if(v.distance < best.distance - rounding * size ||
+      if(v.distance < best.distance - ROUNDING * size ||
          (is_as_near(v, best) && std::abs(v.sine) > std::abs(best.sine)))
         best = v;
     });
-    if(!(best.distance > rounding * size && std::abs(best.sine) > smallest_sine))
-      return NONE;
+    if(!(best.distance > ROUNDING * size && std::abs(best.sine) > smallest_sine))
+      return {best.distance, 0};
     for_each_view(h, t, [&](const View& v) { // where a curve runs back on itself
       if(is_as_near(v, best) && std::abs(v.sine + best.sine) < smallest_sine)
         reject_at(m_triangulation.source(h));
     });
-    return best.sine > 0 ? LEFT : RIGHT;
+    return best;
   }
 
   template <typename F>
@@ -219,6 +226,15 @@ private:
     }
   }
 
+  // Finds what faces do not show: curves that cross themselves there.
+  void check_edges() const
+  {
+    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+      if(!m_is_crossed[h] &&
+         m_sides[m_triangulation.source(h)] * m_sides[m_triangulation.target(h)] < 0)
+        reject_at(m_triangulation.source(h));
+  }
+
   void mark_face(const Index h, const Side side)
   {
     if(!m_triangulation.is_border(h))
@@ -228,7 +244,8 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   const Segments_by_face m_segments;
   std::vector<Side> m_sides;
-  std::vector<bool> m_is_passed; // by a curve
+  std::vector<bool> m_is_passed;  // by a curve
+  std::vector<bool> m_is_crossed; // halfedges whose edge has a point of a curve inside
   std::vector<std::size_t> m_stack;
 };
 

@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/angles_at_vertex.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -49,36 +49,32 @@ public:
     }
   }
 
-  // About the largest error of `at()`, off the medial axis; infinity where a direction is not
-  // known. Curves that are tangent to a cubic function at both ends are close to it, unless they
-  // turn in between as they do near the start of a straight line.
+  double distance(const Index v) const { return m_labels.distance(v); }
+
+  // The length of the last line of the path to a vertex; infinity if lines are parallel.
+  double straight(const Index v) const { return m_straight[v]; }
+
+  // That of the distance at the source of a halfedge; not a number if it is not known.
+  double slope(const Index h) const { return m_slopes[h]; }
+
+  // About the largest error of `at()`; infinity where a direction is not known, or paths from
+  // several directions meet on the edge.
   double error(const Index h) const
   {
-    constexpr double sharp = 1. / 8, smooth = 1. / 48;
-    const Side side = this->side(h);
-    if(std::isnan(side.slope) || std::isnan(side.slope_back))
-      return infinity;
-    const double straight =
-        (std::min)(m_straight[m_triangulation.source(h)], m_straight[m_triangulation.target(h)]);
-    const double turn = side.is_convex() ? -(side.slope + side.slope_back) : 0;
-    return turn * side.length * (straight < 2 * side.length ? sharp : smooth);
+    const double result = (std::min)(difference(h), largest_gap(side(h)));
+    return std::isnan(result) ? infinity : result;
   }
 
-  // The distance at the part `t` of the way along the edge. Except where paths from different
-  // directions meet, it is a convex function, which a cubic one with its slopes comes close to.
+  // The distance at the part `t` of the way along the edge.
   double at(const Index h, const double t) const
   {
     const Side side = this->side(h);
-    if(side.is_convex())
-    {
-      const double s = 1 - t;
-      return side.start * s * s * (1 + 2 * t) + side.end * t * t * (1 + 2 * s) +
-             side.length * s * t * (side.slope * s + side.slope_back * t);
-    }
-    const double x = t * side.length;
-    return (std::min)(straight_on(side.start, m_straight[m_triangulation.source(h)], side.slope, x),
-                      straight_on(side.end, m_straight[m_triangulation.target(h)], side.slope_back,
-                                  side.length - x));
+    const double s = 1 - t;
+    if(difference(h) <= largest_gap(side))
+      return s * from_start(h, t * side.length) +
+             t * from_start(m_triangulation.opposite(h), s * side.length);
+    return side.start * s * s * (1 + 2 * t) + side.end * t * t * (1 + 2 * s) +
+           side.length * s * t * (side.slope * s + side.slope_back * t);
   }
 
 private:
@@ -87,11 +83,6 @@ private:
     double start, end;        // distances
     double slope, slope_back; // from the start, and from the end
     double length;
-
-    bool is_convex() const
-    {
-      return slope * length <= end - start && slope_back * length <= start - end;
-    }
   };
 
   Side side(const Index h) const
@@ -101,15 +92,36 @@ private:
             m_slopes[m_triangulation.opposite(h)], m_triangulation.length(h)};
   }
 
-  // The distance at `x` from a vertex, as far as the paths come from where that to the vertex does.
-  static double
-  straight_on(const double distance, const double straight, const double slope, const double x)
+  // The distance at `x` from the source of `h`, if paths come from where that to the source does.
+  double from_start(const Index h, const double x) const
   {
+    const Index v = m_triangulation.source(h);
+    const double distance = m_labels.distance(v), straight = m_straight[v], slope = m_slopes[h];
     if(!(straight < infinity))
       return distance + slope * x;
     const double difference = x * (2 * straight * slope + x); // of squares
     const double end = std::sqrt((std::max)(0., straight * straight + difference));
     return end + straight > 0 ? distance + difference / (straight + end) : distance;
+  }
+
+  // By how much that is wrong at the other end; not a number if a slope is not known.
+  double difference(const Index h) const
+  {
+    const Index opposite = m_triangulation.opposite(h);
+    const double length = m_triangulation.length(h);
+    const double at_end = from_start(h, length) - m_labels.distance(m_triangulation.target(h)),
+                 at_start =
+                     from_start(opposite, length) - m_labels.distance(m_triangulation.source(h));
+    return std::abs(at_end) + std::abs(at_start);
+  }
+
+  // Except where paths from different directions meet, the distance is convex: between the chord
+  // and the tangents at the ends, in the middle of which the cubic function with these slopes is.
+  static double largest_gap(const Side& side)
+  {
+    const bool is_convex = side.slope * side.length <= side.end - side.start &&
+                           side.slope_back * side.length <= side.start - side.end;
+    return is_convex ? -(side.slope + side.slope_back) * side.length / 8 : infinity;
   }
 
   // Paths from a curve count as parallel.

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Distances_in_face.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Distances_on_edges.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Offset_lines.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
@@ -27,9 +28,9 @@ namespace CGAL::Approximate_geodesics::internal {
 /*
  * Isolines of exact distances. Faces are divided where the distance is far from linear: near the
  * sources, at edges that are long for their distance. Whether an edge is divided depends on nothing
- * but the edge, so that faces fit together. Distances on edges are found from their slopes at
- * both ends; where these do not tell them well enough, and inside of divided faces, by queries of
- * the search.
+ * but the edge, so that faces fit together. Distances on edges and in faces are found from
+ * those of vertices, and from the directions in which paths arrive there; where these do not tell
+ * them well enough, by queries of the search.
  */
 template <typename Search>
 class Offset_tracer
@@ -86,7 +87,16 @@ private:
   // In steps: of distances found from slopes, and of those that have to be equal to another.
   static constexpr double LARGEST_ERROR = 5e-3, LARGEST_DIFFERENCE = 2e-3;
 
-  double value(const Corner& c) const { return m_search.distance(point(c)); }
+  double value(const Corner& c) const
+  {
+    return is_small(m_in_face.error()) ? m_in_face.at(c.weight) * m_triangulation.unit()
+                                       : m_search.distance(point(c));
+  }
+
+  bool is_small(const double error) const
+  {
+    return error * m_triangulation.unit() <= LARGEST_ERROR * m_step;
+  }
 
   Intrinsic_point point(const Corner& c) const
   {
@@ -109,6 +119,7 @@ private:
       triangle[i].weight[i] = 1;
       sides[i] = {m_triangulation.length(halfedges[i]) * m_triangulation.unit(), halfedges[i]};
     }
+    m_in_face = Distances_in_face(m_triangulation, m_on_edges, h);
     divide(triangle, sides, 0);
   }
 
@@ -262,8 +273,7 @@ private:
   // Whether the slopes at the ends of an edge tell the distance on a side well enough.
   bool has_slopes(const Side& side) const
   {
-    return side.is_part_of_edge() &&
-           m_on_edges.error(side.halfedge) * m_triangulation.unit() <= LARGEST_ERROR * m_step;
+    return side.is_part_of_edge() && is_small(m_on_edges.error(side.halfedge));
   }
 
   // Found from them, at a part of the way.
@@ -290,6 +300,7 @@ private:
               const std::size_t number,
               const Value& value_at) const
   {
+    constexpr double rounding = 1e-9;
     const double wanted = m_distances[number];
     double start = 0, end = 1;
     double at_start = m_values[below.number] - wanted, at_end = m_values[above.number] - wanted;
@@ -303,7 +314,7 @@ private:
       (here < 0 ? at_start : at_end) = here;
       result = start + (end - start) * (-at_start / (at_end - at_start));
     }
-    return result;
+    return result < rounding ? 0 : result > 1 - rounding ? 1 : result; // so that points coincide
   }
 
   const Search& m_search;
@@ -311,7 +322,8 @@ private:
   const Distances_on_edges<Search> m_on_edges;
   const std::vector<double> m_distances;
   const double m_step;
-  Index m_face = null_index;    // a halfedge of the present one
+  Index m_face = null_index; // a halfedge of the present one
+  Distances_in_face m_in_face;
   std::vector<double> m_values; // of corners; those of the vertices come first
   std::unordered_map<std::uint64_t, std::uint32_t> m_middles;
   std::unordered_map<std::uint64_t, std::size_t> m_first_crossings; // of sides

@@ -1,0 +1,124 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_OFFSETS_DISTANCES_IN_FACE_H
+#define CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_OFFSETS_DISTANCES_IN_FACE_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Distances_on_edges.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * Distances of points of a face. The last straight lines of the paths to its corners start from
+ * points of its plane. Where these are the same, or nearly so, all paths across the face start from
+ * there; what differs is interpolated. In units of the triangulation.
+ */
+class Distances_in_face
+{
+public:
+  // That of no face.
+  Distances_in_face() = default;
+
+  // The face is that to the left of `h`.
+  template <typename DistancesOnEdges>
+  Distances_in_face(const Intrinsic_triangulation& triangulation,
+                    const DistancesOnEdges& on_edges,
+                    const Index h)
+  {
+    const Face_layout layout(triangulation, h);
+    double nearest = infinity, longest = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const Index side = layout.halfedge(i),
+                  other = triangulation.opposite(layout.halfedge((i + 2) % 3));
+      m_corners[i] = {layout.corner(i), on_edges.distance(layout.vertex(i)),
+                      on_edges.straight(layout.vertex(i)),
+                      direction(layout.edge(i, (i + 1) % 3), layout.edge(i, (i + 2) % 3),
+                                on_edges.slope(side), on_edges.slope(other))};
+      nearest = (std::min)(nearest, m_corners[i].distance);
+      longest = (std::max)(longest, triangulation.length(side));
+    }
+    if(nearest > longest) // or else there may be sources in the face
+      m_error = largest_difference();
+  }
+
+  // About the largest error of `at()`; infinity where a direction is not known.
+  double error() const { return m_error; }
+
+  // The distance of the point with these weights of the corners.
+  double at(const std::array<double, 3>& weight) const
+  {
+    Plane_vector p{0, 0};
+    for(std::size_t i = 0; i < 3; ++i)
+      p = p + weight[i] * m_corners[i].position;
+    double result = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      if(weight[i] > 0)
+        result += weight[i] * m_corners[i].distance_of(p);
+    return result;
+  }
+
+private:
+  struct Corner
+  {
+    Plane_vector position;
+    double distance, straight; // the length of the last line; infinity if lines are parallel
+    Plane_vector direction;    // of the line, where it arrives
+
+    // The distance of another point if its line starts where that to the corner does.
+    double distance_of(const Plane_vector p) const
+    {
+      const Plane_vector way = p - position;
+      if(!(straight < infinity))
+        return distance + dot(way, direction);
+      const double old = straight, end = length(way + straight * direction);
+      const double difference_of_squares = 2 * straight * dot(way, direction) + dot(way, way);
+      return end + old > 0 ? distance + difference_of_squares / (end + old) : distance;
+    }
+  };
+
+  // From the slopes along two sides.
+  static Plane_vector direction(const Plane_vector side,
+                                const Plane_vector other,
+                                const double slope,
+                                const double other_slope)
+  {
+    const double a = length(side), b = length(other), sine = cross(side, other) / (a * b),
+                 cosine = dot(side, other) / (a * b);
+    const Plane_vector turned{slope, (other_slope - cosine * slope) / sine};
+    const double l = length(turned);
+    return turned_left(1 / l * turned, 1 / a * side);
+  }
+
+  // Infinity if any direction is not a number.
+  double largest_difference() const
+  {
+    double result = 0;
+    for(const Corner& c : m_corners)
+      for(const Corner& other : m_corners)
+      {
+        const double difference = std::abs(c.distance_of(other.position) - other.distance);
+        if(!(difference < infinity))
+          return infinity;
+        result = (std::max)(result, difference);
+      }
+    return result;
+  }
+
+  std::array<Corner, 3> m_corners = {};
+  double m_error = infinity;
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_OFFSETS_DISTANCES_IN_FACE_H
