@@ -20,6 +20,8 @@
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
@@ -68,13 +70,13 @@ public:
 
   void run(const std::string& mesh_name, const std::string& graph_name, Table& table)
   {
-    const Pair_times all = find_all(nullptr);
+    const Pair_times all = find_all<AG::Adaptive_bucket_queue>(nullptr);
     for(const std::size_t number : {4u, 16u})
     {
       const auto start = std::chrono::steady_clock::now();
       const AG::Landmarks<Graph> landmarks(m_graph, number);
       const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
-      const Pair_times led = find_all(&landmarks);
+      const Pair_times led = find_all<AG::Binary_heap_queue>(&landmarks);
       double largest_difference = 0;
       for(std::size_t i = 0; i < m_pairs.size(); ++i)
         if(all.distances[i] > 0 && all.distances[i] != led.distances[i])
@@ -105,9 +107,10 @@ public:
   }
 
 private:
+  template <typename Queue>
   Pair_times find_all(const AG::Landmarks<Graph>* const landmarks) const
   {
-    AG::Surface_search<Graph> search(m_graph);
+    AG::Surface_search<Graph, Queue> search(m_graph);
     if(landmarks != nullptr)
       search.use_landmarks(*landmarks);
     search.collect_statistics(true);

@@ -34,7 +34,8 @@ namespace CGAL::Approximate_geodesics {
  * An object is made once for a graph, which is worth it for many pairs: it takes a search of the
  * whole graph for each landmark. `Surface_search::use_landmarks()` and
  * `Surface_mesh_shortest_path::prepare_pairs()` use it. All landmarks are in the largest connected
- * part of the graph; pairs elsewhere are found as without them.
+ * part of the graph; pairs elsewhere are found as without them. `Binary_heap_queue` suits such
+ * searches best, as the keys of many nodes are nearly equal.
  *
  * An object never changes after its construction, and may be used by several threads.
  *
