@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Workspaces.h>
@@ -132,6 +133,12 @@ public:
 
   // Must be called when the weights of the graph have changed.
   void clear() { m_workspaces.clear(); }
+
+  // Landmarks are referred to, not copied.
+  void use_landmarks(const Landmarks<Graph>& landmarks)
+  {
+    m_workspaces.set_up([&landmarks](auto& search) { search.use_landmarks(landmarks); });
+  }
 
   template <typename Pairs, typename NamedParameters>
   std::vector<double> distances(const Pairs& pairs, const NamedParameters& np) const

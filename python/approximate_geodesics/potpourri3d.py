@@ -6,8 +6,9 @@
 
 There is no heat method behind them: distances are the lengths of paths on the surface, and have a
 bound. What only the heat method needs is accepted, and ignored. What `MeshVectorHeatSolver` extends
-comes from the nearest source along an exact shortest path, and is not smoothed. Signed distances,
-fast marching, polygons, point clouds and Laplacians are not here.
+comes from the nearest source along an exact shortest path, and is not smoothed. What is not here,
+such as signed distances, `Solver` has in another form, or it has nothing to do with paths: see the
+README.
 """
 
 from __future__ import annotations

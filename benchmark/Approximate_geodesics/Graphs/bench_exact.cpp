@@ -13,6 +13,8 @@
 #include "meshes/Mesh.h"
 #include "meshes/Terrain.h"
 #include "meshes/Wavy_torus.h"
+#include "meshes/lattices.h"
+#include "meshes/surfaces.h"
 #include "output/Options.h"
 #include "output/Table.h"
 #include "peers/Exact_case.h"
@@ -309,7 +311,7 @@ class Growth_benchmark
 public:
   Growth_benchmark()
     : m_table({"surface", "vertices", "us/vertex", "sights/vertex", "ns/sight", "exact : edges",
-               "exact : lazy 0.1"})
+               "exact : lazy 0.1", "at once : exact"})
   {
   }
 
@@ -332,6 +334,12 @@ public:
     const AG::Edge_graph edges(triangulation);
     const AG::Lazy_discrete_geodesic_graph lazy(triangulation, parameters::epsilon(COARSE));
     const auto exact_search = add(exact, contest);
+    const auto search_at_once = std::make_shared<AG::Propagation<AG::Saddle_vertex_graph>>(exact);
+    if(!is_large) // with a heuristic, no sight waits, and bounds are those along edges
+      contest.add([&triangulation, &sources, search_at_once](const auto round) {
+        search_at_once->run_toward({{triangulation.vertex(sources[round].idx())}}, {},
+                                   [](auto) { return 0.; });
+      });
     add(edges, others);
     add(lazy, others);
     contest.run(number_of_rounds);
@@ -347,7 +355,8 @@ public:
         .add(sights / vertices, 1)
         .add(seconds / sights * 1e9, 1)
         .add(seconds / others.mean_seconds(0), 1)
-        .add(seconds / others.mean_seconds(1), 2);
+        .add(seconds / others.mean_seconds(1), 2)
+        .add_if(!is_large, is_large ? 0 : contest.mean_seconds(1) / seconds, 2);
   }
 
   const Table& table() const { return m_table; }
@@ -390,13 +399,20 @@ static void measure_growth(const Options& options, const Report& report)
     benchmark.run("terrain", terrain(side));
   for(const std::size_t side : sides)
     benchmark.run("rough", rough_terrain(side));
+  for(const std::size_t side : options.is_quick ? sides : Numbers{100, 200, 400})
+  {
+    benchmark.run("wavy", wavy_lattice(side));
+    benchmark.run("noisy", noisy_sphere(side));
+    benchmark.run("heights", height_field(side));
+  }
   for(const std::size_t step : steps)
     benchmark.run("subdivided", read_mesh("elephant+" + std::to_string(step)));
   report.print(
       "exact_growth",
       "Exact distances on a smooth torus, on terrain with irregular faces, on the same with "
-      "rough ground, and on a scan after steps of Loop subdivision: one source, with "
-      "everything prepared",
+      "rough ground, on a lattice with waves, on a sphere with the noise of a scanner, on heights "
+      "in whole meters, and on a scan after steps of Loop subdivision: one source, with "
+      "everything prepared, beside a search that follows all sights at once",
       benchmark.table());
 }
 

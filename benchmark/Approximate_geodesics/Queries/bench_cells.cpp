@@ -31,7 +31,7 @@ using Location = AG::Face_location<Mesh>;
 using Locations = std::vector<Location>;
 using Cells = AG::Voronoi_cells<Mesh>;
 
-static constexpr std::size_t NUMBER_OF_CHECKED_BORDERS = 20;
+static constexpr std::size_t NUMBER_OF_CHECKED_BORDERS = 10;
 
 static Locations random_points(const Mesh& mesh, const std::size_t number)
 {
@@ -65,21 +65,26 @@ distances(const Mesh& mesh, const Locations& sources, const Locations& points)
 // the largest distance of their points.
 static double largest_difference(const Mesh& mesh, const Locations& sources, const Cells& cells)
 {
-  double difference = 0, largest = 0;
   const std::size_t step = cells.borders.size() / NUMBER_OF_CHECKED_BORDERS + 1;
+  Locations points;
+  for(std::size_t i = 0; i < cells.borders.size(); i += step)
+    points.insert(points.end(), cells.borders[i].points.begin(), cells.borders[i].points.end());
+  const std::vector<double> nearest = distances(mesh, sources, points);
+  double difference = 0, largest = 0;
+  std::size_t first = 0; // of the points of the border
   for(std::size_t i = 0; i < cells.borders.size(); i += step)
   {
     const auto& border = cells.borders[i];
-    const std::vector<double> nearest = distances(mesh, sources, border.points);
     for(const std::size_t source : border.sources)
     {
       const std::vector<double> own = distances(mesh, {sources[source]}, border.points);
       for(std::size_t j = 0; j < own.size(); ++j)
       {
-        difference = (std::max)(difference, std::abs(own[j] - nearest[j]));
-        largest = (std::max)(largest, nearest[j]);
+        difference = (std::max)(difference, std::abs(own[j] - nearest[first + j]));
+        largest = (std::max)(largest, nearest[first + j]);
       }
     }
+    first += border.points.size();
   }
   return difference / largest;
 }

@@ -118,6 +118,11 @@ public:
   /// one of them, or lie on an edge. Only graphs with such nodes have this member function.
   CGAL::Approximate_geodesics::Intrinsic_point position(Node node) const;
 
+  /// returns a bound on how much longer, relatively, the way back along an arc is than the arc: `0`
+  /// if each arc leads back, infinity if nothing is known. The distances of nodes must not depend
+  /// on the search. `CGAL::Approximate_geodesics::Landmarks` need it.
+  double asymmetry() const;
+
   /// returns a number such that paths between vertices cost at most one plus this number times as
   /// much as the cheapest ones on the surface. `distance_intervals()` reads it; the default is
   /// infinity.

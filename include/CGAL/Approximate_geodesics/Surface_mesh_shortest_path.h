@@ -16,6 +16,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/read_changes.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
+#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -556,7 +557,8 @@ public:
    * These functions find paths between two points of the surface, independent of the sources. The
    * search stops as soon as the distance is final. It is an A* search with straight-line distances,
    * unless faces have weights, lengths do not come from the points of the mesh, or there is a
-   * visitor. It has a separate workspace of 24 additional bytes per vertex.
+   * visitor; or with the bounds of landmarks, see `prepare_pairs()`. It has a separate workspace of
+   * 24 additional bytes per vertex.
    *
    * They return the length of the path; if there is no path, it is negative, and nothing is
    * written. If costs depend on the direction, the path always leads from `source` to `target`. The
@@ -566,6 +568,25 @@ public:
    * \tparam Target the same
    */
   /// @{
+
+  /*!
+   * prepares for many pairs: makes landmarks, see `Landmarks`, which guide searches to single
+   * targets from now on. After weights or barriers have changed, they are not used any more, until
+   * this is called again. With weights, pairs then take a small part of the time.
+   *
+   * \pre `Graph` has a member function `asymmetry()`, as `Steiner_graph` does.
+   *
+   * \throws std::invalid_argument if `number_of_landmarks` is `0`.
+   *
+   * Run time is that of a search of all vertices for each landmark.
+   */
+  void prepare_pairs(const std::size_t number_of_landmarks = Landmarks<Graph>::DEFAULT_NUMBER)
+  {
+    auto landmarks = std::make_unique<const Landmarks<Graph>>(m_graph, number_of_landmarks);
+    m_pairs.use_landmarks(*landmarks);
+    m_pair_search.reset();
+    m_landmarks = std::move(landmarks);
+  }
 
   /// returns the distance from `source` to `target`, or the length of the straightened path.
   template <typename Source,
@@ -764,6 +785,8 @@ private:
     if(!m_pair_search)
       m_pair_search = std::make_unique<Pair_search>(Pair_search{
           Mesh_search(m_graph, m_translation, this->point_map()), m_search.positions()});
+    if(m_landmarks)
+      m_pair_search->search.search().use_landmarks(*m_landmarks);
     const auto run = [&](const auto& from, const auto& to) {
       m_pair_search->search.run_to(from, to, m_pair_search->positions, np);
       return m_translation.intrinsic_point(to);
@@ -817,6 +840,7 @@ private:
   Graph m_graph;
   Translation m_translation;
   Mesh_search m_search;
+  std::unique_ptr<const Landmarks<Graph>> m_landmarks; // if pairs are prepared
   std::unique_ptr<Pair_search> m_pair_search;
   internal::Mesh_pairs<Graph, Translation> m_pairs{m_graph, m_translation};
   std::list<Listed_source> m_sources;

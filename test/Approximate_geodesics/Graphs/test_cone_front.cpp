@@ -360,4 +360,56 @@ TEST(Cone_front, survives_interruptions)
   }
 }
 
+// ----- memory
+
+// Arrays of this mesh are large enough for huge pages.
+TEST(Cone_front, keeps_within_the_bound_on_a_large_mesh)
+{
+  const Mesh mesh = to_mesh(flat_grid(310, 300));
+  const Lazy_discrete_geodesic_graph graph(Triangulation(mesh), epsilon(0.1));
+  Lazy_search search(graph);
+  search.run_from(0);
+  const Point& source = mesh.point(Vertex(graph.triangulation().index(0)));
+  for(Node node = 1; node < graph.number_of_nodes(); ++node)
+  {
+    const Point& p = mesh.point(Vertex(graph.triangulation().index(node)));
+    const double straight = std::sqrt(CGAL::squared_distance(source, p));
+    ASSERT_GE(search.distance(node), straight * (1 - 1e-12));
+    ASSERT_LE(search.distance(node), straight * 1.1);
+  }
+}
+
+TEST(Cone_front, has_faces_that_can_be_copied)
+{
+  const Triangulation triangulation(to_mesh(flat_grid(310, 300)));
+  const AG::internal::Unfolding faces(triangulation), copy = faces;
+  EXPECT_EQ(copy.memory(), faces.memory());
+  for(Node h = 0; h < triangulation.number_of_halfedges(); ++h)
+  {
+    ASSERT_EQ(copy[h].apex, faces[h].apex);
+    ASSERT_EQ(copy[h].left, faces[h].left);
+    ASSERT_EQ(copy[h].across, faces[h].across);
+  }
+}
+
+// The memory of cones is used for one batch of nodes after the other, and counts.
+TEST(Cone_front, needs_no_more_memory_for_the_same_run)
+{
+  const Lazy_discrete_geodesic_graph graph(Triangulation(to_mesh(flat_grid(40, 30))));
+  Lazy_discrete_geodesic_graph::Run run(graph);
+  std::vector<Node> nodes(graph.number_of_nodes());
+  std::iota(nodes.begin(), nodes.end(), Node(0));
+  const auto expand_all = [&] {
+    Arc_list arcs;
+    run.forget_all();
+    run.expand(nodes.data(), nodes.size(), no_labels(graph), arcs);
+    return arcs.sorted();
+  };
+  const std::vector<Arc> arcs = expand_all();
+  const std::size_t memory = run.memory();
+  EXPECT_GT(memory, 32 * 128u); // a cone of 128 bytes per node of a batch, at least
+  EXPECT_EQ(expand_all(), arcs);
+  EXPECT_EQ(run.memory(), memory);
+}
+
 } // namespace

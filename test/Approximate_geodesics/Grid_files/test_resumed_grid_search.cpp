@@ -83,7 +83,9 @@ TEST(Resumed_grid_search, goes_on_after_a_window_could_not_be_read)
 {
   Random random(test_seed());
   const std::vector<Grid_cell> sources{{3, 4}};
-  const Terrain_in_tiles terrain = random_terrain(random, sources);
+  Terrain_in_tiles terrain{{40, 50, 1, 1, {}}, {}, 0};
+  for(std::size_t i = 0; i < terrain.shape.number_of_cells(); ++i)
+    terrain.friction.push_back(random.between(1, 10));
   int number_until_failure = 0, number_of_failures = 0;
   const Unreadable_windows windows{&terrain, &number_until_failure};
   AG::Tiled_grid_search<Unreadable_windows> tiled(terrain.shape.columns, terrain.shape.rows,
@@ -98,7 +100,7 @@ TEST(Resumed_grid_search, goes_on_after_a_window_could_not_be_read)
     {
       ++number_of_failures;
     }
-  EXPECT_GT(number_of_failures, 3);
+  EXPECT_GE(number_of_failures, 19); // of 20 tiles, each of which is settled once at least
   expect_distances_of_one_graph(terrain, sources, tiled);
 }
 
@@ -185,8 +187,12 @@ TEST(Resumed_grid_search, is_killed_and_resumed)
                    5 + random.below(20), folder.name());
     };
     std::size_t number_of_kills = 0;
-    while(!ends_before([&] { make().run(); }, 500 + random.below(1000 + 300 * number_of_kills)))
+    std::size_t longest = 1000;
+    while(!ends_before([&] { make().run(); }, 500 + random.below(longest)))
+    {
       ++number_of_kills;
+      longest += 300 + longest / 20; // so that slow machines come to an end, too
+    }
     std::cout << number_of_kills << " kills" << std::endl;
     Tiled tiled = make();
     EXPECT_EQ(tiled.run(), true);

@@ -154,7 +154,7 @@ public:
       }
     const auto expand = [&](auto is_general) {
       Cone_front<is_general, Counting_unfolding, Labels, Arcs>(triangulation(), m_unfolding,
-                                                               epsilon(), labels, arcs)
+                                                               epsilon(), labels, arcs, m_memory)
           .expand(together.data(), together.size());
     };
     if(CGAL::Approximate_geodesics::internal::needs_general_front(triangulation()))
@@ -206,6 +206,7 @@ private:
   Counting_unfolding m_unfolding;
   Window_count<true> m_count;
   mutable std::size_t m_number_of_first_faces = 0;
+  mutable CGAL::Approximate_geodesics::internal::Front_memory m_memory;
 };
 
 #endif // BENCHMARK_LAZY_GRAPHS_H

@@ -125,6 +125,10 @@ public:
     return (std::max)(m_rules.epsilon, m_rules.longest_detour * (1 + of_rounding) - 1);
   }
 
+  /// returns a bound on how much, relatively, distances there are larger than those back, as the
+  /// arcs that are left out in the two directions can differ: `epsilon()`.
+  double asymmetry() const { return epsilon(); }
+
   /// the data that a search needs for paths.
 #ifdef DOXYGEN_RUNNING
   using Run = unspecified_type;

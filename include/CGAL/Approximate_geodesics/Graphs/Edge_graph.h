@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Star_groups.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -31,10 +32,11 @@ namespace CGAL::Approximate_geodesics {
  * are its adjacency arrays.
  *
  * An object of this class never changes after its construction and may be used by several threads.
+ * A node and its neighbors are a group, see `GeodesicGraph`.
  *
  * \cgalModels{SurfaceGraph}
  */
-class Edge_graph
+class Edge_graph : public internal::Star_groups<Edge_graph>
 {
 public:
   /// the number of a node; that of the vertex it stands for.
@@ -65,6 +67,9 @@ public:
 
   /// returns the triangulation that the graph was built on.
   const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
+
+  /// returns by how much, relatively, distances there are larger than those back: `0`.
+  static constexpr double asymmetry() { return 0; }
 
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_triangulation.number_of_vertices(); }
@@ -99,34 +104,6 @@ public:
   {
     m_triangulation.prefetch(m_triangulation.first_halfedge(node));
   }
-
-  /// \name Groups of Nodes
-  /// A search that is repaired reads these, see `GeodesicGraph`. A node and its neighbors are a
-  /// group, with the number of the node.
-  /// @{
-
-  /// returns the number of groups.
-  std::size_t number_of_groups() const { return number_of_nodes(); }
-
-  /// calls `f(group)` for the group of a node and its neighbors.
-  template <typename F>
-  void for_each_group(const Node node, F f) const
-  {
-    f(std::size_t(node));
-  }
-
-  /// calls `f(node)` for the nodes of a group.
-  template <typename F>
-  void for_each_node_of_group(const std::size_t group, F f) const
-  {
-    const Node node = static_cast<Node>(group);
-    f(node);
-    for(Node h = m_triangulation.first_halfedge(node); h < m_triangulation.beyond_halfedge(node);
-        ++h)
-      f(m_triangulation.target(h));
-  }
-
-  /// @}
 
   /// returns the number of bytes that the graph takes, its triangulation included.
   std::size_t memory() const { return m_triangulation.memory(); }

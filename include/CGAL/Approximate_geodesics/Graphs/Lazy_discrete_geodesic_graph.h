@@ -159,7 +159,8 @@ public:
     if(!advances_together())
       return find_arcs_in_turn(node, false, labels, f);
     Arc_function<F> arcs{f};
-    expand(&node, 1, m_rules.epsilon, labels, arcs);
+    internal::Front_memory memory;
+    expand(&node, 1, m_rules.epsilon, labels, arcs, memory);
   }
 
   /*!
@@ -254,12 +255,13 @@ private:
                              const std::size_t number,
                              const double epsilon,
                              const Labels& labels,
-                             Arcs& arcs) const
+                             Arcs& arcs,
+                             internal::Front_memory& memory) const
   {
     const Intrinsic_triangulation& t = m_triangulation.get();
     const auto expand_with = [&](const auto is_general) {
       using Front = internal::Cone_front<is_general, internal::Unfolding, Labels, Arcs>;
-      Front(t, m_unfolding, epsilon, labels, arcs).expand(nodes, number);
+      Front(t, m_unfolding, epsilon, labels, arcs, memory).expand(nodes, number);
     };
     if(internal::needs_general_front(t))
       expand_with(std::true_type());

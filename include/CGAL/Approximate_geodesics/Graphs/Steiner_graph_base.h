@@ -369,6 +369,13 @@ public:
     return result;
   }
 
+  /// returns by how much, relatively, distances there can be larger than those back: `0`, or
+  /// infinity in a `Directional_graph`.
+  static constexpr double asymmetry()
+  {
+    return Costs::are_symmetric ? 0 : std::numeric_limits<double>::infinity();
+  }
+
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_nodes.size(); }
 

@@ -77,7 +77,10 @@ public:
     typename SurfaceSearch::Stop_rule stop{maximum_distance};
     for(std::size_t i = m_first[group]; i < m_first[group + 1]; ++i)
       stop.targets.push_back(end(m_order[i]));
-    search.run({{start(m_order[m_first[group]])}}, stop);
+    if(stop.targets.size() == 1 && search.uses_landmarks())
+      search.run_to(stop.targets[0], {{start(m_order[m_first[group]])}}, {}, maximum_distance);
+    else
+      search.run({{start(m_order[m_first[group]])}}, stop);
     for(std::size_t i = m_first[group]; i < m_first[group + 1]; ++i)
       results[m_order[i]] = find(search, end(m_order[i]));
   }

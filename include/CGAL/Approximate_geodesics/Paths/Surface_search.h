@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
@@ -172,8 +173,9 @@ public:
    * forgets the last run, and computes the distance from the nearest of the sources to `target`
    * only. Afterwards, only `target` may be queried.
    *
-   * The run ends when that distance is final. If positions are known, it is guided to the target by
-   * straight-line distances (A* algorithm \cgalCite{hnr-fbhdm-68}).
+   * The run ends when that distance is final. If there are landmarks, or positions are known, it is
+   * guided to the target by their lower bounds, or by straight-line distances (A* algorithm
+   * \cgalCite{hnr-fbhdm-68}).
    *
    * \throws std::invalid_argument as `run()` does.
    */
@@ -190,6 +192,14 @@ public:
    * \throws std::invalid_argument as `run()` does.
    */
   void repair(std::vector<Source_point> sources);
+
+  /// guides runs to a single target from now on, and those for pairs of their own source, by the
+  /// landmarks of the same graph, as long as its arcs do not change. \warning `landmarks` are
+  /// referred to, not copied.
+  void use_landmarks(const Landmarks<Graph>& landmarks) { m_landmarks = &landmarks; }
+
+  /// returns whether runs to a single target are guided by landmarks.
+  bool uses_landmarks() const { return m_landmarks != nullptr && m_landmarks->are_valid(); }
 
   /// must be called after all weights of the graph have been exchanged. Results are forgotten. Run
   /// time is \cgalBigO{n} for `n` nodes.
@@ -494,6 +504,7 @@ private:
   }
 
   const Graph* m_graph;
+  const Landmarks<Graph>* m_landmarks = nullptr;
   Search m_search;
   std::vector<Source_point> m_sources;
   Points_by_face m_points;          // of the sources
@@ -552,6 +563,9 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
                          (!Run::attaches_by_labels || target.is_vertex());
   run_and_adopt(std::move(sources), std::move(points), {limit, {target}}, maximum_distance,
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
+                  if constexpr(internal::has_asymmetry<Graph>)
+                    if(uses_landmarks())
+                      return m_search.run_toward(seeds, rule, m_landmarks->to(target), entries);
                   if(is_guided)
                     m_search.run_toward(
                         seeds, rule,

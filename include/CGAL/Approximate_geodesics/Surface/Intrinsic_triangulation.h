@@ -473,6 +473,11 @@ public:
     internal::prefetch(m_length.data(), h + doubles_per_cache_line);
   }
 
+#ifndef DOXYGEN_RUNNING
+  // `h` may be null_index.
+  void prefetch_length(const Index h) const { internal::prefetch(m_length.data(), h); }
+#endif
+
   /// @}
 
   /// \name Checks

@@ -49,6 +49,10 @@ struct Barrier_change
   bool is_barrier;
 };
 
+/// \cond SKIP_IN_MANUAL
+
+// The member functions of `Intrinsic_triangulation` for changes.
+
 inline void Intrinsic_triangulation::set_weights(const std::vector<Weight_change>& changes)
 {
   set_weights(changes, [](Index /* halfedge */, double /* before */, double /* after */) {});
@@ -120,6 +124,8 @@ inline double Intrinsic_triangulation::in_weight_unit(const double weight) const
 {
   return weight > 0 ? (std::max)(weight / m_weight_unit, Face_weights::SMALLEST_WEIGHT) : 0;
 }
+
+/// \endcond
 
 } // namespace CGAL::Approximate_geodesics
 

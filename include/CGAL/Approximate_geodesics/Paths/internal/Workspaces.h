@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -38,6 +39,13 @@ public:
   // The graph is referred to, not copied.
   explicit Workspaces(const Graph& graph) : m_graph(graph) {}
 
+  // Calls `set_up(search)` for each workspace from now on, when it is made.
+  void set_up(std::function<void(Search&)> set_up)
+  {
+    clear();
+    m_set_up = std::move(set_up);
+  }
+
   Borrowed borrow() { return Borrowed(take().release(), Return{this}); }
 
   // Must be called when the weights of the graph have changed.
@@ -61,7 +69,10 @@ private:
     if(m_searches.empty())
     {
       m_searches.reserve(++m_number); // so that put_back() cannot throw
-      return std::make_unique<Search>(m_graph);
+      Pointer result = std::make_unique<Search>(m_graph);
+      if(m_set_up)
+        m_set_up(*result);
+      return result;
     }
     Pointer result = std::move(m_searches.back());
     m_searches.pop_back();
@@ -75,6 +86,7 @@ private:
   }
 
   const Graph& m_graph;
+  std::function<void(Search&)> m_set_up;
   std::vector<Pointer> m_searches;
   std::size_t m_number = 0;
   mutable std::mutex m_mutex;

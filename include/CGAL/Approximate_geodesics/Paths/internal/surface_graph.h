@@ -140,6 +140,11 @@ template <typename Graph>
 constexpr bool has_cost_to_corner = is_valid<const Graph&>(
     [](auto& g) -> decltype(g.cost_to_corner(std::declval<Intrinsic_point>())) {});
 
+// Whether a graph can have landmarks.
+template <typename Graph>
+constexpr bool
+    has_asymmetry = is_valid<const Graph&, double>([](auto& g) -> decltype(g.asymmetry()) {});
+
 // Returns the error bound of a graph; infinity if it has none.
 template <typename Graph>
 double error_bound([[maybe_unused]] const Graph& graph)

@@ -168,6 +168,16 @@ struct No_heuristic
 template <typename Heuristic>
 constexpr bool is_heuristic = !std::is_same_v<Heuristic, No_heuristic>;
 
+// How much keys may decrease along a path by rounding, apart from relative differences.
+template <typename Heuristic>
+double rounding_of_keys([[maybe_unused]] const Heuristic& heuristic)
+{
+  if constexpr(is_valid<const Heuristic&, double>([](auto& h) -> decltype(h.rounding()) {}))
+    return heuristic.rounding();
+  else
+    return 0;
+}
+
 // Whether an entry is stale: its key is larger than the one that its node would be entered with
 // now, at this distance. With a heuristic, both keys were rounded, and the first one may have been
 // raised; then small differences do not count, as it does no harm to expand a stale entry.
@@ -177,7 +187,7 @@ bool is_stale(const double key, const double distance, const Node node, const He
   if constexpr(is_heuristic<Heuristic>)
   {
     constexpr double rounding = 1e-6;
-    return distance + heuristic(node) < key * (1 - rounding);
+    return distance + heuristic(node) < key * (1 - rounding) - rounding_of_keys(heuristic);
   }
   else
     return distance < key;

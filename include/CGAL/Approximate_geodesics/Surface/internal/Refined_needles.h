@@ -20,6 +20,69 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
+// The member functions of `Edge_flips` that only needles need.
+
+inline bool Edge_flips::is_worse_than_flipped(const Index h) const
+{
+  const Index g = m_halfedges[h].opposite;
+  if(is_border(h) || is_border(g))
+    return false;
+  constexpr double rounding = 1e-9;
+  const Quad q = this->quad(h);
+  const double left_area = m_halfedges[h].doubled_area, right_area = m_halfedges[g].doubled_area;
+  if(!(corner(q.left_side) * right_area + corner(q.right_rim) * left_area <
+       -rounding * left_area * right_area))
+    return false;
+  return has_distinct_corners(q) && !is_nearly_degenerate(h) && !is_nearly_degenerate(g) &&
+         has_sound_flip(q);
+}
+
+inline double Edge_flips::length_if_flipped(const Index h) const
+{
+  const Diagonal other = other_diagonal(quad(h));
+  return internal::length(other.left - other.right);
+}
+
+inline Index Edge_flips::insert(const Index h, const Plane_vector p, const Plane_vector direction)
+{
+  const std::array<Index, 3> sides = halfedges_of_face(h);
+  const Plane_vector corners[3] = {
+      {0, 0}, {m_halfedges[h].length, 0}, position_of_apex(h, {0, 0}, {m_halfedges[h].length, 0})};
+  const Index v = m_number_of_vertices++, first = number_of_halfedges();
+  for(Index i = 0; i < 3; ++i) // `out` leads to the source of the side, `out` + 1 back
+  {
+    const Index side = sides[i], out = first + 2 * i, corner = source(side);
+    const Index beyond = m_halfedges[side].counterclockwise;
+    const double length = internal::length(p - corners[i]);
+    m_halfedges.push_back({corner, out + 1, out, out, length, true});
+    m_halfedges.push_back({v, out, beyond, side, length, true});
+    m_halfedges[side].counterclockwise = out + 1;
+    m_halfedges[beyond].clockwise = out + 1;
+  }
+  for(Index i = 0; i < 3; ++i)
+  {
+    const Index out = first + 2 * i, next_out = first + 2 * ((i + 1) % 3);
+    m_halfedges[out].counterclockwise = next_out;
+    m_halfedges[next_out].clockwise = out;
+  }
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Plane_vector a = corners[i], b = corners[(i + 1) % 3];
+    set_face(halfedges_of_face(sides[i]), {dot(b - a, p - a), dot(a - b, p - b), dot(a - p, b - p)},
+             cross(b - a, p - a));
+  }
+  m_signposts.push_back({first, angle_of(turned_left(-1 * p, direction))});
+  return first;
+}
+
+inline bool Edge_flips::has_sound_flip(const Quad& q) const
+{
+  const auto [left, right, far_left, far_right] = other_diagonal(q);
+  const double diagonal = internal::length(left - right);
+  return is_sound(cross(left, right), diagonal, length(q.left_rim), length(q.right_rim)) &&
+         is_sound(cross(far_right, far_left), diagonal, length(q.left_side), length(q.right_side));
+}
+
 /*
  * Adds vertices inside needles, faces that are many times as long as their shortest side, if a mesh
  * has many of them: lines along a strip of them cross hundreds of faces before they meet a vertex.

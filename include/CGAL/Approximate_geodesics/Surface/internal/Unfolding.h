@@ -119,6 +119,13 @@ public:
   // `h` may be null_index.
   void prefetch(const Index h) const { internal::prefetch(m_faces.data(), h); }
 
+  // Prefetches the lengths of the sides behind `h`, whose face was prefetched before.
+  void prefetch_sides(const Intrinsic_triangulation& triangulation, const Index h) const
+  {
+    triangulation.prefetch_length(m_faces[h].left);
+    triangulation.prefetch_length(m_faces[h].right);
+  }
+
   std::size_t memory() const { return memory_of(m_faces); }
 
 private:

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -67,7 +68,7 @@ struct alignas(64) Narrow_cone
 };
 
 /*
- * Memory for cones, which it does not initialize.
+ * Memory for cones, which it neither initializes nor keeps when it grows.
  */
 template <typename Cone>
 class Cone_memory
@@ -86,9 +87,34 @@ public:
 
   Cone* cones() const { return m_cones.get(); }
 
+  std::size_t memory() const { return m_size * sizeof(Cone); }
+
 private:
   std::unique_ptr<Cone[]> m_cones;
   std::size_t m_size = 0;
+};
+
+// Memory for the cones of a front, and for those that they become.
+template <typename Cone>
+struct Cone_memories
+{
+  std::size_t memory() const { return memory_of(cones, next); }
+
+  Cone_memory<Cone> cones, next;
+};
+
+// Memory for one front after the other, of either kind.
+struct Front_memory
+{
+  template <typename Cone>
+  Cone_memories<Cone>& get()
+  {
+    return std::get<Cone_memories<Cone>>(both);
+  }
+
+  std::size_t memory() const { return memory_of(std::get<0>(both), std::get<1>(both)); }
+
+  std::tuple<Cone_memories<Narrow_cone<Index>>, Cone_memories<Narrow_cone<Crossing_and_edge>>> both;
 };
 
 // Whether cones on a triangulation need a front that is general.
@@ -124,7 +150,8 @@ public:
              const Unfolding& unfolding,
              const double epsilon,
              const Labels& labels,
-             Arcs& arcs)
+             Arcs& arcs,
+             Front_memory& memory)
     : m_triangulation(triangulation),
       m_unfolding(unfolding),
       m_labels(labels),
@@ -133,7 +160,8 @@ public:
       m_carries_edges(triangulation.thin_faces().has_extreme_needles()),
       m_factor(1 + epsilon),
       m_part_saved(1 / (1 + Cone_rules::share_of_ends_beside_labels(epsilon) * epsilon)),
-      m_part_lost((1 - m_part_saved * m_part_saved) / 2)
+      m_part_lost((1 - m_part_saved * m_part_saved) / 2),
+      m_memory(memory.get<Cone>())
   {
   }
 
@@ -143,24 +171,31 @@ public:
     for(std::size_t i = 0; i < number; ++i)
       size += m_triangulation.beyond_halfedge(nodes[i]) - m_triangulation.first_halfedge(nodes[i]);
     m_arcs.make_room(size);
-    m_end = m_next.reserve(size + 1);
+    m_end = m_memory.next.reserve(size + 1);
     for(std::size_t i = 0; i < number; ++i)
       open_cones(nodes[i]);
     for(;;)
     {
-      size = static_cast<std::size_t>(m_end - m_next.cones());
+      size = static_cast<std::size_t>(m_end - m_memory.next.cones());
       if(size == 0)
         return;
-      std::swap(m_cones, m_next);
+      std::swap(m_memory.cones, m_memory.next);
       m_arcs.make_room(size);
-      m_end = m_next.reserve(2 * size + 1);
-      const Cone* const beyond = m_cones.cones() + size;
-      for(const Cone* cone = m_cones.cones(); cone != beyond; ++cone)
+      m_end = m_memory.next.reserve(2 * size + 1);
+      const Cone* const first = m_memory.cones.cones();
+      const Cone* const beyond = first + size;
+      for(const Cone* cone = first; cone != beyond; ++cone)
+      {
+        if(beyond - cone > DISTANCE)
+          m_unfolding.prefetch_sides(m_triangulation, cone[DISTANCE].halfedge);
         advance(*cone);
+      }
     }
   }
 
 private:
+  static constexpr std::ptrdiff_t DISTANCE = 4; // in cones, at which data are prefetched
+
   // Appends the edges of a vertex, and what is seen across the faces around it.
   void open_cones(const Index v)
   {
@@ -190,6 +225,7 @@ private:
                 0,
                 first_way(h, face, right.position)};
       m_end += is_needed(left, right, face.right) ? 1 : 0;
+      m_unfolding.prefetch(face.right);
     }
   }
 
@@ -326,7 +362,7 @@ private:
   double m_factor;            // of remaining lengths, in comparisons
   double m_part_saved;        // of the distance of a vertex, by going over it
   double m_part_lost;
-  Cone_memory<Cone> m_cones, m_next;
+  Cone_memories<Cone>& m_memory;
   Cone* m_end = nullptr; // where the next cone is written
 };
 

@@ -9,7 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_front.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -81,7 +81,7 @@ public:
     constexpr std::size_t fewest_nodes = 64;
     m_is_expanded.resize(graph().number_of_nodes());
     const std::size_t number_of_turns = (number + NODES_AT_A_TIME - 1) / NODES_AT_A_TIME;
-    const auto expand_some = [&](const std::size_t i, Candidates& part) {
+    const auto expand_some = [&](const std::size_t i, Candidates& part, Front_memory& memory) {
       boost::container::small_vector<Node, NODES_AT_A_TIME> together;
       const Node* const beyond = nodes + (std::min)((i + 1) * NODES_AT_A_TIME, number);
       for(const Node* n = nodes + i * NODES_AT_A_TIME; n != beyond; ++n)
@@ -93,13 +93,17 @@ public:
                 part.make_room(1);
                 part.append(true, node, labels.distance(node), target, length);
               });
-      graph().expand(together.data(), together.size(), m_epsilon, labels, part);
+      graph().expand(together.data(), together.size(), m_epsilon, labels, part, memory);
     };
     if(graph().is_parallel() && number >= fewest_nodes)
-      candidates.append_in_parallel(graph().m_loop, number_of_turns, expand_some);
+      candidates.append_in_parallel(graph().m_loop, number_of_turns,
+                                    [&](const std::size_t i, Candidates& part) {
+                                      Front_memory memory;
+                                      expand_some(i, part, memory);
+                                    });
     else
       for(std::size_t i = 0; i < number_of_turns; ++i)
-        expand_some(i, candidates);
+        expand_some(i, candidates, m_memory);
     for(std::size_t i = 0; i < number; ++i)
       m_is_expanded[nodes[i]] = true;
   }
@@ -122,13 +126,14 @@ public:
   // expanded again.
   std::size_t largest_batch() const { return graph().is_parallel() ? 4 * NODES_AT_A_TIME : 0; }
 
-  std::size_t memory() const { return memory_of(m_is_expanded); }
+  std::size_t memory() const { return memory_of(m_is_expanded, m_memory); }
 
 private:
   static constexpr std::size_t NODES_AT_A_TIME = 32;
 
   double m_epsilon;
   std::vector<bool> m_is_expanded; // empty before the first expansion
+  Front_memory m_memory;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

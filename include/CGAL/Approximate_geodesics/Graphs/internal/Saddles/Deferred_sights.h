@@ -13,8 +13,10 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -32,35 +34,57 @@ struct Deferred_sight
 };
 
 /*
- * Where the surface is rough, sights are followed up to a horizon only, a few edges farther away
- * than the nodes that are expanded, and are continued when the search gets there. By then, labels
- * are known around them, and end those that are of no use. Paths along edges, all that is known
- * farther away, would not: most sights are of no use there, and would be followed across a large
- * part of the surface.
+ * Sights are followed up to a horizon only, a few edges farther away than the nodes that are
+ * expanded, and are continued when the search gets there. By then, labels are known around them,
+ * and end those that are of no use. Paths along edges from the sources, all that is known farther
+ * away, would not: where the surface is rough, most sights are of no use there, and would be
+ * followed across a large part of it. Where it is smooth, most are of use; there, the horizon is
+ * farther away, and keeps what the search reads and writes at a time small enough for the
+ * processor's caches.
  *
  * The order of sights by distance is that of continuous Dijkstra (J. Mitchell, D. Mount,
- * C. Papadimitriou, The discrete geodesic problem, 1987). Here, a rough order is enough: sights
- * wait in a list without any order.
+ * C. Papadimitriou, The discrete geodesic problem, 1987). Here, a rough order is enough: a sight
+ * waits in the list of the step in which the search gets to it, and steps are a part of the
+ * distance to the horizon.
  */
 class Deferred_sights
 {
 public:
   using List = std::vector<Deferred_sight>;
 
-  // Starts a search. The horizon is this far away from the nodes that are expanded.
+  // Starts a search. The horizon is at least this far away from the nodes that are expanded.
   void start(const double distance)
   {
-    m_waiting.clear();
-    m_resumed.clear();
+    for(List& list : m_steps)
+      list.clear();
     for(List& list : m_of_tasks) // a search may have ended while there were tasks
       list.clear();
-    m_distance = m_horizon = distance;
+    m_beyond.clear();
+    m_resumed.clear();
+    m_first = 0;
+    m_distance = distance;
+    m_step = distance / steps_to_horizon;
+    m_next_step = distance < infinity ? 0 : infinity;
   }
 
-  double horizon() const { return m_horizon; }
+  // Sights of which nothing is nearer are deferred.
+  double horizon() const { return m_next_step + m_distance; }
 
-  // The list that sights are deferred to.
-  List& waiting() { return m_waiting; }
+  bool is_any_waiting() const
+  {
+    return !m_beyond.empty() || std::any_of(m_steps.begin(), m_steps.end(),
+                                            [](const List& list) { return !list.empty(); });
+  }
+
+  // The label with which the search gets to the next sights, and a tip, whose label is smaller.
+  // \pre A sight is waiting.
+  std::pair<double, Deferred_sight::Index> next_label_and_tip() const
+  {
+    for(std::size_t i = 0; i < number_of_steps; ++i)
+      if(const List& list = m_steps[(m_first + i) % number_of_steps]; !list.empty())
+        return {m_next_step + static_cast<double>(i) * m_step, list.front().tip};
+    return {m_next_step + number_of_steps * m_step, m_beyond.front().tip};
+  }
 
   // The lists that tasks defer sights to.
   std::vector<List>& start_tasks(const std::size_t number)
@@ -75,32 +99,35 @@ public:
   {
     for(std::size_t i = 0; i < number; ++i)
     {
-      m_waiting.insert(m_waiting.end(), m_of_tasks[i].begin(), m_of_tasks[i].end());
+      for(const Deferred_sight& sight : m_of_tasks[i])
+        list_of(sight).push_back(sight);
       m_of_tasks[i].clear();
     }
   }
 
-  // Moves the horizon if the search has reached it with this label. Then `resumed()` are the
-  // sights before it.
-  void advance(const double label)
+  // Moves the horizon if the search has got to the next step with this label, and returns whether
+  // it did. Then `resumed()` are the sights that are to be continued.
+  bool advance(const double label)
   {
     m_resumed.clear();
-    if(!(label >= m_horizon))
-      return;
-    m_horizon = label + m_distance > label ? label + m_distance : infinity;
-    // sights beyond the horizon are not copied: there may be many, for many calls
-    const auto resumed =
-        std::partition(m_waiting.begin(), m_waiting.end(),
-                       [&](const Deferred_sight& s) { return s.smallest_label > m_horizon; });
-    m_resumed.assign(resumed, m_waiting.end());
-    m_waiting.erase(resumed, m_waiting.end());
+    if(!(label >= m_next_step))
+      return false;
+    for(std::size_t i = 0; i < number_of_steps && label >= m_next_step; ++i)
+      take_next_step();
+    if(label >= m_next_step) // all sights near enough for a list are resumed
+      m_next_step = label + m_step > label ? label + m_step : infinity;
+    if(!m_beyond.empty())
+      sort_beyond();
+    return true;
   }
 
   const List& resumed() const { return m_resumed; }
 
   std::size_t memory() const
   {
-    std::size_t result = memory_of(m_waiting, m_resumed, m_of_tasks);
+    std::size_t result = memory_of(m_beyond, m_resumed, m_of_tasks);
+    for(const List& list : m_steps)
+      result += memory_of(list);
     for(const List& list : m_of_tasks)
       result += memory_of(list);
     return result;
@@ -108,10 +135,43 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t number_of_steps = 16, steps_to_horizon = 8;
 
-  List m_waiting, m_resumed;
+  List& list_of(const Deferred_sight& sight)
+  {
+    const double step = (sight.smallest_label - m_next_step) / m_step;
+    return step < number_of_steps
+               ? m_steps[(m_first + static_cast<std::size_t>(step)) % number_of_steps]
+               : m_beyond;
+  }
+
+  void take_next_step()
+  {
+    List& list = m_steps[m_first];
+    m_resumed.insert(m_resumed.end(), list.begin(), list.end());
+    list.clear();
+    m_first = (m_first + 1) % number_of_steps;
+    m_next_step += m_step;
+  }
+
+  // Moves sights that waited behind long edges to the lists of steps, or resumes them.
+  void sort_beyond()
+  {
+    const double end = m_next_step + number_of_steps * m_step;
+    const auto near =
+        std::partition(m_beyond.begin(), m_beyond.end(),
+                       [&](const Deferred_sight& s) { return s.smallest_label >= end; });
+    for(auto s = near; s != m_beyond.end(); ++s)
+      (s->smallest_label > m_next_step ? list_of(*s) : m_resumed).push_back(*s);
+    m_beyond.erase(near, m_beyond.end());
+  }
+
+  std::array<List, number_of_steps> m_steps; // a ring, from `m_first` on
+  std::size_t m_first = 0;
+  List m_beyond; // the last of these steps
+  List m_resumed;
   std::vector<List> m_of_tasks;
-  double m_horizon = infinity, m_distance = infinity;
+  double m_next_step = infinity, m_step = infinity, m_distance = infinity;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Deferred_sights.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_from_curve.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Upper_bounds.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -92,14 +93,12 @@ public:
     Node tip;
     double label_of_tip;
     Candidates& candidates;
-    std::vector<Deferred_sight>& deferred;
+    Deferred_sights::List& deferred;
     unsigned number_of_arcs = 0;
   };
 
   explicit Saddle_run(const Graph& searched)
-    : Base(searched),
-      m_bound(searched.number_of_nodes(), infinity),
-      m_arrival(searched.number_of_nodes())
+    : Base(searched), m_bounds(searched.number_of_nodes()), m_arrival(searched.number_of_nodes())
   {
   }
 
@@ -107,12 +106,13 @@ public:
   void start(Search& search)
   {
     m_distance_to_goal = search.heuristic();
+    m_bounds.start(spreads_bounds());
+    m_last_spread = 0;
     const double largest = LARGEST_LABEL * graph().arc_lengths().longest;
     search.find_upper_bounds(graph().m_edges, [&](const Node node, const double label) {
       check_label(label, largest);
       m_limit = search.limit();
-      lower_bound(node, (std::min)(label, largest_label(node)));
-      m_bounded_nodes.push_back(node);
+      m_bounds.start_with(node, (std::min)(label, largest_label(node)));
     });
     m_limit = search.limit();
     m_sights.start(distance_of_horizon());
@@ -126,24 +126,28 @@ public:
               const Labels& labels,
               Candidates& candidates)
   {
-    m_sights.advance(label_reached(nodes, number, labels));
+    if(m_sights.advance(label_reached(nodes, number, labels)) && spreads_bounds())
+      spread_bounds();
     const std::size_t number_of_chunks =
         (m_sights.resumed().size() + sights_in_chunk - 1) / sights_in_chunk;
     append_all(number_of_chunks + number, candidates,
-               [&](const std::size_t i, Candidates& part, std::vector<Deferred_sight>& deferred) {
+               [&](const std::size_t i, Candidates& part, Deferred_sights::List& deferred) {
                  if(i < number_of_chunks)
                    append_resumed(i, labels, part, deferred);
                  else
                    append_arcs(nodes[i - number_of_chunks], labels, part, deferred);
                });
-    if(!m_sights.waiting().empty())
-      candidates.call_again(m_sights.waiting().front().tip, m_sights.horizon());
+    if(m_sights.is_any_waiting())
+    {
+      const auto [label, tip] = m_sights.next_label_and_tip();
+      candidates.call_again(tip, label);
+    }
   }
 
   void on_label(const Node node, const double distance, const Arrival& arrival)
   {
     m_arrival[node] = arrival;
-    lower_bound(node, distance);
+    m_bounds.lower(node, distance);
   }
 
   // Where faces are numerically degenerate, lines may be longer than upper bounds, and be given up.
@@ -153,10 +157,10 @@ public:
   void finish(Search& search)
   {
     constexpr double factor = 1 + 1e-12; // for rounding
-    for(const Node node : m_bounded_nodes)
+    for(const Node node : m_bounds.known_before())
     {
       const double old = search.labels().distance(node);
-      if(!(old > m_bound[node] * factor && m_bound[node] < search.limit()))
+      if(!(old > m_bounds[node] * factor && m_bounds[node] < search.limit()))
         continue;
       const auto [from, label, arrival] = last_edge(node, search.labels());
       if(!(label < old))
@@ -166,30 +170,18 @@ public:
     }
   }
 
-  void discard(const Node node) { m_bound[node] = infinity; }
+  void discard(const Node node) { m_bounds.discard(node); }
 
-  void forget(const std::vector<Node>& nodes)
-  {
-    reset(m_bound, nodes, infinity);
-    reset(m_bound, m_bounded_nodes, infinity);
-    m_bounded_nodes.clear();
-  }
+  void forget(const std::vector<Node>& nodes) { m_bounds.forget(nodes); }
 
-  void forget_all()
-  {
-    std::fill(m_bound.begin(), m_bound.end(), infinity);
-    m_bounded_nodes.clear();
-  }
+  void forget_all() { m_bounds.forget_all(); }
 
   std::size_t largest_batch() const
   {
     return graph().is_parallel() ? (std::numeric_limits<std::size_t>::max)() : 0;
   }
 
-  std::size_t memory() const
-  {
-    return memory_of(m_bound, m_bounded_nodes, m_arrival) + m_sights.memory();
-  }
+  std::size_t memory() const { return memory_of(m_bounds, m_arrival, m_sights); }
 
   // How paths arrive at a node that has a label.
   const Arrival& arrival(const Node node) const { return m_arrival[node]; }
@@ -301,37 +293,55 @@ private:
     return m_distance_to_goal ? m_limit - m_distance_to_goal(node) : m_limit;
   }
 
-  void lower_bound(const Node node, const double bound)
-  {
-    m_bound[node] = (std::min)(m_bound[node], bound);
-  }
-
   double bound(const Node node) const
   {
-    const double result = m_bound[node];
+    const double result = m_bounds[node];
     return result < infinity ? result : largest_label(node);
   }
 
   // How far away sights are deferred; infinity if they are not. With a heuristic, nodes are not
-  // expanded in the order of their labels. Where the surface is smooth, few sights are useless:
-  // deferring them only takes time, or gives several threads something to do.
+  // expanded in the order of their labels. On a smooth surface that fits into the processor's
+  // caches, or where few vertices have sights, deferring these takes more time than it saves,
+  // unless it gives several threads something to do.
   double distance_of_horizon() const
   {
-    constexpr double smooth = 0.02, very_rough = 0.05; // mean excess
-    const double edge = graph().arc_lengths().mean, excess = graph().m_tables.bends.mean_excess();
-    if(m_distance_to_goal || (excess <= smooth && !graph().is_parallel()))
+    constexpr double smooth = 0.001, fewest_bends = 0.1; // mean excess, share of vertices
+    constexpr std::size_t smallest_size = 60000;
+    const Bends& bends = graph().m_tables.bends;
+    const bool gains = bends.mean_excess() > smooth || (graph().number_of_nodes() > smallest_size &&
+                                                        bends.share_of_bends() > fewest_bends);
+    if(m_distance_to_goal || !(gains || graph().is_parallel()))
       return infinity;
-    return edge * (excess <= smooth ? 16 : excess <= very_rough ? 2 : 1);
+    return graph().arc_lengths().mean * (is_rough() ? 4 : 16);
   }
 
-  // The largest label of nodes that are expanded; the horizon if there are none, as the search may
-  // have come there.
+  // Whether paths bend so often that most sights are of no use.
+  bool is_rough() const
+  {
+    constexpr double rough = 0.005; // mean excess
+    return graph().m_tables.bends.mean_excess() > rough;
+  }
+
+  bool spreads_bounds() const { return is_rough() && !m_distance_to_goal; }
+
+  // From time to time, as far as sights are followed until the next time.
+  void spread_bounds()
+  {
+    const double horizon = m_sights.horizon(), distance = distance_of_horizon();
+    if(horizon < m_last_spread + distance)
+      return;
+    m_bounds.spread(graph().triangulation(), horizon + distance);
+    m_last_spread = horizon;
+  }
+
+  // The largest label of nodes that are expanded; if there are none, that of the next sights, as
+  // the search may have come there.
   template <typename Labels>
   double
   label_reached(const Node* const nodes, const std::size_t number, const Labels& labels) const
   {
     if(number == 0)
-      return m_sights.horizon();
+      return m_sights.is_any_waiting() ? m_sights.next_label_and_tip().first : 0;
     double result = 0;
     for(std::size_t i = 0; i < number; ++i)
       result = (std::max)(result, labels.distance(nodes[i]));
@@ -345,11 +355,13 @@ private:
     constexpr std::size_t fewest_tasks = 16;
     if(!graph().is_parallel() || number < fewest_tasks)
     {
+      Deferred_sights::List& deferred = m_sights.start_tasks(1).front();
       for(std::size_t i = 0; i < number; ++i)
-        append(i, candidates, m_sights.waiting());
+        append(i, candidates, deferred);
+      m_sights.finish_tasks(1);
       return;
     }
-    std::vector<std::vector<Deferred_sight>>& deferred = m_sights.start_tasks(number);
+    std::vector<Deferred_sights::List>& deferred = m_sights.start_tasks(number);
     candidates.append_in_parallel(
         graph().m_loop, number,
         [&](const std::size_t i, Candidates& part) { append(i, part, deferred[i]); });
@@ -361,20 +373,24 @@ private:
   void append_resumed(const std::size_t chunk,
                       const Labels& labels,
                       Candidates& candidates,
-                      std::vector<Deferred_sight>& deferred) const
+                      Deferred_sights::List& deferred) const
   {
     check_for_interruption();
     const Intrinsic_triangulation& t = graph().triangulation();
-    const std::vector<Deferred_sight>& sights = m_sights.resumed();
+    const Deferred_sights::List& sights = m_sights.resumed();
     const std::size_t beyond = (std::min)(sights.size(), (chunk + 1) * sights_in_chunk);
+    auto visitor = arc_visitor(null_index, infinity, labels, candidates, deferred);
+    auto sights_ahead = expansion(visitor);
     for(std::size_t i = chunk * sights_in_chunk; i < beyond; ++i)
     {
       const Deferred_sight& s = sights[i];
       if(labels.distance(s.tip) < s.label_of_tip) // it is followed with the smaller label
         continue;
       const Node h = s.sight.halfedge;
-      auto visitor = arc_visitor(s.tip, s.label_of_tip, labels, candidates, deferred);
-      expansion(visitor).resume(s.sight, s.milestone, t.target(t.opposite(h)), t.target(h));
+      visitor.tip = s.tip;
+      visitor.label_of_tip = s.label_of_tip;
+      sights_ahead.resume(s.sight, s.label_of_tip, s.milestone, t.target(t.opposite(h)),
+                          t.target(h));
     }
   }
 
@@ -382,7 +398,7 @@ private:
   void append_arcs(const Node node,
                    const Labels& labels,
                    Candidates& candidates,
-                   std::vector<Deferred_sight>& deferred) const
+                   Deferred_sights::List& deferred) const
   {
     const Intrinsic_triangulation& t = graph().triangulation();
     auto visitor = arc_visitor(node, labels.distance(node), labels, candidates, deferred);
@@ -401,7 +417,7 @@ private:
                                               const double label,
                                               const Labels& labels,
                                               Candidates& candidates,
-                                              std::vector<Deferred_sight>& deferred) const
+                                              Deferred_sights::List& deferred) const
   {
     return {{}, *this, labels, m_sights.horizon(), tip, label, candidates, deferred};
   }
@@ -453,10 +469,8 @@ private:
     };
   }
 
-  // For each node, a number that its distance does not exceed, or above which the distance is of no
-  // interest; infinity if there is none.
-  std::vector<double> m_bound;
-  std::vector<Node> m_bounded_nodes;              // before the search
+  Upper_bounds m_bounds;
+  double m_last_spread = 0;                       // the horizon then
   std::vector<Arrival> m_arrival;                 // meaningful where there is a label
   double m_limit = 0;                             // of labels
   std::function<double(Node)> m_distance_to_goal; // during a search; empty without a heuristic

@@ -66,12 +66,17 @@ public:
     follow(sight, left_end, right_end);
   }
 
-  // Follows a sight that was deferred, with the milestone that the visitor was given.
-  void
-  resume(const Sight& sight, const Crossing& milestone, const Index left_end, const Index right_end)
+  // Follows a sight that was deferred, perhaps from another tip, with the milestone that the
+  // visitor was given.
+  void resume(const Sight& sight,
+              const double label_of_tip,
+              const Crossing& milestone,
+              const Index left_end,
+              const Index right_end)
   {
-    m_milestones.resize(number_of_milestones(sight.depth), milestone); // the others are not needed
-    m_milestones.back() = milestone;
+    m_label_of_tip = label_of_tip;
+    m_milestones.resize(number_of_milestones(sight.depth));
+    m_milestones.back() = milestone; // the others are not needed
     follow(sight, left_end, right_end);
   }
 
@@ -332,7 +337,7 @@ private:
 
   const Sight_tables& m_tables;
   const Face_steps& m_steps;
-  const double m_label_of_tip;
+  double m_label_of_tip;
   Visitor& m_visitor;
   Stack m_stack;
   // of the sight that is followed; those on the stack share the first of them

@@ -10,8 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
 
-#include <boost/container/small_vector.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -60,6 +58,9 @@ public:
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(steps[h].has_face() && is_degenerate(triangulation, steps, h))
         m_bends[steps[h].apex] = Bend_kind::ANY;
+    m_number_of_bends = static_cast<std::size_t>(
+        std::count_if(m_bends.begin(), m_bends.end(),
+                      [](const Bend_kind kind) { return kind >= Bend_kind::SADDLE; }));
   }
 
   Bend_kind operator[](const Index v) const { return m_bends[v]; }
@@ -77,6 +78,13 @@ public:
   double mean_excess() const
   {
     return m_sum_of_excess / static_cast<double>((std::max)(m_bends.size(), std::size_t(1)));
+  }
+
+  // The share of vertices where paths can bend.
+  double share_of_bends() const
+  {
+    return static_cast<double>(m_number_of_bends) /
+           static_cast<double>((std::max)(m_bends.size(), std::size_t(1)));
   }
 
   std::size_t memory() const { return memory_of(m_bends); }
@@ -131,6 +139,7 @@ private:
 
   std::vector<Bend_kind> m_bends; // per vertex
   double m_sum_of_excess = 0;
+  std::size_t m_number_of_bends = 0;
 };
 
 /*
@@ -239,35 +248,7 @@ public:
   // Calls `f(h, angle)` for the halfedges from the vertex: with the angle to the line on that side
   // where it is smaller, up to pi.
   template <typename F>
-  void for_each_angle(const Arrival& arrival, F f) const
-  {
-    const Index first = m_triangulation.first_halfedge(m_vertex), start = side(arrival);
-    const std::size_t degree = m_triangulation.degree(m_vertex);
-    boost::container::small_vector<double, 16> angles(degree, straight_angle);
-    const auto lower = [&](const Index h, const double angle) {
-      angles[h - first] = (std::min)(angles[h - first], angle);
-    };
-    const double to_start = angle_of(way_back(arrival));
-    lower(start, to_start);
-    double angle = -to_start;
-    Index h = start;
-    for(std::size_t n = degree; n > 1 && m_steps[h].has_face() && angle < straight_angle; --n)
-    {
-      angle += angle_of(corner(h));
-      h = m_triangulation.counterclockwise(m_vertex, h);
-      lower(h, angle);
-    }
-    angle = to_start;
-    h = m_triangulation.clockwise(m_vertex, start);
-    for(std::size_t n = degree; n > 1 && m_steps[h].has_face() && angle < straight_angle; --n)
-    {
-      angle += angle_of(corner(h));
-      lower(h, angle);
-      h = m_triangulation.clockwise(m_vertex, h);
-    }
-    for(std::size_t i = 0; i < degree; ++i)
-      f(static_cast<Index>(first + i), angles[i]);
-  }
+  void for_each_angle(const Arrival& arrival, F f) const;
 
 private:
   // `angle` is small

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -65,16 +66,22 @@ inline bool differ_in_direction(const Plane_vector a, const Plane_vector b)
 }
 
 /*
- * Divides a face among its windows: finds the areas of cells, the arcs of borders in the face, and
- * the parts of its sides.
+ * Divides faces among their windows: finds the areas of cells, the arcs of borders in the faces,
+ * and the parts of their sides, which are sorted by side and along it.
  */
 class Face_cells
 {
 public:
   Face_cells(const Intrinsic_triangulation& triangulation,
              const Cell_options& options,
-             std::vector<double>& areas)
-    : m_triangulation(triangulation), m_options(options), m_areas(areas)
+             std::vector<double>& areas,
+             std::vector<Border_arc>& arcs,
+             std::vector<Side_part>& side_parts)
+    : m_triangulation(triangulation),
+      m_options(options),
+      m_areas(areas),
+      m_arcs(arcs),
+      m_side_parts(side_parts)
   {
   }
 
@@ -93,27 +100,29 @@ public:
     m_doubled_area = cross(m_edges[0], m_edges[1]);
     if(!(m_doubled_area > 0))
       return;
+    for(std::size_t i = 0; i < 3; ++i)
+      m_axes[i] = 1 / length(m_edges[i]) * m_edges[i];
     m_windows.clear();
     for(Iterator it = first; it != beyond; ++it)
       m_windows.push_back(placed(*it));
-    if(is_thin())
-      return fill(nearest_to_center());
-    for(std::size_t i = 0; i < m_windows.size(); ++i)
-      report(Window_cell(m_corners, m_windows, i), i);
+    const auto number_of_parts = static_cast<std::ptrdiff_t>(m_side_parts.size());
+    is_thin() ? fill(nearest_to_center()) : divide();
+    std::sort(m_side_parts.begin() + number_of_parts, m_side_parts.end(),
+              [](const Side_part& p, const Side_part& q) {
+                return std::make_pair(p.halfedge, p.begin) < std::make_pair(q.halfedge, q.begin);
+              });
   }
 
-  const std::vector<Border_arc>& arcs() const { return m_arcs; }
-  const std::vector<Side_part>& side_parts() const { return m_side_parts; }
-
 private:
+  using Segment = std::pair<Plane_vector, Plane_vector>; // relative to the tip of a window
+
   Placed_window placed(const Face_window& w) const
   {
     const auto side = static_cast<std::size_t>(
         std::find(m_halfedges.begin(), m_halfedges.end(), w.halfedge) - m_halfedges.begin());
-    const Plane_vector x_axis = 1 / length(m_edges[side]) * m_edges[side];
-    return {m_corners[side] + turned_left(w.tip, x_axis),
-            turned_left(w.right, x_axis),
-            turned_left(w.left, x_axis),
+    return {m_corners[side] + turned_left(w.tip, m_axes[side]),
+            turned_left(w.right, m_axes[side]),
+            turned_left(w.left, m_axes[side]),
             w.label,
             w.source,
             w.has_tip_in_face ? Placed_window::NO_SIDE : side};
@@ -149,6 +158,16 @@ private:
       add_side_part(i, m_corners[i] - w.tip, m_corners[(i + 1) % 3] - w.tip, w);
   }
 
+  void divide()
+  {
+    Window_cell cell(m_corners, m_windows);
+    for(std::size_t i = 0; i < m_windows.size(); ++i)
+    {
+      cell.find(i);
+      report(cell, i);
+    }
+  }
+
   void report(const Window_cell& cell, const std::size_t number)
   {
     const Placed_window& w = cell.window();
@@ -156,31 +175,31 @@ private:
     {
       if(piece.end == Cell_end::ENTRY)
         continue;
-      add_area(cell, piece);
+      const Focal_curve& curve = cell.curve(piece);
+      const Segment end{curve.point(piece.range.begin), curve.point(piece.range.end)};
+      Segment begin{{0, 0}, {0, 0}};
       if(w.has_entry())
-        add_side_part(w.entry, cell.entry().point(piece.range.end),
-                      cell.entry().point(piece.range.begin), w);
+      {
+        begin = {cell.entry().point(piece.range.begin), cell.entry().point(piece.range.end)};
+        add_side_part(w.entry, begin.second, begin.first, w);
+      }
+      add_area(w, piece, begin, end);
       if(piece.is_side())
-        add_side_part(static_cast<std::size_t>(piece.end),
-                      cell.curve(piece).point(piece.range.begin),
-                      cell.curve(piece).point(piece.range.end), w);
+        add_side_part(static_cast<std::size_t>(piece.end), end.first, end.second, w);
       else if(is_wanted(piece, number))
-        add_arc(piece, number);
+        add_arc(piece, number, end);
     }
   }
 
   // The area between the side that the window is seen through and the piece.
-  void add_area(const Window_cell& cell, const Cell_piece& piece)
+  void add_area(const Placed_window& w,
+                const Cell_piece& piece,
+                const Segment& begin,
+                const Segment& end)
   {
-    const Placed_window& w = cell.window();
-    const auto& [begin, end] = piece.range;
-    const Focal_curve& curve = cell.curve(piece);
-    const Plane_vector p = curve.point(begin), q = curve.point(end);
-    const Plane_vector p_in = w.has_entry() ? cell.entry().point(begin) : Plane_vector{0, 0},
-                       q_in = w.has_entry() ? cell.entry().point(end) : Plane_vector{0, 0};
-    double area = cross(p - q_in, q - p_in) / 2;
+    double area = cross(end.first - begin.second, end.second - begin.first) / 2;
     if(piece.end == Cell_end::EQUAL_DISTANCE)
-      area += branch(w, m_windows[piece.other]).area_beside_chord(p, q);
+      area += branch(w, m_windows[piece.other]).area_beside_chord(end.first, end.second);
     if(std::isfinite(area))
       m_areas[w.source] += area;
   }
@@ -195,9 +214,8 @@ private:
     const auto part = [&](const Plane_vector p) { return dot(tip + p, m_edges[side]) / squared; };
     const double first = part(begin), last = part(end);
     if(last - first > Side_part::SHORTEST)
-      m_side_parts.push_back({m_halfedges[side], first, last,
-                              turned_right(tip, 1 / std::sqrt(squared) * m_edges[side]), w.label,
-                              w.source});
+      m_side_parts.push_back(
+          {m_halfedges[side], first, last, turned_right(tip, m_axes[side]), w.label, w.source});
   }
 
   // Both sides of an arc report it; one of them is enough. Only one side reports a ray; where it is
@@ -224,11 +242,10 @@ private:
     return {v.tip - w.tip, w.label - v.label};
   }
 
-  void add_arc(const Cell_piece& piece, const std::size_t number)
+  void add_arc(const Cell_piece& piece, const std::size_t number, const Segment& ends)
   {
     const Placed_window &w = m_windows[number], &v = m_windows[piece.other];
-    const Plane_vector p = piece.curve.point(piece.range.begin),
-                       q = piece.curve.point(piece.range.end);
+    const auto& [p, q] = ends;
     Border_arc arc{m_face, w.source, v.source, {}};
     const auto add = [&](const Plane_vector x) { arc.points.push_back(weights(w.tip + x)); };
     add(p);
@@ -268,13 +285,13 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   const Cell_options& m_options;
   std::vector<double>& m_areas;
+  std::vector<Border_arc>& m_arcs;
+  std::vector<Side_part>& m_side_parts;
   Index m_face = 0;
-  std::array<Plane_vector, 3> m_corners{}, m_edges{};
+  std::array<Plane_vector, 3> m_corners{}, m_edges{}, m_axes{}; // the latter are unit vectors
   std::array<Index, 3> m_halfedges{};
   double m_doubled_area = 0;
   std::vector<Placed_window> m_windows;
-  std::vector<Border_arc> m_arcs;
-  std::vector<Side_part> m_side_parts;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -34,16 +34,14 @@ public:
     : m_triangulation(search.graph().triangulation()),
       m_options(options),
       m_areas(search.sources().size(), 0),
-      m_cells(m_triangulation, m_options, m_areas),
-      m_owners(m_triangulation)
+      m_owners(m_triangulation),
+      m_first_parts(m_triangulation.number_of_halfedges(), NONE),
+      m_cells(m_triangulation, m_options, m_areas, m_arcs, m_parts)
   {
     find_windows(search);
     divide_faces();
-    m_arcs = m_cells.arcs();
-    m_parts = m_cells.side_parts();
-    std::sort(m_parts.begin(), m_parts.end(), [](const Side_part& p, const Side_part& q) {
-      return std::make_pair(p.halfedge, p.begin) < std::make_pair(q.halfedge, q.begin);
-    });
+    for(std::size_t i = m_parts.size(); i-- > 0;)
+      m_first_parts[m_parts[i].halfedge] = i;
     for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
     {
       const Index opposite = m_triangulation.opposite(h);
@@ -155,11 +153,9 @@ private:
   {
     if(m_owners[side] != NONE)
       return {{h, 0, 1, {0, 0}, infinity, m_owners[side]}};
-    const auto is_before = [](const Side_part& p, const Index i) { return p.halfedge < i; };
     std::vector<Side_part> result;
-    for(auto it = std::lower_bound(m_parts.begin(), m_parts.end(), side, is_before);
-        it != m_parts.end() && it->halfedge == side; ++it)
-      result.push_back(*it);
+    for(std::size_t i = m_first_parts[side]; i < m_parts.size() && m_parts[i].halfedge == side; ++i)
+      result.push_back(m_parts[i]);
     if(side != h)
     {
       std::reverse(result.begin(), result.end());
@@ -220,11 +216,12 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   const Cell_options m_options;
   std::vector<double> m_areas;
-  Face_cells m_cells;
   std::vector<Face_window> m_windows;
   Face_owners m_owners; // NONE if there are several
   std::vector<Border_arc> m_arcs;
-  std::vector<Side_part> m_parts;
+  std::vector<Side_part> m_parts;         // those of a side after each other
+  std::vector<std::size_t> m_first_parts; // by halfedge
+  Face_cells m_cells;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Surface/internal/Focal_curve.h>
 
-#include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -71,15 +71,20 @@ struct Cell_piece
 class Window_cell
 {
 public:
-  Window_cell(const std::array<Plane_vector, 3>& corners,
-              const std::vector<Placed_window>& windows,
-              const std::size_t number)
-    : m_windows(windows), m_number(number), m_window(windows[number])
+  // The arguments are referred to, not copied.
+  Window_cell(const std::array<Plane_vector, 3>& corners, const std::vector<Placed_window>& windows)
+    : m_face(corners), m_windows(windows)
   {
-    set_sides(corners);
+  }
+
+  void find(const std::size_t number)
+  {
+    m_number = number;
+    m_window = m_windows[number];
+    set_sides();
     list_corners();
-    for(std::size_t other = 0; other < windows.size() && !m_pieces.empty(); ++other)
-      if(other != number && !is_beside(windows[other]))
+    for(std::size_t other = 0; other < m_windows.size() && !m_pieces.empty(); ++other)
+      if(other != number && !is_beside(m_windows[other]))
         cut(other);
   }
 
@@ -101,8 +106,9 @@ private:
   struct Region
   {
     using Bound = std::pair<Cell_end, Focal_curve>;
-    boost::container::small_vector<Bound, 4> upper, lower;
-    boost::container::small_vector<Plane_vector, 2> rays;
+    boost::container::static_vector<Bound, 4> upper;
+    boost::container::static_vector<Bound, 2> lower;
+    boost::container::static_vector<Plane_vector, 2> rays;
   };
 
   // A bound on errors of distances, as a part of them.
@@ -115,11 +121,13 @@ private:
 
   Direction_range range() const { return {m_window.right, m_window.left}; }
 
-  void set_sides(const std::array<Plane_vector, 3>& corners)
+  void set_sides()
   {
+    m_pieces.clear();
+    m_entry.reset();
     for(std::size_t i = 0; i < 3; ++i)
     {
-      const Plane_vector p = corners[i] - m_window.tip, edge = corners[(i + 1) % 3] - corners[i];
+      const Plane_vector p = m_face[i] - m_window.tip, edge = m_face[(i + 1) % 3] - m_face[i];
       const double size = length(edge), distance = cross(p, edge) / size; // to the left
       m_lines[i] = Focal_curve::line(p, edge);
       const double shift = (std::min)(NEAR * size, std::abs(distance) / 4);
@@ -134,11 +142,10 @@ private:
       else if(distance > ROUNDING * size)
       {
         const Cell_piece piece{range(), static_cast<Cell_end>(i), shifted, 0};
-        if(m_sides.empty())
+        if(m_pieces.empty())
           m_pieces.push_back(piece);
         else
           merge(piece);
-        m_sides.push_back(shifted);
       }
     }
     const bool is_bounded = std::all_of(m_pieces.begin(), m_pieces.end(), [](const auto& p) {
@@ -151,6 +158,7 @@ private:
   // The corners of what the window sees of the face.
   void list_corners()
   {
+    m_corners.clear();
     for(const Cell_piece& piece : m_pieces)
       for(const Plane_vector u : {piece.range.begin, piece.range.end})
         m_corners.push_back(curve(piece).point(u));
@@ -222,7 +230,7 @@ private:
   void cut(const std::size_t other, const Region& region)
   {
     const Direction_range all = range();
-    boost::container::small_vector<Plane_vector, 16> ends{all.begin, all.end};
+    boost::container::static_vector<Plane_vector, 16> ends{all.begin, all.end};
     const auto add = [&](const Plane_vector u) { ends.push_back(u); };
     for(auto it = region.upper.begin(); it != region.upper.end(); ++it)
     {
@@ -233,33 +241,48 @@ private:
     }
     for(const Plane_vector d : region.rays)
       Focal_curve{0, {-d.y, d.x}}.for_each_root(all, add);
-    std::sort(ends.begin(), ends.end(), is_before);
+    std::sort(ends.begin(), ends.end(),
+              [](const Plane_vector u, const Plane_vector v) { return is_before(u, v); });
+    // the same curve bounds the region from one end to the next, and often on
+    const Region::Bound* bound = nullptr;
+    Plane_vector begin = all.begin;
     for(std::size_t i = 1; i < ends.size(); ++i)
-      cut(other, region, {ends[i - 1], ends[i]});
+    {
+      const Direction_range part{ends[i - 1], ends[i]};
+      const Region::Bound* next = part.is_empty() ? bound : bound_at(part.middle(), region);
+      if(next == bound)
+        continue;
+      cut(other, bound, {begin, part.begin});
+      bound = next;
+      begin = part.begin;
+    }
+    cut(other, bound, {begin, all.end});
   }
 
-  // In a range where the same curve bounds the region.
-  void cut(const std::size_t other, const Region& region, const Direction_range& part)
+  // The curve where the region begins in a direction; none if it does not.
+  static const Region::Bound* bound_at(const Plane_vector u, const Region& region)
   {
-    if(part.is_empty())
-      return;
-    const Plane_vector u = part.middle();
-    const Region::Bound* nearest = nullptr;
+    static constexpr Region::Bound everywhere{Cell_end::ENTRY, {infinity, {0, 0}}};
+    const Region::Bound* result = &everywhere;
     double value = infinity;
     for(const Region::Bound& bound : region.upper)
-      if(const double at_u = bound.second.at(u); nearest == nullptr || at_u < value)
+      if(const double at_u = bound.second.at(u); result == &everywhere || at_u < value)
       {
-        nearest = &bound;
+        result = &bound;
         value = at_u;
       }
-    const bool is_cut =
+    const bool is_in_region =
         std::all_of(region.lower.begin(), region.lower.end(),
                     [&](const auto& bound) { return value > bound.second.at(u); }) &&
         std::all_of(region.rays.begin(), region.rays.end(),
                     [&](const Plane_vector d) { return cross(d, u) > 0; });
-    if(is_cut)
-      merge({part, nearest == nullptr ? Cell_end::ENTRY : nearest->first,
-             nearest == nullptr ? Focal_curve{infinity, {0, 0}} : nearest->second, other});
+    return is_in_region ? result : nullptr;
+  }
+
+  void cut(const std::size_t other, const Region::Bound* const bound, const Direction_range& part)
+  {
+    if(bound != nullptr && !part.is_empty())
+      merge({part, bound->first, bound->second, other});
   }
 
   // Replaces the pieces that are farther than `piece`.
@@ -279,7 +302,7 @@ private:
       }
       append(old, {old.range.begin, common.begin});
       const Focal_curve difference = piece.curve - old.curve;
-      boost::container::small_vector<Plane_vector, 4> ends{common.begin};
+      boost::container::static_vector<Plane_vector, 4> ends{common.begin};
       difference.for_each_root(common, [&](const Plane_vector u) { ends.push_back(u); });
       if(ends.size() == 3 && is_before(ends[2], ends[1]))
         std::swap(ends[1], ends[2]);
@@ -323,13 +346,13 @@ private:
       m_merged.push_back({part, piece.end, piece.curve, piece.other});
   }
 
+  const std::array<Plane_vector, 3>& m_face;
   const std::vector<Placed_window>& m_windows;
-  const std::size_t m_number;
-  const Placed_window& m_window;
-  std::array<Focal_curve, 3> m_lines;                     // of the sides
-  std::optional<Focal_curve> m_entry;                     // this and the following are shifted
-  boost::container::small_vector<Focal_curve, 3> m_sides; // that lines from the tip leave through
-  boost::container::small_vector<Plane_vector, 8> m_corners; // relative to the tip
+  std::size_t m_number = 0;
+  Placed_window m_window{};
+  std::array<Focal_curve, 3> m_lines;  // of the sides
+  std::optional<Focal_curve> m_entry;  // shifted
+  std::vector<Plane_vector> m_corners; // relative to the tip
   std::vector<Cell_piece> m_pieces, m_merged;
 };
 

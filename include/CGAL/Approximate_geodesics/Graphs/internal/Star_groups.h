@@ -1,0 +1,51 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STAR_GROUPS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STAR_GROUPS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+
+#include <cstddef>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * The groups of nodes of a graph with arcs there and back, as `GeodesicGraph` says for searches
+ * that are repaired: a node and its neighbors are a group, with the number of the node.
+ */
+template <typename Graph>
+class Star_groups
+{
+public:
+  std::size_t number_of_groups() const { return graph().number_of_nodes(); }
+
+  template <typename F>
+  void for_each_group(const Index node, F f) const
+  {
+    f(std::size_t(node));
+  }
+
+  template <typename F>
+  void for_each_node_of_group(const std::size_t group, F f) const
+  {
+    const auto node = static_cast<Index>(group);
+    f(node);
+    graph().for_each_arc(node, No_labels(), [&](const Index target, double) { f(target); });
+  }
+
+private:
+  struct No_labels
+  {
+  };
+
+  const Graph& graph() const { return static_cast<const Graph&>(*this); }
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STAR_GROUPS_H

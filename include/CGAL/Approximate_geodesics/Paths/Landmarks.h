@@ -1,0 +1,254 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PATHS_LANDMARKS_H
+#define CGAL_APPROXIMATE_GEODESICS_PATHS_LANDMARKS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsPaths
+ *
+ * The distances of all nodes of a graph from a few nodes that are far from each other, the
+ * landmarks. By the triangle inequality, they give lower bounds of the distances of any two points,
+ * which lead a search from one to the other past most of the graph: the ALT algorithm of Goldberg
+ * and Harrelson \cgalCite{gh-cspasmgt-05}. Unlike straight-line distances, they heed weights,
+ * barriers and holes. Distances do not change by this.
+ *
+ * An object is made once for a graph, which is worth it for many pairs: it takes a search of the
+ * whole graph for each landmark. `Surface_search::use_landmarks()` and
+ * `Surface_mesh_shortest_path::prepare_pairs()` use it. All landmarks are in the largest connected
+ * part of the graph; pairs elsewhere are found as without them.
+ *
+ * An object never changes after its construction, and may be used by several threads.
+ *
+ * \tparam SurfaceGraph a model of `SurfaceGraph` with the optional `asymmetry()`: `Steiner_graph`,
+ *         `Directional_graph`, `Discrete_geodesic_graph` or `Edge_graph`
+ */
+template <typename SurfaceGraph>
+class Landmarks
+{
+public:
+  /// the number of a node.
+  using Node = typename SurfaceGraph::Node;
+
+  /// a number of landmarks beyond which few nodes are saved.
+  static constexpr std::size_t DEFAULT_NUMBER = 16;
+
+  class Heuristic;
+
+  /*!
+   * searches `graph` from each landmark.
+   *
+   * \param graph the graph, which is referred to, not copied
+   * \param number the number of landmarks, at least `1`
+   *
+   * \throws std::invalid_argument if `number` is `0`.
+   *
+   * Run time is that of `number + 1` searches of the graph. Memory is 8 bytes per node and
+   * landmark, and that of a workspace meanwhile.
+   */
+  explicit Landmarks(const SurfaceGraph& graph, std::size_t number = DEFAULT_NUMBER);
+
+  /// landmarks of a temporary graph would outlive it.
+  explicit Landmarks(const SurfaceGraph&& graph, std::size_t number = DEFAULT_NUMBER) = delete;
+
+  /// returns the landmarks.
+  const std::vector<Node>& nodes() const { return m_nodes; }
+
+  /// returns whether arcs of the graph have not changed since the construction. If they have, lower
+  /// bounds need not hold, and searches do not use them.
+  bool are_valid() const { return m_number_of_changes == internal::number_of_changes(*m_graph); }
+
+  /// returns lower bounds of the distances to `goal`, which refer to this object.
+  Heuristic to(const Intrinsic_point& goal) const { return Heuristic(*this, goal); }
+
+  /// returns the number of bytes that the distances take.
+  std::size_t memory() const { return internal::memory_of(m_nodes, m_distance); }
+
+private:
+  using Search = Propagation<SurfaceGraph>;
+
+  // A distance that is not known: comparisons with it are false.
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  const double* distances(const Node node) const
+  {
+    return m_distance.data() + std::size_t(node) * m_nodes.size();
+  }
+
+  // Returns the farthest node of the largest connected part, as seen from one of its nodes.
+  static Node first_landmark(Search& search);
+
+  // Returns the farthest of the nodes that were reached. `label_of(node)` is its distance.
+  template <typename F>
+  static Node farthest(const Search& search, const F& label_of)
+  {
+    const auto& nodes = search.reached_nodes();
+    return *std::max_element(nodes.begin(), nodes.end(), [&](const Node a, const Node b) {
+      return std::make_pair(label_of(a), b) < std::make_pair(label_of(b), a);
+    });
+  }
+
+  void find_distances(Search& search, Node first);
+
+  const SurfaceGraph* m_graph;
+  std::vector<Node> m_nodes;      // the landmarks
+  std::vector<double> m_distance; // from each of them, in units of the graph, node by node
+  double m_largest = 0;           // of the distances
+  std::size_t m_number_of_changes;
+};
+
+/*!
+ * Lower bounds of the distances from nodes to a goal: a consistent heuristic for
+ * `Propagation::run_toward()`, a model of `AStarHeuristic` of the Boost Graph Library.
+ *
+ * A landmark at the distance \f$a\f$ from a node and \f$b\f$ from the goal gives the bounds
+ * \f$b - a\f$ and \f$(a - b) / (1 + \alpha)\f$, where \f$\alpha\f$ is the `asymmetry()` of the
+ * graph. They are lowered by more than the rounding of \f$a\f$ and \f$b\f$.
+ */
+template <typename SurfaceGraph>
+class Landmarks<SurfaceGraph>::Heuristic
+{
+public:
+  /// returns a lower bound for `node`, in units of the graph.
+  double operator()(const Node node) const
+  {
+    const double* const from = m_landmarks.distances(node);
+    double forward = 0, back = 0;
+    for(std::size_t i = 0; i < m_smallest.size(); ++i) // in vector instructions
+    {
+      const double ahead = m_smallest[i] - from[i], behind = from[i] - m_largest[i];
+      forward = forward < ahead ? ahead : forward;
+      back = back < behind ? behind : back;
+    }
+    return (std::max)((std::max)(forward, back * m_part_of_way_back) - m_rounding, 0.);
+  }
+
+  /// returns how much sums of a distance and a bound may decrease along a path, by rounding.
+  double rounding() const { return m_rounding; }
+
+private:
+  friend class Landmarks;
+
+  // Of sums of arcs, relative to the largest distance.
+  static constexpr double ROUNDING = 1e-11;
+
+  Heuristic(const Landmarks& landmarks, const Intrinsic_point& goal)
+    : m_landmarks(landmarks),
+      m_smallest(landmarks.m_nodes.size(), internal::infinity),
+      m_largest(landmarks.m_nodes.size(), -internal::infinity),
+      m_part_of_way_back(1 / (1 + landmarks.m_graph->asymmetry())),
+      m_rounding(ROUNDING * landmarks.m_largest)
+  {
+    internal::attach_target(*landmarks.m_graph, goal)
+        .for_each_node([this](const Node node, const double length) {
+          if(length < internal::infinity)
+            add_line(m_landmarks.distances(node), length);
+        });
+    for(std::size_t i = 0; i < m_smallest.size(); ++i)
+      if(std::isinf(m_smallest[i]) || std::isinf(m_largest[i]))
+        m_smallest[i] = m_largest[i] = unknown;
+  }
+
+  void add_line(const double* const from, const double length)
+  {
+    for(std::size_t i = 0; i < m_smallest.size(); ++i)
+    {
+      const double sum = from[i] + length, difference = from[i] - length;
+      m_smallest[i] = sum < m_smallest[i] ? sum : m_smallest[i];
+      m_largest[i] = difference > m_largest[i] ? difference : m_largest[i];
+    }
+  }
+
+  const Landmarks& m_landmarks;
+  // Distances of the goal, by the line to it that makes them smallest or largest: a vertex that
+  // barriers divide has one in each of its sectors.
+  std::vector<double> m_smallest, m_largest;
+  double m_part_of_way_back; // as part of the way there
+  double m_rounding;
+};
+
+template <typename SurfaceGraph>
+Landmarks<SurfaceGraph>::Landmarks(const SurfaceGraph& graph, const std::size_t number)
+  : m_graph(&graph), m_nodes(number), m_number_of_changes(internal::number_of_changes(graph))
+{
+  static_assert(internal::has_asymmetry<SurfaceGraph>,
+                "Landmarks need a graph with asymmetry(): Steiner_graph, Directional_graph, "
+                "Discrete_geodesic_graph or Edge_graph");
+  if(number == 0)
+    internal::reject("the number of landmarks is 0; it must be at least 1");
+  m_distance.assign(graph.number_of_nodes() * number, unknown);
+  if(graph.number_of_nodes() == 0)
+    return;
+  Search search(graph);
+  find_distances(search, first_landmark(search));
+}
+
+template <typename SurfaceGraph>
+auto Landmarks<SurfaceGraph>::first_landmark(Search& search) -> Node
+{
+  const std::size_t number_of_nodes = search.graph().number_of_nodes();
+  std::vector<bool> is_known(number_of_nodes);
+  std::size_t most = 0, number_known = 0;
+  Node result = 0;
+  for(Node node = 0; node < number_of_nodes && most < number_of_nodes - number_known; ++node)
+  {
+    if(is_known[node])
+      continue;
+    search.run_from(node);
+    std::size_t number = 0;
+    for(const Node reached : search.reached_nodes())
+    {
+      number += is_known[reached] ? 0 : 1;
+      is_known[reached] = true;
+    }
+    number_known += number;
+    if(number > most)
+    {
+      most = number;
+      result = farthest(search, [&](const Node n) { return search.labels().distance(n); });
+    }
+  }
+  return result;
+}
+
+template <typename SurfaceGraph>
+void Landmarks<SurfaceGraph>::find_distances(Search& search, const Node first)
+{
+  std::vector<double> from_nearest(search.graph().number_of_nodes(), internal::infinity);
+  const std::size_t number = m_nodes.size();
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    internal::check_for_interruption(i, number);
+    m_nodes[i] = i == 0 ? first : farthest(search, [&](const Node n) { return from_nearest[n]; });
+    search.run_from(m_nodes[i]);
+    for(const Node node : search.reached_nodes())
+    {
+      const double distance = search.labels().distance(node);
+      m_distance[std::size_t(node) * number + i] = distance;
+      m_largest = (std::max)(m_largest, distance);
+      from_nearest[node] = (std::min)(from_nearest[node], distance);
+    }
+  }
+}
+
+} // namespace CGAL::Approximate_geodesics
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PATHS_LANDMARKS_H

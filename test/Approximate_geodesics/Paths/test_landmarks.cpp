@@ -1,0 +1,319 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
+
+#include "checks/distance_matrices.h"
+#include "checks/expect_message.h"
+#include "checks/graphs_of_all_kinds.h"
+#include "meshes/hostile_meshes.h"
+#include "meshes/random_soups.h"
+#include "meshes/test_costs.h"
+#include "meshes/test_weights.h"
+
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+// Landmarks give lower bounds, and searches that they lead find the same distances.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+using namespace geodesics_test;
+
+std::vector<Intrinsic_point>
+landmark_goals(const Mesh& mesh, const Triangulation& triangulation, Random& random)
+{
+  std::vector<Surface_point> points = some_vertices(mesh);
+  for(const Surface_point& p : some_points(mesh))
+    points.push_back(p);
+  if(mesh.number_of_faces() > 0 && !mesh.has_garbage())
+    for(const Surface_point& p : random_surface_points(mesh, 4, random))
+      points.push_back(p);
+  return intrinsic_points(mesh, triangulation, points);
+}
+
+// Expects lower bounds of the distances from all nodes. Those from a vertex that barriers divide
+// are those from its sectors.
+template <typename GeodesicGraph>
+void expect_lower_bounds(const GeodesicGraph& graph,
+                         const AG::Landmarks<GeodesicGraph>& landmarks,
+                         const Intrinsic_point& goal)
+{
+  const auto bound = landmarks.to(goal);
+  AG::Propagation<GeodesicGraph> search(graph);
+  for(std::uint32_t node = 0; node < graph.number_of_nodes(); ++node)
+  {
+    search.run_from(node);
+    double distance = infinity;
+    AG::internal::attach_target(graph, goal).for_each_node([&](const auto n, const double length) {
+      distance = (std::min)(distance, search.labels().distance(n) + length);
+    });
+    std::vector<double> bounds;
+    graph.for_each_arc(node, search.labels(), [&](const auto target, const double length) {
+      if(length == 0)
+        bounds.push_back(bound(target));
+    });
+    const double smallest =
+        bounds.empty() ? bound(node) : *std::min_element(bounds.begin(), bounds.end());
+    EXPECT_LE((std::min)(bound(node), smallest), distance) << node;
+    EXPECT_GE(bound(node), 0);
+  }
+}
+
+template <typename GeodesicGraph>
+void expect_same_distances_with_landmarks(const GeodesicGraph& graph,
+                                          const AG::Landmarks<GeodesicGraph>& landmarks,
+                                          const std::vector<Intrinsic_point>& points)
+{
+  constexpr double rounding = 1e-13; // arcs that are left out can be as good as others
+  AG::Surface_search<GeodesicGraph> search(graph), led(graph);
+  led.use_landmarks(landmarks);
+  ASSERT_TRUE(led.uses_landmarks());
+  for(const Intrinsic_point& source : points)
+    for(const Intrinsic_point& target : points)
+    {
+      search.run({{source}}, {infinity, {target}});
+      const double expected = search.distance(target);
+      led.run_to(target, {{source}});
+      const double found = led.distance(target);
+      EXPECT_EQ(std::isinf(found), std::isinf(expected));
+      if(std::isinf(expected))
+        continue;
+      EXPECT_NEAR(found, expected, rounding * expected);
+      const double length = led.find_path(target).length;
+      EXPECT_NEAR(length, search.find_path(target).length, 1e-6 * expected + 1e-9);
+    }
+}
+
+template <typename GeodesicGraph>
+void expect_use(const Mesh& mesh, const GeodesicGraph& graph, Random& random)
+{
+  const auto points = landmark_goals(mesh, graph.triangulation(), random);
+  for(const std::size_t number : {1u, 5u})
+  {
+    const AG::Landmarks<GeodesicGraph> landmarks(graph, number);
+    EXPECT_EQ(landmarks.nodes().size(), number);
+    expect_same_distances_with_landmarks(graph, landmarks, points);
+    if(graph.number_of_nodes() < 500 && !points.empty())
+      expect_lower_bounds(graph, landmarks, points[random.below(points.size())]);
+  }
+}
+
+TEST(Landmarks, change_no_distance)
+{
+  Random random(test_seed());
+  for(std::uint64_t i = 0; i < number_of_kinds_of_soups; ++i)
+  {
+    const Mesh mesh = to_mesh(random_small_soup(test_seed() + i));
+    SCOPED_TRACE(test_seed() + i);
+    const Triangulation triangulation(mesh);
+    expect_use(mesh, edge_graph().make(triangulation), random);
+    expect_use(mesh, discrete_geodesic_graph(0.3).make(triangulation), random);
+    expect_use(mesh, graph_with_spaced_points(2).make(triangulation), random);
+  }
+}
+
+TEST(Landmarks, change_no_distance_on_hostile_meshes)
+{
+  Random random(test_seed());
+  for(const Hostile_mesh& row : accepted_meshes())
+  {
+    SCOPED_TRACE(row.name);
+    expect_use(row.mesh, edge_graph().make(Triangulation(row.mesh)), random);
+    if(row.refusal_across_faces.empty())
+      expect_use(row.mesh, graph_with_spaced_points(1).make(Triangulation(row.mesh)), random);
+  }
+}
+
+TEST(Landmarks, heed_weights_and_barriers)
+{
+  Random random(test_seed());
+  for(int i = 0; i < 10; ++i)
+  {
+    const Mesh mesh = to_mesh(terrain(7, 6, random));
+    const Weights weights = random_weights(mesh, random, 0.5, 2, 0.1);
+    const Barriers barriers = random_barriers(mesh, 0.3, random);
+    const Triangulation triangulation(
+        mesh, with_weights(weights).edge_is_constrained_map(barrier_map(barriers)));
+    expect_use(mesh, graph_with_spaced_points(1).make(triangulation), random);
+    expect_use(mesh, Steiner_graph<>(triangulation, lenient_points(1)), random);
+  }
+}
+
+TEST(Landmarks, heed_extreme_weights)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(6, 6, random));
+  for(const double factor : {1e-290, 1., 1e200})
+  {
+    Weights weights = random_weights(mesh, random, factor, 1e9 * factor, 0.1);
+    expect_use(mesh, steiner_graph(mesh, weights, Fixed_number_of_points(1)), random);
+  }
+  expect_use(mesh, steiner_graph(mesh, Weights(mesh.num_faces()), Fixed_number_of_points(1)),
+             random); // all free
+}
+
+TEST(Landmarks, heed_directions)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(6, 5, random));
+  const Dense_graph graph = dense_graph(mesh, cost_of_faces(random_slants(mesh, random, 0.8)), 1);
+  expect_use(mesh, graph, random);
+  expect_use(mesh, graph.reversed(), random);
+}
+
+// Far fewer nodes are expanded, although the cheap way is not the straight one.
+TEST(Landmarks, lead_to_the_target)
+{
+  Random random(test_seed());
+  const std::size_t columns = 40;
+  const Mesh mesh = to_mesh(terrain(columns, columns, random));
+  const Weights weights = weights_by_place(mesh, [](const Point& p) {
+    const bool is_wall = p.x() > 20 && p.x() < 21 && p.y() > 3;
+    return is_wall ? infinity : p.y() > 20 ? 3. : 1.;
+  });
+  const auto graph = steiner_graph(mesh, weights, Fixed_number_of_points(2));
+  const AG::Landmarks<Steiner_graph<Fixed_number_of_points>> landmarks(graph);
+  AG::Surface_search<Steiner_graph<Fixed_number_of_points>, AG::Binary_heap_queue> search(graph);
+  const auto vertex = [&](const std::size_t x, const std::size_t y) {
+    return Intrinsic_point::at_vertex(graph.triangulation().vertex(x + columns * y));
+  };
+  search.collect_statistics(true);
+  const auto number_settled = [&] {
+    search.run_to(vertex(32, 30), {{vertex(8, 24)}});
+    return search.search().statistics().settled_nodes;
+  };
+  const std::size_t number = number_settled();
+  search.use_landmarks(landmarks);
+  EXPECT_LT(number_settled(), number / 4);
+}
+
+TEST(Landmarks, lead_lists_of_pairs)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(20, 20, random));
+  const Weights weights = random_weights(mesh, random, 1, 3);
+  const auto graph = steiner_graph(mesh, weights, Fixed_number_of_points(1));
+  const AG::Landmarks<Steiner_graph<Fixed_number_of_points>> landmarks(graph, 8);
+  AG::Surface_search<Steiner_graph<Fixed_number_of_points>> search(graph), led(graph);
+  led.use_landmarks(landmarks);
+  std::vector<AG::Point_pair> pairs;
+  for(std::uint32_t i = 0; i < 20; ++i)
+    pairs.emplace_back(Intrinsic_point::at_vertex(17 * i),
+                       Intrinsic_point::at_vertex(13 * i + 100));
+  pairs.emplace_back(pairs[3].first, pairs[4].first); // two with the same source
+  const auto expected = search.distances(pairs), found = led.distances(pairs);
+  for(std::size_t i = 0; i < pairs.size(); ++i)
+    EXPECT_NEAR(found[i], expected[i], 1e-13 * expected[i]);
+  const auto limited = led.distances(pairs, expected[0]),
+             wanted = search.distances(pairs, expected[0]);
+  for(std::size_t i = 1; i < pairs.size(); ++i)
+    EXPECT_EQ(std::isinf(limited[i]), std::isinf(wanted[i]));
+}
+
+TEST(Landmarks, lead_the_class)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(20, 20, random));
+  const Weights weights = random_weights(mesh, random, 1, 3);
+  using Paths = AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Fixed_number_of_points>>;
+  Paths paths(mesh, steiner_graph(mesh, weights, Fixed_number_of_points(1)));
+  std::vector<std::pair<Vertex, Vertex>> pairs;
+  for(Mesh::size_type i = 0; i < 20; ++i)
+    pairs.emplace_back(Vertex(17 * i), Vertex(13 * i + 100));
+  const auto expect = [&](const std::vector<double>& expected) {
+    const std::vector<double> found = paths.distances(pairs);
+    for(std::size_t i = 0; i < pairs.size(); ++i)
+    {
+      EXPECT_NEAR(found[i], expected[i], 1e-13 * expected[i]);
+      EXPECT_NEAR(paths.shortest_distance(pairs[i].first, pairs[i].second), expected[i],
+                  1e-13 * expected[i]);
+    }
+  };
+  const std::vector<double> expected = paths.distances(pairs);
+  paths.prepare_pairs();
+  expect(expected);
+  std::vector<std::pair<Face, double>> changes;
+  for(Mesh::size_type i = 0; i < 100; ++i)
+    changes.emplace_back(Face(7 * i), 0.1);
+  paths.set_weights(changes);
+  AG::Surface_search<Steiner_graph<Fixed_number_of_points>> search(paths.graph());
+  std::vector<AG::Point_pair> changed;
+  for(const auto& [source, target] : pairs)
+    changed.emplace_back(
+        Intrinsic_point::at_vertex(paths.graph().triangulation().vertex(source.idx())),
+        Intrinsic_point::at_vertex(paths.graph().triangulation().vertex(target.idx())));
+  expect(search.distances(changed));
+  paths.prepare_pairs(4);
+  expect(search.distances(changed));
+}
+
+// After weights have changed, bounds need not hold.
+TEST(Landmarks, are_not_used_after_changes)
+{
+  const Mesh mesh = to_mesh(flat_grid(12, 12));
+  auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 4), Fixed_number_of_points(1));
+  using Graph_with_points = Steiner_graph<Fixed_number_of_points>;
+  const AG::Landmarks<Graph_with_points> landmarks(graph, 4);
+  AG::Surface_search<Graph_with_points> search(graph), led(graph);
+  led.use_landmarks(landmarks);
+  std::vector<AG::Weight_change> changes;
+  const Triangulation& triangulation = graph.triangulation();
+  for(std::uint32_t h = 0; h < triangulation.number_of_halfedges(); ++h)
+    if(!triangulation.is_border(h) && triangulation.source(h) % 3 == 0)
+      changes.push_back({h, 1});
+  graph.set_weights(changes);
+  EXPECT_FALSE(landmarks.are_valid());
+  EXPECT_FALSE(led.uses_landmarks());
+  const auto source = Intrinsic_point::at_vertex(0);
+  for(std::uint32_t v = 0; v < triangulation.number_of_vertices(); ++v)
+  {
+    const auto target = Intrinsic_point::at_vertex(v);
+    search.run({{source}}, {infinity, {target}});
+    led.run_to(target, {{source}});
+    EXPECT_EQ(led.distance(target), search.distance(target));
+  }
+}
+
+TEST(Landmarks, are_in_the_largest_part)
+{
+  Soup soup = flat_grid(3, 3);
+  soup.append(flat_grid(6, 6));
+  soup.append(flat_grid(4, 4));
+  const Mesh mesh = to_mesh(soup);
+  const Graph graph{Triangulation(mesh)};
+  const AG::Landmarks<Graph> landmarks(graph, 4);
+  for(const auto node : landmarks.nodes())
+  {
+    const std::size_t i = graph.triangulation().index(node);
+    EXPECT_GE(i, 9u);
+    EXPECT_LT(i, 9u + 36u);
+  }
+}
+
+TEST(Landmarks, are_at_least_one)
+{
+  const Graph graph{Triangulation(to_mesh(flat_grid(3, 3)))};
+  expect_message<std::invalid_argument>([&] { AG::Landmarks<Graph>(graph, 0); },
+                                        "number of landmarks");
+  const AG::Landmarks<Graph> many(graph, 100); // more than nodes
+  EXPECT_EQ(many.nodes().size(), 100u);
+  const Graph empty;
+  EXPECT_EQ(AG::Landmarks<Graph>(empty).nodes().size(), AG::Landmarks<Graph>::DEFAULT_NUMBER);
+}
+
+} // namespace
