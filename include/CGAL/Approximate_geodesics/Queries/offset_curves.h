@@ -101,7 +101,8 @@ inline double smallest_step(const std::vector<double>& distances)
  * if a distance is not finite or not larger than `0`. Nothing is written then.
  *
  * Run time is that of an exact search up to the largest distance, linear in the number of vertices
- * and points after it, and that of a query of the search for each point of a divided face.
+ * and points after it, and that of a query of the search for each point whose distance does not
+ * follow from the vertices around it, as where several shortest paths meet.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `isolines()`

@@ -57,11 +57,11 @@ public:
   // That of the distance at the source of a halfedge; not a number if it is not known.
   double slope(const Index h) const { return m_slopes[h]; }
 
-  // About the largest error of `at()`; infinity where a direction is not known, or paths from
-  // several directions meet on the edge.
+  // About the largest error of `at()`, off the medial axis; infinity where a direction is not
+  // known.
   double error(const Index h) const
   {
-    const double result = (std::min)(difference(h), largest_gap(side(h)));
+    const double result = (std::min)(error_from_ends(h), error_of_cubic(h));
     return std::isnan(result) ? infinity : result;
   }
 
@@ -70,7 +70,7 @@ public:
   {
     const Side side = this->side(h);
     const double s = 1 - t;
-    if(difference(h) <= largest_gap(side))
+    if(error_from_ends(h) <= error_of_cubic(h))
       return s * from_start(h, t * side.length) +
              t * from_start(m_triangulation.opposite(h), s * side.length);
     return side.start * s * s * (1 + 2 * t) + side.end * t * t * (1 + 2 * s) +
@@ -115,13 +115,18 @@ private:
     return std::abs(at_end) + std::abs(at_start);
   }
 
+  // Interpolation leaves a part of the difference, which grows with the square of the way.
+  double error_from_ends(const Index h) const { return difference(h) / 8; }
+
   // Except where paths from different directions meet, the distance is convex: between the chord
-  // and the tangents at the ends, in the middle of which the cubic function with these slopes is.
-  static double largest_gap(const Side& side)
+  // and the tangents at the ends, and close to the cubic function with these slopes.
+  double error_of_cubic(const Index h) const
   {
+    const Side side = this->side(h);
     const bool is_convex = side.slope * side.length <= side.end - side.start &&
                            side.slope_back * side.length <= side.start - side.end;
-    return is_convex ? -(side.slope + side.slope_back) * side.length / 8 : infinity;
+    return is_convex ? -(side.slope + side.slope_back) * side.length / 48 + difference(h) / 32
+                     : infinity;
   }
 
   // Paths from a curve count as parallel.
