@@ -85,7 +85,7 @@ private:
   using Sides = std::array<Side, 3>;
 
   // In steps: of distances found from slopes, and of those that have to be equal to another.
-  static constexpr double LARGEST_ERROR = 5e-3, LARGEST_DIFFERENCE = 2e-3;
+  static constexpr double LARGEST_ERROR = 1e-2, LARGEST_DIFFERENCE = 2e-3;
 
   double value(const Corner& c) const
   {
