@@ -23,7 +23,6 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -131,7 +130,7 @@ public:
   {
   }
 
-  // Must be called when the weights of the graph have changed.
+  // Must be called when all weights of the graph have been exchanged.
   void clear() { m_workspaces.clear(); }
 
   // Landmarks are referred to, not copied.

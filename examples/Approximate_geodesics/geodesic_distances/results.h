@@ -78,13 +78,13 @@ Path_result find_path(Shortest_paths& shortest_paths,
   return result;
 }
 
-// The distances of lines, up to those of the results.
+// The distances of lines from `low`, which is not above 0, to `largest`.
 inline std::vector<double>
-values_of(const Levels& levels, const std::string& option, const Results& results)
+values_of(const Levels& levels, const std::string& option, const double low, const double largest)
 {
   constexpr double most = 100000;
   std::vector<double> values = levels.values;
-  const double low = (std::min)(0., results.smallest), range = results.largest - low;
+  const double range = largest - low;
   if(levels.number)
     for(std::size_t i = 1; i <= *levels.number; ++i)
       values.push_back(low + range * double(i) / double(*levels.number + 1));
@@ -92,8 +92,8 @@ values_of(const Levels& levels, const std::string& option, const Results& result
     return values;
   if(range / *levels.step > most)
     reject_option(option, "these are more than 100000 distances; the largest is " +
-                              std::to_string(results.largest));
-  const double beyond = results.largest / *levels.step;
+                              std::to_string(largest));
+  const double beyond = largest / *levels.step;
   for(double i = low < 0 ? std::ceil(low / *levels.step) : 1; i <= beyond; ++i)
     values.push_back(i * *levels.step);
   return values;
@@ -101,7 +101,8 @@ values_of(const Levels& levels, const std::string& option, const Results& result
 
 inline void find_isolines(const Mesh& mesh, const Options& options, Results& results)
 {
-  for(const double isovalue : values_of(options.isolines, "isolines", results))
+  for(const double isovalue :
+      values_of(options.isolines, "isolines", (std::min)(0., results.smallest), results.largest))
   {
     std::vector<std::vector<Mesh::Point>> lines;
     CGAL::Approximate_geodesics::isolines(mesh, vertex_map(mesh, results.distances), isovalue,
@@ -137,7 +138,8 @@ inline void find_offsets(const Mesh& mesh,
                          const Options& options,
                          Results& results)
 {
-  const std::vector<double> distances = values_of(options.offsets, "offset", results);
+  const double largest = (std::max)(results.largest, -results.smallest); // there may be signs
+  const std::vector<double> distances = values_of(options.offsets, "offset", 0, largest);
   if(!options.curve.empty())
     return find_offsets(mesh, curve_through(sources), distances, results);
   std::vector<CGAL::Approximate_geodesics::Surface_point<Mesh>> points;

@@ -65,11 +65,12 @@ public:
     if(!m_options.work_folder.empty())
       lock();
     if(m_friction_raster)
-      m_friction.emplace(*m_friction_raster, frame_of(*m_friction_raster), file("friction"),
-                         infinity, [&](auto... args) { check_friction(args...); });
+      m_friction.emplace(*m_friction_raster, frame_of(*m_friction_raster),
+                         file("terrain_routes_friction"), infinity,
+                         [&](auto... args) { check_friction(args...); });
     if(m_heights_raster)
-      m_heights.emplace(*m_heights_raster, frame_of(*m_heights_raster), file("heights"),
-                        std::numeric_limits<double>::quiet_NaN(),
+      m_heights.emplace(*m_heights_raster, frame_of(*m_heights_raster),
+                        file("terrain_routes_heights"), std::numeric_limits<double>::quiet_NaN(),
                         [&](auto... args) { check_height(args...); });
     m_friction_raster.reset();
     m_heights_raster.reset();

@@ -63,8 +63,9 @@ inline po::options_description describe_search(Options& options)
   add("memory,m", text_option("SIZE"),
       "use no more memory than this, such as 500M or 2G; the rest is in --work-folder");
   add("work-folder,w", po::value(&options.work_folder)->value_name("DIR"),
-      "where to keep what has been found, 20 bytes a cell, 8 more with two rasters, and more "
-      "with --epsilon. If the program is killed or interrupted, the same call goes on from there. "
+      "where to keep what has been found, 20 bytes a cell, 8 more with two rasters, 12 more "
+      "with --corridor, and more with --epsilon. If the program is killed or interrupted, the same "
+      "call goes on from there. "
       "At the end, its files go");
   return result;
 }

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -149,6 +150,17 @@ TEST(Tiled_grid_search, paths_end_where_arcs_cost_nothing)
 }
 
 // ----- bad input
+
+TEST(Tiled_grid_search, has_one_tile_if_its_side_is_large)
+{
+  Random random(test_seed());
+  const std::vector<Grid_cell> sources{{0, 0}};
+  const Terrain_in_tiles terrain = random_terrain(random, sources);
+  Tiled tiled(terrain.shape.columns, terrain.shape.rows, terrain, sources,
+              (std::numeric_limits<std::size_t>::max)());
+  EXPECT_TRUE(tiled.run());
+  expect_distances_of_one_graph(terrain, sources, tiled);
+}
 
 TEST(Tiled_grid_search, refuses_bad_arguments)
 {

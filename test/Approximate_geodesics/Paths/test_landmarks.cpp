@@ -305,6 +305,16 @@ TEST(Landmarks, are_in_the_largest_part)
   }
 }
 
+TEST(Landmarks, are_those_of_the_graph)
+{
+  const Mesh mesh = to_mesh(flat_grid(4, 4));
+  const AG::Edge_graph graph{Triangulation(mesh)}, other{Triangulation(mesh)};
+  const AG::Landmarks<AG::Edge_graph> landmarks(graph, 2);
+  AG::Surface_search<AG::Edge_graph> search(other);
+  expect_message<std::invalid_argument>([&] { search.use_landmarks(landmarks); },
+                                        "the landmarks are those of another graph");
+}
+
 TEST(Landmarks, are_at_least_one)
 {
   const Graph graph{Triangulation(to_mesh(flat_grid(3, 3)))};

@@ -111,6 +111,34 @@ TEST(Offset_curves_on_terrain, have_the_distance_nearly_everywhere)
   }
 }
 
+TEST_F(Offset_curves, are_found_at_distances_that_differ_by_rounding)
+{
+  std::vector<Offset> curves;
+  AG::offset_curves(m_mesh, m_curve, std::vector<double>{0.3, 0.1 * 3}, std::back_inserter(curves));
+  EXPECT_EQ(curves.size(), 2u);
+  for(const Offset& curve : curves)
+    EXPECT_TRUE(curve.is_closed);
+}
+
+TEST_F(Offset_curves, are_near_a_curve_at_very_small_distances)
+{
+  std::vector<Offset> curves;
+  AG::offset_curves(m_mesh, m_curve, 1e-9, std::back_inserter(curves));
+  for(const Offset& curve : curves)
+    for(const Point& p : curve.points)
+      EXPECT_LT(distance(p), 1e-3);
+}
+
+TEST_F(Offset_curves, repeat_no_point)
+{
+  std::vector<Offset> curves;
+  AG::offset_curves(m_mesh, at(9, 7), std::vector<double>{1, 2, 3}, std::back_inserter(curves));
+  ASSERT_EQ(curves.size(), 3u);
+  for(const Offset& curve : curves)
+    for(std::size_t i = 0; i < curve.points.size(); ++i)
+      EXPECT_NE(curve.points[i], curve.points[(i + 1) % curve.points.size()]);
+}
+
 TEST_F(Offset_curves, end_at_the_border)
 {
   std::vector<Offset> curves;

@@ -254,7 +254,11 @@ TEST(StraightWalks, around_a_cube_come_back_to_their_start)
       EXPECT_EQ(walk.length, length);
       const Space_vector first = tracer.vector_3(start, at_angle(angle)),
                          last = tracer.vector_3(walk.points.back(), walk.direction);
-      EXPECT_LT(std::abs(CGAL::scalar_product(first, last)), 1 + 1e-9);
+      EXPECT_NEAR(first.squared_length(), last.squared_length(), 1e-9);
+      const auto beyond = [&](const double further) {
+        return position(cube, tracer.trace(start, at_angle(angle), further).points.back());
+      };
+      EXPECT_LT(std::sqrt(CGAL::squared_distance(beyond(length + 0.25), beyond(0.25))), 1e-12);
     }
   }
 }

@@ -57,6 +57,24 @@ TEST(SolverWalks, are_those_of_the_functions)
   }
 }
 
+TEST(SolverWalks, have_directions_that_leave_the_surface_at_border_vertices)
+{
+  const Solver_of solver(Soup_arrays(flat_grid(9, 9)));
+  const Solver_walks walks(solver);
+  for(const Solver_walks::Vector direction : {Solver_walks::Vector{0, 1, 0}, {-1, -1, 0}})
+  {
+    const auto walk = walks.trace(Solver_point::at_vertex(10), direction, 100); // from (1, 1)
+    EXPECT_TRUE(walk.meets_border);
+    const double length = std::hypot(direction[0], direction[1]);
+    for(const std::size_t i : {0u, 1u, 2u})
+      EXPECT_NEAR(walk.direction[i], direction[i] / length, 1e-9);
+  }
+  const Solver_point at_border = Solver_point::at_vertex(4);
+  const Tangent_vector v =
+      walks.transport(Solver_point::at_vertex(40), at_border, Solver_walks::Vector{0, -1, 0});
+  EXPECT_NEAR(walks.vector_3(at_border, v)[1], -1, 1e-9);
+}
+
 TEST(SolverWalks, transport_vectors_and_find_means_in_a_plane)
 {
   const Solver_of solver(Soup_arrays(flat_grid(9, 7)));

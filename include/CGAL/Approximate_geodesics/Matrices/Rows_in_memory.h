@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <new>
 #include <numeric>
 #include <type_traits>
 #include <utility>

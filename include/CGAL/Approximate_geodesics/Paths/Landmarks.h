@@ -29,7 +29,7 @@ namespace CGAL::Approximate_geodesics {
  * landmarks. By the triangle inequality, they give lower bounds of the distances of any two points,
  * which lead a search from one to the other past most of the graph: the ALT algorithm of Goldberg
  * and Harrelson \cgalCite{gh-cspasmgt-05}. Unlike straight-line distances, they heed weights,
- * barriers and holes. Distances do not change by this.
+ * barriers and holes. Distances do not change by this, up to rounding in a Steiner graph.
  *
  * An object is made once for a graph, which is worth it for many pairs: it takes a search of the
  * whole graph for each landmark. `Surface_search::use_landmarks()` and
@@ -69,6 +69,9 @@ public:
 
   /// landmarks of a temporary graph would outlive it.
   explicit Landmarks(const SurfaceGraph&& graph, std::size_t number = DEFAULT_NUMBER) = delete;
+
+  /// returns the graph.
+  const SurfaceGraph& graph() const { return *m_graph; }
 
   /// returns the landmarks.
   const std::vector<Node>& nodes() const { return m_nodes; }

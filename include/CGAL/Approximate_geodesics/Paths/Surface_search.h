@@ -195,8 +195,16 @@ public:
 
   /// guides runs to a single target from now on, and those for pairs of their own source, by the
   /// landmarks of the same graph, as long as its arcs do not change. \warning `landmarks` are
-  /// referred to, not copied.
-  void use_landmarks(const Landmarks<Graph>& landmarks) { m_landmarks = &landmarks; }
+  /// referred to, not copied. \throws std::invalid_argument if they are those of another graph.
+  void use_landmarks(const Landmarks<Graph>& landmarks)
+  {
+    if(&landmarks.graph() != m_graph)
+      internal::reject("the landmarks are those of another graph");
+    m_landmarks = &landmarks;
+  }
+
+  /// temporary landmarks would not live long enough.
+  void use_landmarks(const Landmarks<Graph>&& landmarks) = delete;
 
   /// returns whether runs to a single target are guided by landmarks.
   bool uses_landmarks() const { return m_landmarks != nullptr && m_landmarks->are_valid(); }

@@ -54,13 +54,15 @@ inline std::vector<double> checked_offsets(std::vector<double> distances)
   return distances;
 }
 
-// The smallest difference of two offsets, or of the first one and the source.
-inline double smallest_step(const std::vector<double>& distances)
+// The smallest difference of two offsets, or of the first one and the source, but no less than a
+// small part of them and of an edge: errors relative to less would take points without end.
+inline double smallest_step(const std::vector<double>& distances, const double mean_edge)
 {
+  constexpr double part_of_largest = 1e-5, part_of_edge = 1e-3;
   double result = distances.front();
   for(std::size_t i = 1; i < distances.size(); ++i)
     result = (std::min)(result, distances[i] - distances[i - 1]);
-  return result;
+  return (std::max)({result, part_of_largest * distances.back(), part_of_edge * mean_edge});
 }
 
 } // namespace internal
@@ -73,7 +75,8 @@ inline double smallest_step(const std::vector<double>& distances)
  *
  * Distances are exact at vertices, and so are their slopes along edges, from the directions in
  * which shortest paths arrive. Where an offset curve crosses an edge, its distance is right up to
- * 1 % of the smallest step between two offsets. Between these points, it is straight; faces near
+ * about 1 % of the smallest step between two offsets, but for steps below a thousandth of a mean
+ * edge, or 1e-5 times the largest offset. Between these points, it is straight; faces near
  * the sources are divided for that. At points that have several shortest paths to the sources (the
  * medial axis), offset curves have corners, which may be cut off by up to a face.
  *
@@ -121,7 +124,9 @@ OutputIterator offset_curves(const TriangleMesh& tmesh,
   const std::vector<double> offsets = internal::checked_offsets(internal::numbers(distances));
   if(offsets.empty())
     return curves;
-  const Saddle_vertex_graph graph(Intrinsic_triangulation(tmesh, np));
+  static_assert(!internal::ignores_any<NamedParameters>,
+                "offset_curves() is exact, and ignores one of these named parameters");
+  const Saddle_vertex_graph graph = internal::exact_graph(tmesh, np);
   Mesh_translation translation(tmesh, internal::vertex_index_map(tmesh, np), graph.triangulation());
   translation.list_vertices();
   auto point_map = internal::vertex_point_map(tmesh, np);
@@ -131,7 +136,9 @@ OutputIterator offset_curves(const TriangleMesh& tmesh,
       search(graph, translation, std::move(point_map));
   const double margin = 2 * graph.arc_lengths().longest * graph.unit();
   search.run_from(sources, parameters::maximum_distance(offsets.back() + margin));
-  internal::Offset_tracer tracer(search.search(), offsets, internal::smallest_step(offsets));
+  const double mean_edge = graph.arc_lengths().mean * graph.unit();
+  internal::Offset_tracer tracer(search.search(), offsets,
+                                 internal::smallest_step(offsets, mean_edge));
   for(const auto& line : tracer.trace())
   {
     Offset_curve<Point_3> curve{offsets[line.number], line.is_closed, {}};

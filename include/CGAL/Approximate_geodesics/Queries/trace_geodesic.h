@@ -14,7 +14,6 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Straight_walk.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -272,8 +271,9 @@ public:
   }
 #endif
 
-  /// returns the vector in space that a tangent vector stands for, in the face that it points into.
-  /// \throws std::invalid_argument if it points out of the surface at a border vertex.
+  /// returns the vector in space that a tangent vector stands for: in the face that it points into,
+  /// or in the plane of the face that it leaves at a border.
+  /// \throws std::invalid_argument if the point is a vertex without faces.
 #ifdef DOXYGEN_RUNNING
   template <typename Point>
   Vector_3 vector_3(const Point& point, const Tangent_vector& vector) const;
@@ -286,13 +286,15 @@ public:
     internal::check_tangent_vector(vector, "the vector");
     const double angle = internal::angle_of(vector);
     auto direction = m_frames.direction(p, angle);
-    if(!direction && !p.is_vertex()) // out of the surface at a border edge
+    if(!direction && p.is_vertex())
+      direction = m_frames.direction_beyond_border(p.vertex, angle);
+    else if(!direction) // out of the surface at a border edge
       direction = m_triangulation.is_border(p.halfedge)
                       ? internal::Direction{m_triangulation.opposite(p.halfedge),
                                             angle + internal::straight_angle}
                       : internal::Direction{p.halfedge, angle};
     if(!direction)
-      internal::reject("the vector points out of the surface");
+      internal::reject("the point is a vertex without faces, which has no tangent vectors");
     return internal::vector_3<Kernel>(
         face_in_space(direction->halfedge).vector(direction->angle, internal::length(vector)));
   }

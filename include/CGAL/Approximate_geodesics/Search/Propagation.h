@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

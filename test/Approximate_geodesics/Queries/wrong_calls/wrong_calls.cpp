@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
+#include <CGAL/Approximate_geodesics/Queries/offset_curves.h>
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_borders.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
@@ -102,6 +103,10 @@ void call_wrongly(const Mesh& mesh,
 
   // voronoi_borders() and cut_locus() are exact, and read edge_length_map
   AG::voronoi_borders(mesh, vertices, parameters::epsilon(0.1));
+
+  // offset_curves() is exact
+  std::vector<AG::Offset_curve<Point>> curves;
+  AG::offset_curves(mesh, Vertex(0), 0.1, std::back_inserter(curves), parameters::epsilon(0.1));
 
   // epsilon: selective refinement gives no bound
   AG::refined_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),

@@ -115,6 +115,15 @@ public:
     find_open_labels();
   }
 
+  /// the functor of a temporary would not live long enough.
+  Tiled_grid_search(std::size_t columns,
+                    std::size_t rows,
+                    const GraphOfWindow&& graph_of_window,
+                    const std::vector<Grid_cell>& sources,
+                    std::size_t tile_side,
+                    const std::string& folder = "",
+                    const std::string& costs = "") = delete;
+
   /*!
    * settles tiles until all distances are final, or the visitor stops that.
    *
@@ -234,7 +243,7 @@ private:
     internal::check_has_cells(columns, rows);
     if(side == 0)
       internal::reject("tiles have no columns and rows");
-    return side;
+    return (std::min)(side, (std::max)(columns, rows));
   }
 
   // Finds how many nodes there are at a column and a row, and where, from the graph of one cell.

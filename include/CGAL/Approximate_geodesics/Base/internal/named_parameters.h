@@ -13,7 +13,6 @@
 #include <CGAL/tags.h>
 #include <CGAL/version.h>
 
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <ratio>

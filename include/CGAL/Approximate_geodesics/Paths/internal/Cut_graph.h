@@ -13,7 +13,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <queue>
 #include <utility>
 #include <vector>

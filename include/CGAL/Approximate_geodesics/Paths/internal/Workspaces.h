@@ -48,7 +48,7 @@ public:
 
   Borrowed borrow() { return Borrowed(take().release(), Return{this}); }
 
-  // Must be called when the weights of the graph have changed.
+  // Must be called when all weights of the graph have been exchanged.
   void clear() { m_searches.clear(); }
 
   // Returns the sum of `f(search)` over all workspaces that are not borrowed.

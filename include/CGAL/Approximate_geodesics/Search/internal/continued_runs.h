@@ -75,10 +75,11 @@ void Propagation<GeodesicGraph, PriorityQueue>::repair(const std::vector<Seed>& 
       });
       if(is_worthwhile)
       {
+        std::vector<Node> border;
+        guard([&] { border = m_repair.border(*m_graph, m_labels); });
         forget_seeds();
-        search(seeds, Stop_rule(), visitor, internal::No_heuristic(), {},
-               m_repair.border(*m_graph, m_labels));
-        m_repair.tidy(m_labels);
+        search(seeds, Stop_rule(), visitor, internal::No_heuristic(), {}, border);
+        guard([&] { m_repair.tidy(m_labels); });
         count_all();
         m_repair.finish();
         return;

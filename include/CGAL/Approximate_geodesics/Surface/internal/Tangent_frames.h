@@ -162,6 +162,18 @@ public:
     return Direction{fan.axis, 0}; // rounding
   }
 
+  // Of an angle that points out of the surface at a border vertex: from the halfedge where the gap
+  // between the faces begins.
+  std::optional<Direction> direction_beyond_border(const Index v, const double angle) const
+  {
+    const Fan f = fan(v);
+    const double full = 2 * straight_angle, on_surface = angle / f.scale();
+    for(Index h = m_triangulation.first_halfedge(v); h < m_triangulation.beyond_halfedge(v); ++h)
+      if(m_triangulation.is_border(h) && m_triangulation.counterclockwise(v, h) == f.axis)
+        return Direction{h, on_surface - full * std::floor(on_surface / full) - f.angle};
+    return std::nullopt;
+  }
+
   // The angle of the face to the left of a halfedge, at its source.
   double corner(const Index h) const { return angle_of(corner_angle(m_triangulation, h)); }
 

@@ -79,8 +79,9 @@ public:
   {
     if(size > m_size)
     {
-      m_size = 2 * size;
-      m_cones.reset(new Cone[m_size]);
+      const std::size_t larger = 2 * size;
+      m_cones.reset(new Cone[larger]);
+      m_size = larger;
     }
     return m_cones.get();
   }

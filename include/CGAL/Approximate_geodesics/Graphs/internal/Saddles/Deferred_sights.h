@@ -162,7 +162,12 @@ private:
         std::partition(m_beyond.begin(), m_beyond.end(),
                        [&](const Deferred_sight& s) { return s.smallest_label >= end; });
     for(auto s = near; s != m_beyond.end(); ++s)
-      (s->smallest_label > m_next_step ? list_of(*s) : m_resumed).push_back(*s);
+    {
+      const double step = (s->smallest_label - m_next_step) / m_step;
+      const auto i = // not beyond the last list, by rounding
+          (std::min)(static_cast<std::size_t>((std::max)(step, 0.)), number_of_steps - 1);
+      (step > 0 ? m_steps[(m_first + i) % number_of_steps] : m_resumed).push_back(*s);
+    }
     m_beyond.erase(near, m_beyond.end());
   }
 

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -58,9 +57,12 @@ public:
   double slope(const Index h) const { return m_slopes[h]; }
 
   // About the largest error of `at()`, off the medial axis; infinity where a direction is not
-  // known.
+  // known, or a path may come from beside the edge.
   double error(const Index h) const
   {
+    const Side side = this->side(h);
+    if(!((std::min)(side.start, side.end) > side.length))
+      return infinity;
     const double result = (std::min)(error_from_ends(h), error_of_cubic(h));
     return std::isnan(result) ? infinity : result;
   }

@@ -64,6 +64,9 @@ public:
           if(line.points.empty() || !p.is_same(line.points.back(), triangulation))
             line.points.push_back(p);
         }
+        while(is_closed && line.points.size() > 1 &&
+              line.points.back().is_same(line.points.front(), triangulation))
+          line.points.pop_back();
         if(line.points.size() > 1)
           result.push_back(std::move(line));
       }

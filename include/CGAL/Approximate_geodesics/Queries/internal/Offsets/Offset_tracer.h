@@ -52,11 +52,8 @@ public:
     for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
       m_values.push_back(m_search.distance(Intrinsic_point::at_vertex(v)));
     for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
-    {
-      check_for_interruption_at(h);
       if(!m_triangulation.is_border(h) && m_triangulation.first_of_face(h) == h)
         add_face(h);
-    }
     return m_lines.lines(m_triangulation);
   }
 
@@ -120,12 +117,15 @@ private:
       sides[i] = {m_triangulation.length(halfedges[i]) * m_triangulation.unit(), halfedges[i]};
     }
     m_in_face = Distances_in_face(m_triangulation, m_on_edges, h);
+    m_middles_in_face.clear();
+    m_first_crossings_in_face.clear();
     divide(triangle, sides, 0);
   }
 
   void divide(const Triangle& t, const Sides& sides, const int depth)
   {
     constexpr int deepest = 24;
+    check_for_interruption_at(m_number_of_triangles++);
     const auto [low, high] = range(t);
     const double reach = (std::max)({sides[0].length, sides[1].length, sides[2].length});
     const auto first = std::lower_bound(m_distances.begin(), m_distances.end(), low - reach);
@@ -212,8 +212,9 @@ private:
 
   Corner middle(const Corner& a, const Corner& b, const Side& side)
   {
+    auto& middles = side.is_part_of_edge() ? m_middles : m_middles_in_face;
     const auto [it, is_new] =
-        m_middles.try_emplace(key(a, b, side), static_cast<std::uint32_t>(m_values.size()));
+        middles.try_emplace(key(a, b, side), static_cast<std::uint32_t>(m_values.size()));
     const Corner result = between(a, b, 0.5, it->second);
     if(is_new)
       m_values.push_back(has_slopes(side) ? value(side, 0.5) : value(result));
@@ -252,8 +253,9 @@ private:
   crossing(const Corner& below, const Corner& above, const Side& side, const std::size_t number)
   {
     const std::size_t first = first_above(m_values[below.number]);
+    auto& crossings = side.is_part_of_edge() ? m_first_crossings : m_first_crossings_in_face;
     const auto [it, is_new] =
-        m_first_crossings.try_emplace(key(below, above, side), m_lines.number_of_points());
+        crossings.try_emplace(key(below, above, side), m_lines.number_of_points());
     if(is_new)
     {
       const std::size_t beyond = first_above(m_values[above.number]);
@@ -325,8 +327,10 @@ private:
   Index m_face = null_index; // a halfedge of the present one
   Distances_in_face m_in_face;
   std::vector<double> m_values; // of corners; those of the vertices come first
-  std::unordered_map<std::uint64_t, std::uint32_t> m_middles;
-  std::unordered_map<std::uint64_t, std::size_t> m_first_crossings; // of sides
+  // Of sides; two faces may have the same corners, but not the same lines between them.
+  std::unordered_map<std::uint64_t, std::uint32_t> m_middles, m_middles_in_face;
+  std::unordered_map<std::uint64_t, std::size_t> m_first_crossings, m_first_crossings_in_face;
+  std::size_t m_number_of_triangles = 0;
   Offset_lines m_lines;
 };
 
