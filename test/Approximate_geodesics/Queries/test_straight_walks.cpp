@@ -255,10 +255,13 @@ TEST(StraightWalks, around_a_cube_come_back_to_their_start)
       const Space_vector first = tracer.vector_3(start, at_angle(angle)),
                          last = tracer.vector_3(walk.points.back(), walk.direction);
       EXPECT_NEAR(first.squared_length(), last.squared_length(), 1e-9);
-      const auto beyond = [&](const double further) {
-        return position(cube, tracer.trace(start, at_angle(angle), further).points.back());
+      const auto beyond = [&cube, &tracer](const auto& from, const double way,
+                                           const double further) {
+        return position(cube, tracer.trace(from, at_angle(way), further).points.back());
       };
-      EXPECT_LT(std::sqrt(CGAL::squared_distance(beyond(length + 0.25), beyond(0.25))), 1e-12);
+      EXPECT_LT(std::sqrt(CGAL::squared_distance(beyond(start, angle, length + 0.25),
+                                                 beyond(start, angle, 0.25))),
+                1e-12);
     }
   }
 }
