@@ -131,7 +131,7 @@ private:
     double size = 0;
     for(std::size_t i = 0; i < 3; ++i)
       size = (std::max)(size, length(layout.edge(i, (i + 1) % 3)));
-    if(!(cross(layout.edge(0, 1), layout.edge(0, 2)) / size > smallest_height * size))
+    if(!(size > 0 && cross(layout.edge(0, 1), layout.edge(0, 2)) / size > smallest_height * size))
       return;
     for(const Index h : m_triangulation.halfedges_of_face(face_of))
     {
