@@ -115,10 +115,10 @@ private:
       search.use_landmarks(*landmarks);
     search.collect_statistics(true);
     Pair_times result;
-    for(const auto& [source, target] : m_pairs)
+    for(const auto& pair : m_pairs)
     {
-      result.seconds.push_back(seconds_of([&] { search.run_to(target, {{source}}); }));
-      result.distances.push_back(search.distance(target));
+      result.seconds.push_back(seconds_of([&] { search.run_to(pair.second, {{pair.first}}); }));
+      result.distances.push_back(search.distance(pair.second));
       result.number_of_nodes += search.search().statistics().settled_nodes;
     }
     return result;

@@ -128,7 +128,7 @@ private:
       }
       if(!result.empty())
         throw std::invalid_argument("there is more than one polyline");
-      if(!(numbers[0] >= 1 && numbers.size() == 3 * numbers[0] + 1))
+      if(!(numbers[0] >= 1 && double(numbers.size()) == 3 * numbers[0] + 1))
         throw std::invalid_argument("the number of points must come first, and then three "
                                     "coordinates of each");
       for(std::size_t i = 1; i < numbers.size(); i += 3)
