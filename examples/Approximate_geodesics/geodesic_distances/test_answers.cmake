@@ -35,10 +35,10 @@ answer("\n3 +curve +0.75\n" square.off --curve polyline:middle.txt -t 3 -e 0)
 answer("distance, smallest +-0.75\n" square.off --curve polyline:middle.txt -e 0 --signed --csv)
 expect_contents(geodesic_distances.csv "\n0,0,0,0,0.25,0\n1,1,0,0,0.25,0\n2,1,1,0,-0.75,0\n3,0,1,0,-0.75,0\n$")
 answer("Written: .*_offsets.vtp geodesic_distances_offsets.polylines.txt"
-       square.off --curve 0 1 -e 0 --offset step:0.25)
-expect_contents(geodesic_distances_offsets.vtp "NumberOfLines=\"4\"")
-answer("_offsets.vtp" square.off --curve polyline:middle.txt -e 0 --signed --offset step:0.25)
+       square.off --curve 0 1 -e 0 --offset 0.25 0.5 0.75)
+expect_contents(geodesic_distances_offsets.vtp "NumberOfLines=\"3\"")
 expect_contents(geodesic_distances_offsets.polylines.txt "^[0-9]+ 1 0.25 0 [^\n]* 0 0.25 0\n[0-9]+ 1 0.5 0 ")
+answer("_offsets.vtp" square.off --curve polyline:middle.txt -e 0 --signed --offset step:0.25)
 answer("--offset: there are none at 1 of the distances, such as 7; " square.off -e 0 --offset 0.5 7)
 answer("_offsets.vtp" square.off -e 0 -s 0.25,0.25,0 --offset count:3)
 

@@ -45,7 +45,7 @@ expect_line(1 "work/sources has files of another task; delete it, or choose anot
 file(REMOVE_RECURSE ${folder}/work)
 
 # no room on disk
-expect_line(1 "work/friction cannot be written: File too large"
+expect_line(1 "work/terrain_routes_friction cannot be written: File too large"
             "ulimit -f 500 && \"$0\" large.asc -s cell:3,4 -o w -w work")
 expect_line(1 "work/sources/labels cannot be written: File too large"
             "ulimit -f 2000 && \"$0\" large.asc -s cell:3,4 -o w -w work -e 0.5")
