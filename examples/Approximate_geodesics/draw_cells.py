@@ -13,14 +13,11 @@ Needs VTK (Debian: python3-vtk9), and a display or a substitute for one (Debian:
 import os
 import sys
 
-import vtk
-
 sys.dont_write_bytecode = True  # beside the sources
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path += [here, os.path.join(here, "geodesic_distances")]
-from draw_picture import place_camera
-from draw_field import IVORY, RED, place_lights, save, surface_actor
-from draw_loops import loops_actor, read_off
+from draw_field import IVORY, RED, surface_actor
+from draw_loops import draw, loops_actor, read_off
 
 SIZE = (1400, 1400)
 
@@ -28,20 +25,8 @@ SIZE = (1400, 1400)
 def main(mesh, folder=".", azimuth="0", elevation="10", up="y"):
     start = os.path.join(folder, "exact_cells")
     surface = read_off(mesh)
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(surface_actor(surface, IVORY))
-    borders = start + ".polylines.txt"
-    renderer.AddActor(loops_actor(borders, 0.0015 * surface.GetLength(), RED))
-    place_lights(renderer)
-    place_camera(renderer, float(azimuth), float(elevation), up)
-    renderer.GetActiveCamera().Zoom(0.98)
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(*SIZE)
-    window.AddRenderer(renderer)
-    save(window, start + ".png")
+    borders = loops_actor(start + ".polylines.txt", 0.0015 * surface.GetLength(), RED)
+    draw(start + ".png", (surface_actor(surface, IVORY), borders), (azimuth, elevation, up), 0.98, SIZE)
 
 
 if __name__ == "__main__":

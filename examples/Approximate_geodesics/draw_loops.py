@@ -57,26 +57,36 @@ def first_points(name):
     return result
 
 
+def draw(file, actors, camera, zoom, size):
+    """Writes a picture of actors. `camera` is an azimuth, an elevation, and the axis that points up."""
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for actor in actors:
+        renderer.AddActor(actor)
+    place_lights(renderer)
+    azimuth, elevation, up = camera
+    place_camera(renderer, float(azimuth), float(elevation), up)
+    renderer.GetActiveCamera().Zoom(zoom)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(8)
+    window.SetSize(*size)
+    window.AddRenderer(renderer)
+    save(window, file)
+
+
 def main(mesh, folder=".", azimuth="20", elevation="35", up="y"):
     start = os.path.join(folder, "loops")
     surface = read_off(mesh)
     unit = surface.GetLength()
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(surface_actor(surface, IVORY))
     fixed = start + "_fixed.polylines.txt"
-    renderer.AddActor(loops_actor(fixed, 0.003 * unit, BLUE))
-    renderer.AddActor(balls_actor(first_points(fixed), 0.009 * unit, DARK))
-    renderer.AddActor(loops_actor(start + "_free.polylines.txt", 0.004 * unit, RED))
-    place_lights(renderer)
-    place_camera(renderer, float(azimuth), float(elevation), up)
-    renderer.GetActiveCamera().Zoom(1.05)
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(*SIZE)
-    window.AddRenderer(renderer)
-    save(window, start + ".png")
+    actors = (
+        surface_actor(surface, IVORY),
+        loops_actor(fixed, 0.003 * unit, BLUE),
+        balls_actor(first_points(fixed), 0.009 * unit, DARK),
+        loops_actor(start + "_free.polylines.txt", 0.004 * unit, RED),
+    )
+    draw(start + ".png", actors, (azimuth, elevation, up), 1.05, SIZE)
 
 
 if __name__ == "__main__":
