@@ -500,4 +500,6 @@ struct std::hash<CGAL::Approximate_geodesics::internal::Element_index<KIND>>
   }
 };
 
+#include <CGAL/Approximate_geodesics/Mesh/internal/Soup_links.h>
+
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_TRIANGLE_SOUP_MESH_H

@@ -14,7 +14,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -223,9 +222,6 @@ public:
     m_result.m_unit = lengths.unit;
     m_result.m_first_halfedge = std::move(adjacency.first_of_vertex);
     m_result.m_target = std::move(adjacency.target_of_halfedge);
-    m_result.m_vertex_of_index.resize(m_vertices.size());
-    std::iota(m_result.m_vertex_of_index.begin(), m_result.m_vertex_of_index.end(), Index(0));
-    m_result.m_index_of_vertex = m_result.m_vertex_of_index;
     free_memory();
     return true;
   }
