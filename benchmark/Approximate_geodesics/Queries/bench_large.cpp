@@ -86,43 +86,50 @@ void measure_steps(const Soup_mesh& mesh,
   result.workspace = double(search->memory());
 }
 
-// Medians of several calls; all in a process of its own, for its peak of memory.
+// In a process of its own, which has nothing in memory before: so calls on all meshes have their
+// memory cleared by the system, and their peak of memory is known.
 template <typename Graph, typename NamedParameters>
 Figures
-measure_call(const Make_arrays& make_arrays, const std::size_t rounds, const NamedParameters& np)
+measure_call(const Make_arrays& make_arrays, const std::size_t round, const NamedParameters& np)
 {
   const std::vector<double> numbers =
       numbers_from_child(Figures::number, SECONDS_AT_MOST, [&](double* const numbers) {
         const double before = resident_memory();
         const Mesh_arrays arrays = make_arrays();
-        std::mt19937_64 random(1);
-        std::vector<double> distances(arrays.points.size()), pairings, calls;
-        std::size_t source = 0;
-        for(std::size_t round = 0; round < rounds; ++round)
-        {
-          source = random() % distances.size();
-          release_free_memory(); // as at first
-          std::unique_ptr<Soup_mesh> mesh;
-          pairings.push_back(seconds_of(
-              [&] { mesh = std::make_unique<Soup_mesh>(arrays.points, arrays.triangles); }));
-          const auto map =
-              boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, *mesh));
-          calls.push_back(pairings.back() + seconds_of([&] {
-                            CGAL::approximate_geodesic_distances(*mesh, map, mesh->vertex(source),
-                                                                 np);
-                          }));
-        }
-        Figures& result = *reinterpret_cast<Figures*>(numbers);
+        std::vector<double> distances(arrays.points.size());
+        std::mt19937_64 random(round);
+        const std::size_t source = random() % distances.size();
+        Figures result;
+        std::unique_ptr<Soup_mesh> mesh;
+        result.pairing = seconds_of(
+            [&] { mesh = std::make_unique<Soup_mesh>(arrays.points, arrays.triangles); });
+        const auto map =
+            boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, *mesh));
+        result.call = result.pairing + seconds_of([&] {
+                        CGAL::approximate_geodesic_distances(*mesh, map, mesh->vertex(source), np);
+                      });
         result.peak = peak_memory() - before;
         result.vertices = double(arrays.points.size());
-        result.pairing = median(pairings);
-        result.call = median(calls);
         result.arrays = arrays.memory() + double(distances.size() * sizeof(double));
-        const Soup_mesh mesh(arrays.points, arrays.triangles);
-        result.mesh = double(mesh.memory());
-        measure_steps<Graph>(mesh, source, np, result);
+        result.mesh = double(mesh->memory());
+        measure_steps<Graph>(*mesh, source, np, result);
+        *reinterpret_cast<Figures*>(numbers) = result;
       });
   return *reinterpret_cast<const Figures*>(numbers.data());
+}
+
+// The call that takes the median time.
+template <typename Graph, typename NamedParameters>
+Figures
+measure_calls(const Make_arrays& make_arrays, const std::size_t rounds, const NamedParameters& np)
+{
+  std::vector<Figures> all;
+  for(std::size_t round = 0; round < rounds; ++round)
+    all.push_back(measure_call<Graph>(make_arrays, round, np));
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(rounds / 2);
+  std::nth_element(all.begin(), middle, all.end(),
+                   [](const Figures& f, const Figures& g) { return f.call < g.call; });
+  return *middle;
 }
 
 class Call_benchmark
@@ -143,7 +150,7 @@ public:
            const NamedParameters& np)
   {
     std::cerr << name << ", " << paths << " ...\n";
-    const Figures f = measure_call<Graph>(make_arrays, rounds, np);
+    const Figures f = measure_calls<Graph>(make_arrays, rounds, np);
     const double first = m_first.try_emplace(paths, f.call / f.vertices).first->second;
     Table::Row row = m_table.add_row();
     row.add(name).add(f.vertices, 0).add(paths);

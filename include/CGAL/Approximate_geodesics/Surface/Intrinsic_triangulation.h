@@ -592,10 +592,10 @@ private:
   internal::Opposite_ranks m_opposite_rank;
   internal::Thin_faces m_thin_faces;
   internal::Face_gauges m_gauges;
-  std::vector<double> m_weight;   // per halfedge, or empty
-  std::vector<bool> m_is_barrier; // likewise
-  std::vector<bool> m_is_lifted;  // likewise
-  std::vector<bool> m_is_flipped; // likewise
+  std::vector<double> m_weight;         // per halfedge, or empty
+  std::vector<bool> m_is_barrier;       // likewise
+  std::vector<bool> m_is_lifted;        // likewise
+  std::vector<bool> m_is_flipped;       // likewise
   std::vector<Index> m_vertex_of_index; // empty if vertices keep their indices
   std::vector<Index> m_index_of_vertex; // likewise
   Index m_number_of_faces = 0;
