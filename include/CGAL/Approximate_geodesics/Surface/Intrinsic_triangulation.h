@@ -238,6 +238,8 @@ public:
   /// none.
   Index vertex(const std::size_t i) const
   {
+    if(m_vertex_of_index.empty())
+      return i < number_of_vertices() ? static_cast<Index>(i) : null_index;
     return i < m_vertex_of_index.size() ? m_vertex_of_index[i] : null_index;
   }
 
@@ -245,7 +247,7 @@ public:
   Index index(const Index v) const
   {
     CGAL_precondition(v < number_of_vertices());
-    return m_index_of_vertex[v];
+    return m_index_of_vertex.empty() ? v : m_index_of_vertex[v];
   }
 
   /// @}
@@ -590,12 +592,12 @@ private:
   internal::Opposite_ranks m_opposite_rank;
   internal::Thin_faces m_thin_faces;
   internal::Face_gauges m_gauges;
-  std::vector<double> m_weight;   // per halfedge, or empty
-  std::vector<bool> m_is_barrier; // likewise
-  std::vector<bool> m_is_lifted;  // likewise
-  std::vector<bool> m_is_flipped; // likewise
-  std::vector<Index> m_vertex_of_index;
-  std::vector<Index> m_index_of_vertex;
+  std::vector<double> m_weight;         // per halfedge, or empty
+  std::vector<bool> m_is_barrier;       // likewise
+  std::vector<bool> m_is_lifted;        // likewise
+  std::vector<bool> m_is_flipped;       // likewise
+  std::vector<Index> m_vertex_of_index; // empty if vertices keep their indices
+  std::vector<Index> m_index_of_vertex; // likewise
   Index m_number_of_faces = 0;
   double m_unit = 1;
   double m_weight_unit = 1;
