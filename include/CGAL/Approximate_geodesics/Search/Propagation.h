@@ -509,7 +509,7 @@ private:
     return (std::min)(m_limit, to_graph_unit(stop.maximum_distance));
   }
 
-  // Nodes in `border` have labels, and are expanded with these, too.
+  // Nodes in `border` have labels already; the search starts from them, too.
   template <typename Visitor, typename Heuristic>
   void search(const std::vector<Seed>& seeds,
               const Stop_rule& stop,

@@ -26,7 +26,7 @@ namespace CGAL::Approximate_geodesics::internal {
 class Distances_in_face
 {
 public:
-  // An object for no face.
+  // Without a face.
   Distances_in_face() = default;
 
   // The face is that to the left of `h`.
