@@ -105,6 +105,7 @@ measure_call(const Make_arrays& make_arrays, const std::size_t round, const Name
 {
   const std::vector<double> numbers =
       numbers_from_child(Figures::number, SECONDS_AT_MOST, [&](double* const numbers) {
+        release_free_memory();
         const double before = resident_memory();
         const Mesh_arrays arrays = make_arrays();
         std::vector<double> distances(arrays.points.size());
@@ -202,6 +203,7 @@ void measure_file(const std::string& name, const Make_arrays& make_arrays, Table
       throw std::runtime_error("cannot write " + file.string());
   };
   const auto read = [&](double* const result) {
+    release_free_memory();
     const double before = resident_memory();
     Mesh_arrays arrays;
     result[0] = seconds_of([&] { AG::read_soup(file.string(), arrays.points, arrays.triangles); });
