@@ -82,9 +82,9 @@ TEST_F(Solver_pairs, may_be_prepared)
   for(const auto epsilon : {std::optional<double>(), std::optional(0.2)})
   {
     Solver_of solver(m_arrays, bound(epsilon));
+    const std::size_t memory = solver.memory();
     const std::vector<double> expected = distances(solver);
     std::vector<double> intervals(2 * expected.size());
-    const std::size_t memory = solver.memory();
     solver.prepare_pairs(3);
     EXPECT_GT(solver.memory(), memory);
     const std::vector<double> found = distances(solver);
