@@ -264,12 +264,12 @@ TEST(Triangle_soup_mesh, names_edges_that_are_not_manifold)
 
 TEST(Triangle_soup_mesh, names_vertices_that_are_not_manifold)
 {
-  using Triangles = std::vector<std::array<std::size_t, 3>>;
+  using Triples = std::vector<std::array<std::size_t, 3>>;
   const std::vector<Point> points(9, Point(0, 0, 0));
-  const Triangles two_corners{{4, 1, 2}, {3, 4, 5}};
-  const Triangles closed{{4, 0, 1}, {4, 1, 2}, {4, 2, 0}, {4, 5, 6}, {4, 6, 7}, {4, 7, 5}};
-  const Triangles closed_and_open{{4, 5, 6}, {4, 0, 1}, {4, 1, 2}, {4, 2, 0}};
-  for(const Triangles& triangles : {two_corners, closed, closed_and_open})
+  const Triples two_corners{{4, 1, 2}, {3, 4, 5}};
+  const Triples closed{{4, 0, 1}, {4, 1, 2}, {4, 2, 0}, {4, 5, 6}, {4, 6, 7}, {4, 7, 5}};
+  const Triples closed_and_open{{4, 5, 6}, {4, 0, 1}, {4, 1, 2}, {4, 2, 0}};
+  for(const Triples& triangles : {two_corners, closed, closed_and_open})
     expect_message<std::invalid_argument>([&] { Triangle_soup_mesh(points, triangles); },
                                           "vertex 4 is not manifold");
 }
