@@ -572,13 +572,14 @@ public:
   /*!
    * prepares for many pairs: makes landmarks, see `Landmarks`, which guide searches to single
    * targets from now on. After weights or barriers have changed, they are not used any more, until
-   * this is called again. With weights, pairs then take a small part of the time.
+   * this is called again. With weights, pairs then take a small part of the time. In a list, each
+   * pair is then a search of its own: for very many targets of each source, do not prepare.
    *
    * \pre `Graph` has a member function `asymmetry()`, as `Steiner_graph` does.
    *
    * \throws std::invalid_argument if `number_of_landmarks` is `0`.
    *
-   * Run time is that of a search of all vertices for each landmark.
+   * Run time and memory are those of the constructor of `Landmarks`.
    */
   void prepare_pairs(const std::size_t number_of_landmarks = Landmarks<Graph>::DEFAULT_NUMBER)
   {
