@@ -387,13 +387,13 @@ class Solver:
 
         Distances from some landmarks are kept. They guide `path`, `pair_distances` and `paths` to
         each target, past most of the mesh: with face weights, these then take a small part of the
-        time. Distances stay the same, up to rounding. Not for exact distances. No other thread may
-        use the solver meanwhile.
+        time, and so do exact ones. Distances stay the same, up to rounding. No other thread may use
+        the solver meanwhile.
 
         Parameters
         ----------
         landmarks : int
-            Their number: each takes two searches of the whole mesh, and 8 bytes per point of it.
+            Their number: each takes two searches of the whole mesh, and 8 bytes per node.
         progress : callable, optional
             Called with how many nodes were reached, and of how many, from 0 on for each search.
         """
