@@ -417,6 +417,26 @@ TEST(Directional_costs, have_the_bound_with_random_gauges)
   }
 }
 
+// Small surfaces: most paths pass near vertices.
+TEST(Directional_costs, have_the_bound_on_a_hundred_surfaces)
+{
+  Random random(test_seed());
+  for(int i = 0; i < 100; ++i)
+  {
+    SCOPED_TRACE(i);
+    const Mesh mesh = to_mesh(i % 4 == 0   ? fan(3 + std::size_t(i % 9), random.between(0, 2))
+                              : i % 4 == 1 ? sphere(4, 3)
+                                           : terrain(4, 3, random));
+    const auto cost = mixed_gauges(mesh, random);
+    const double epsilon = std::pow(10., random.between(-1, 0));
+    const Vertex source(Mesh::size_type(i) % mesh.number_of_vertices());
+    const auto found = distances(mesh, bounded_graph(mesh, cost, epsilon), source);
+    const auto reference = distances(mesh, dense_graph(mesh, cost, 40), source);
+    for(const Vertex v : mesh.vertices())
+      EXPECT_LE(found[v], (1 + 1e-9) * (1 + epsilon) * reference[v]);
+  }
+}
+
 // Walkers on a slope that is not steep go straight, also if they are not sampled.
 TEST(Directional_costs, are_those_of_a_slope)
 {
