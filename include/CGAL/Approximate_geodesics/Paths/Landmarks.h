@@ -28,7 +28,7 @@ namespace CGAL::Approximate_geodesics {
  * The distances of all nodes of a graph from a few nodes that are far from each other, the
  * landmarks. By the triangle inequality, they give lower bounds of the distances of any two points,
  * which lead a search from one to the other past most of the graph: the ALT algorithm of Goldberg
- * and Harrelson \cgalCite{gh-cspasmgt-05}. Unlike straight-line distances, they heed weights,
+ * and Harrelson \cgalCite{gh-cspasmgt-05}. Unlike straight-line distances, they reflect weights,
  * barriers and holes. Distances do not change by this, up to rounding in a Steiner graph.
  *
  * An object is made once for a graph, which is worth it for many pairs: it takes a search of the

@@ -189,7 +189,7 @@ private:
     return before == Search::Search::null_node || before == m_source.vertex;
   }
 
-  // That of the straight line from the source.
+  // The angle of the straight line from the source.
   double angle_of_line(const Node node)
   {
     m_points.assign(1, m_source);

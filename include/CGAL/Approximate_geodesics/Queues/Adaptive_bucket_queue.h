@@ -342,12 +342,22 @@ public:
    * of `extract_min()` or `clear()`.
    * \pre `!is_empty()`
    */
-  Batch extract_min() { return extract(LARGEST_BATCH); }
+  Batch extract_min() { return extract_round(LARGEST_BATCH); }
 
   /// removes and returns current entries of the first nonempty bucket, at most `largest_batch`: a
   /// batch that is large enough for several threads. Remaining entries are extracted next.
   /// \pre `!is_empty()`
-  Batch extract_round(const std::size_t largest_batch) { return extract(largest_batch); }
+  Batch extract_round(const std::size_t largest_batch)
+  {
+    CGAL_precondition(!is_empty());
+    if(m_next == m_round.size())
+      start_next_round();
+    const Entry* const first = m_round.data() + m_next;
+    const std::size_t size = (std::min)(m_round.size() - m_next, largest_batch);
+    m_next += size;
+    m_size -= size;
+    return Batch(first, first + size);
+  }
 
   /// the largest number of entries in a batch.
   static constexpr std::size_t LARGEST_BATCH = 32;
@@ -402,18 +412,6 @@ private:
 
   static constexpr Index LARGEST_CIRCLE = 1024; // arcs longer than 1023 widths are rare
   static constexpr Index LARGEST_INDEX = Index(1) << 62;
-
-  Batch extract(const std::size_t largest_batch)
-  {
-    CGAL_precondition(!is_empty());
-    if(m_next == m_round.size())
-      start_next_round();
-    const Entry* const first = m_round.data() + m_next;
-    const std::size_t size = (std::min)(m_round.size() - m_next, largest_batch);
-    m_next += size;
-    m_size -= size;
-    return Batch(first, first + size);
-  }
 
   // Monotone in `key`, which suffices for correctness.
   Index bucket_index(const Key key) const

@@ -572,7 +572,7 @@ private:
     m_is_complete = true; // nothing is reached
   }
 
-  // Afterwards, labels are to be those of the graph as it is now.
+  // Prepares for labels of the graph in its present state.
   void forget_seeds()
   {
     m_seeds.clear();

@@ -324,7 +324,7 @@ private:
 
   bool spreads_bounds() const { return is_rough() && !m_distance_to_goal; }
 
-  // From time to time, as far as sights are followed until the next time.
+  // Spreads bounds at intervals of the horizon, as far as sights are followed until the next time.
   void spread_bounds()
   {
     const double horizon = m_sights.horizon(), distance = distance_of_horizon();
@@ -334,8 +334,8 @@ private:
     m_last_spread = horizon;
   }
 
-  // The largest label of nodes that are expanded; if there are none, that of the next sights, as
-  // the search may have come there.
+  // The largest label of nodes that are expanded; if there are none, that of the next sights, which
+  // the search may have reached.
   template <typename Labels>
   double
   label_reached(const Node* const nodes, const std::size_t number, const Labels& labels) const

@@ -166,7 +166,7 @@ private:
       m_corners.push_back(m_entry ? entry().point(u) : Plane_vector{0, 0});
   }
 
-  // Whether no point of the face is seen through both windows: most pairs are told apart by that.
+  // Whether no point of the face is seen through both windows. This quick test excludes most pairs.
   bool is_beside(const Placed_window& v) const
   {
     const Plane_vector tip = v.tip - m_window.tip;

@@ -26,7 +26,7 @@ namespace CGAL::Approximate_geodesics::internal {
 class Distances_in_face
 {
 public:
-  // That of no face.
+  // An object for no face.
   Distances_in_face() = default;
 
   // The face is that to the left of `h`.
@@ -52,7 +52,7 @@ public:
       m_error = largest_difference();
   }
 
-  // About the largest error of `at()`; infinity where a direction is not known.
+  // An estimate of the largest error of `at()`; infinity where a direction is not known.
   double error() const { return m_error; }
 
   // The distance of the point with these weights of the corners.
@@ -87,7 +87,7 @@ private:
     }
   };
 
-  // From the slopes along two sides.
+  // The direction in which the line arrives at a corner, from the slopes along its two sides.
   static Plane_vector direction(const Plane_vector side,
                                 const Plane_vector other,
                                 const double slope,
@@ -100,7 +100,7 @@ private:
     return turned_left(1 / l * turned, 1 / a * side);
   }
 
-  // Infinity if any direction is not a number.
+  // The largest difference between corners; infinity if any direction is not a number.
   double largest_difference() const
   {
     double result = 0;

@@ -53,11 +53,11 @@ public:
   // The length of the last line of the path to a vertex; infinity if lines are parallel.
   double straight(const Index v) const { return m_straight[v]; }
 
-  // That of the distance at the source of a halfedge; not a number if it is not known.
+  // The slope of the distance at the source of a halfedge; not a number if it is not known.
   double slope(const Index h) const { return m_slopes[h]; }
 
-  // About the largest error of `at()`, off the medial axis; infinity where a direction is not
-  // known, or a path may come from beside the edge.
+  // An estimate of the largest error of `at()`, off the medial axis; infinity where a direction is
+  // not known, or a path may come from beside the edge.
   double error(const Index h) const
   {
     const Side side = this->side(h);
@@ -94,7 +94,8 @@ private:
             m_slopes[m_triangulation.opposite(h)], m_triangulation.length(h)};
   }
 
-  // The distance at `x` from the source of `h`, if paths come from where that to the source does.
+  // The distance at `x` from the source of `h`, if all last lines start where that to the source
+  // does.
   double from_start(const Index h, const double x) const
   {
     const Index v = m_triangulation.source(h);
@@ -106,7 +107,8 @@ private:
     return end + straight > 0 ? distance + difference / (straight + end) : distance;
   }
 
-  // By how much that is wrong at the other end; not a number if a slope is not known.
+  // The error of `from_start()` at the other end, of both directions together; not a number if a
+  // slope is not known.
   double difference(const Index h) const
   {
     const Index opposite = m_triangulation.opposite(h);

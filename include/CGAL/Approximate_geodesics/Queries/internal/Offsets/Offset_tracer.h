@@ -272,20 +272,20 @@ private:
     return {side.length, m_triangulation.opposite(side.halfedge), 1 - side.end, 1 - side.begin};
   }
 
-  // Whether the slopes at the ends of an edge tell the distance on a side well enough.
+  // Whether the slopes at the ends of an edge determine the distance on a side well enough.
   bool has_slopes(const Side& side) const
   {
     return side.is_part_of_edge() && is_small(m_on_edges.error(side.halfedge));
   }
 
-  // Found from them, at a part of the way.
+  // The distance that follows from these slopes, at a part of the way along the side.
   double value(const Side& side, const double t) const
   {
     return m_on_edges.at(side.halfedge, side.begin + t * (side.end - side.begin)) *
            m_triangulation.unit();
   }
 
-  // Where the distance has a value, as a part of the way.
+  // The part of the way along a side at which an isoline crosses it.
   double
   part(const Corner& below, const Corner& above, const Side& side, const std::size_t number) const
   {
@@ -295,7 +295,7 @@ private:
                 [&](const double t) { return value(between(below, above, t, 0)); });
   }
 
-  // By linear interpolation between points that come closer to each other.
+  // Finds it by regula falsi.
   template <typename Value>
   double part(const Corner& below,
               const Corner& above,
