@@ -84,7 +84,7 @@ class Surface_mesh_shortest_path : public Surface_locations<TriangleMesh>
     Source_point source; // a point of the curve if there is one
     std::optional<Intrinsic_curve> curve = std::nullopt;
 
-    // The source as a curve, if need be.
+    // Converts a point to a curve that consists of it.
     Intrinsic_curve as_curve() const
     {
       return curve ? *curve : Intrinsic_curve{{{source.point}}, {}, source.distance};
@@ -106,7 +106,7 @@ public:
   /// the search, with its results.
   using Search = Propagation<SurfaceGraph, PriorityQueue>;
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
   using typename Locations::Barycentric_coordinates;
   using typename Locations::face_descriptor;
   using typename Locations::Face_location;
@@ -115,7 +115,7 @@ public:
   using typename Locations::Surface_point;
   using typename Locations::Triangle_mesh;
   using typename Locations::vertex_descriptor;
-#endif
+  /// \endcond
 
 #ifdef DOXYGEN_RUNNING
   /// a model of `BidirectionalIterator` with value type `Face_location`. It stays valid until its
@@ -572,13 +572,14 @@ public:
   /*!
    * prepares for many pairs: makes landmarks, see `Landmarks`, which guide searches to single
    * targets from now on. After weights or barriers have changed, they are not used any more, until
-   * this is called again. With weights, pairs then take a small part of the time.
+   * this is called again. With weights, pairs then take a small part of the time. In a list, each
+   * pair is then a search of its own: for very many targets of each source, do not prepare.
    *
    * \pre `Graph` has a member function `asymmetry()`, as `Steiner_graph` does.
    *
    * \throws std::invalid_argument if `number_of_landmarks` is `0`.
    *
-   * Run time is that of a search of all vertices for each landmark.
+   * Run time and memory are those of the constructor of `Landmarks`.
    */
   void prepare_pairs(const std::size_t number_of_landmarks = Landmarks<Graph>::DEFAULT_NUMBER)
   {
@@ -676,9 +677,9 @@ public:
   /// \name Access
   /// @{
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
   using Locations::point;
-#endif
+  /// \endcond
 
   /// returns the position of a point of the surface.
   Point_3 point(const Surface_point& p) const { return point_of(m_translation.intrinsic_point(p)); }

@@ -144,7 +144,11 @@ public:
     if(!triangulation.is_crossable(h))
       return 0;
     const std::size_t result = progressions(triangulation, h).number_of_points();
-    return result <= m_largest_number ? result : number_if_given_up();
+    if(result <= m_largest_number)
+      return result;
+    constexpr double largest = 20; // if the bound was given up
+    return (std::min)(m_largest_number,
+                      static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
   }
 
   /// writes the positions of these points to `positions`. `number_of_points` is the result of
@@ -187,13 +191,6 @@ private:
       internal::reject("the bound epsilon cannot be kept, as " + reason +
                        "; accept_weaker_bound(true) accepts that there is no bound");
     m_bound = infinity;
-  }
-
-  std::size_t number_if_given_up() const
-  {
-    constexpr double largest = 20;
-    return (std::min)(m_largest_number,
-                      static_cast<std::size_t>(largest / std::sqrt(m_epsilon)) + 1);
   }
 
   // Computes, per corner, the largest logarithm of the ratio of distances of neighbors, and per

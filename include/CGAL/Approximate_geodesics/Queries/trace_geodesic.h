@@ -398,9 +398,10 @@ private:
  * larger angle. So a walk along a straight border goes on along it.
  *
  * A walk that would miss a vertex ahead by less than \f$10^{-12}\f$ of the length of an edge goes
- * through the vertex. Through vertices on both sides of which it could go on, the end is no
- * continuous function of the direction; elsewhere, it is accurate up to rounding, and the same walk
- * backward, from the end, in the direction opposite to that at the end, returns to the start.
+ * through the vertex. Through vertices on both sides of which it could go on, the end is
+ * not a continuous function of the direction; elsewhere, it is accurate up to rounding, and the
+ * same walk backward, from the end, in the direction opposite to that at the end, returns to the
+ * start.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam Point `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, `Face_location`, or

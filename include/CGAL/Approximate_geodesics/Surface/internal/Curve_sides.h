@@ -64,7 +64,7 @@ public:
     check_edges();
   }
 
-  // That of a vertex; none if it belongs to a curve, or is unknown.
+  // The side of a vertex; none if it belongs to a curve, or is unknown.
   Side operator[](const Index v) const { return m_sides[v]; }
 
   // Whether a vertex is connected with no curve, unless faces are nearly degenerate.

@@ -40,7 +40,7 @@ public:
   Cones_of_point(const Cones_of_point&) = delete; // it refers to a member
   Cones_of_point& operator=(const Cones_of_point&) = delete;
 
-  // Lines across faces make those from a vertex where a curve is straight superfluous.
+  // Lines across faces reach all that lines from a vertex where a curve is straight would reach.
   static constexpr bool looks_across_edges = true;
 
   // Calls `f(v, length)` for the lines to vertices.

@@ -17,9 +17,9 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// By how much, relatively, ways from samples of a curve may be longer than those from the curve. It
-// is most of what cones leave of epsilon; searches from a curve that end cones by labels leave it,
-// too.
+// The largest relative error of distances from samples of a curve, in place of those from the
+// curve. It takes most of the part of epsilon that cones do not use. Searches from a curve that end
+// cones by labels use no more of it than these, either.
 inline double largest_error_of_samples(const Cone_rules& rules)
 {
   constexpr double part = 0.8;
@@ -32,7 +32,7 @@ inline double epsilon_from_samples(const Cone_rules& rules)
   return (1 + rules.epsilon) / (1 + largest_error_of_samples(rules)) - 1;
 }
 
-// The ratio of width to height up to which a point is such a sample.
+// The largest ratio of the width of a strip to its height at which a point is such a sample.
 inline double slope_of_strips(const Cone_rules& rules)
 {
   const double error = largest_error_of_samples(rules);

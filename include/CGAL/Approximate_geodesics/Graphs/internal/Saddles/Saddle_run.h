@@ -324,7 +324,7 @@ private:
 
   bool spreads_bounds() const { return is_rough() && !m_distance_to_goal; }
 
-  // From time to time, as far as sights are followed until the next time.
+  // Spreads bounds at intervals of the horizon, as far as sights are followed until the next time.
   void spread_bounds()
   {
     const double horizon = m_sights.horizon(), distance = distance_of_horizon();
@@ -334,8 +334,8 @@ private:
     m_last_spread = horizon;
   }
 
-  // The largest label of nodes that are expanded; if there are none, that of the next sights, as
-  // the search may have come there.
+  // The largest label of nodes that are expanded; if there are none, that of the next sights, which
+  // the search may have reached.
   template <typename Labels>
   double
   label_reached(const Node* const nodes, const std::size_t number, const Labels& labels) const
@@ -470,7 +470,7 @@ private:
   }
 
   Upper_bounds m_bounds;
-  double m_last_spread = 0;                       // the horizon then
+  double m_last_spread = 0;                       // the horizon when bounds were last spread
   std::vector<Arrival> m_arrival;                 // meaningful where there is a label
   double m_limit = 0;                             // of labels
   std::function<double(Node)> m_distance_to_goal; // during a search; empty without a heuristic

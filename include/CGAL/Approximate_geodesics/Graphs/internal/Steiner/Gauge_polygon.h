@@ -31,7 +31,7 @@ namespace CGAL::Approximate_geodesics::internal {
 class Gauge_polygon
 {
 public:
-  // steps are not larger
+  // The largest value of `step()`.
   static constexpr double LARGEST_STEP = 40;
 
   // Copies the polygon of the face to the left of `h`. If its gauge has a formula, it is sampled so

@@ -89,7 +89,7 @@ private:
     return end % 2 == 0 ? arc(end).points.front() : arc(end).points.back();
   }
 
-  // Also lists it at the vertices and edges that it is next to.
+  // Locates the end of an arc, and lists it at the vertices and edges that it is next to.
   End place(const std::size_t end)
   {
     const Index h = arc(end).halfedge;

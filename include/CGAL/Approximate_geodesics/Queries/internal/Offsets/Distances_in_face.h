@@ -27,7 +27,7 @@ namespace CGAL::Approximate_geodesics::internal {
 class Distances_in_face
 {
 public:
-  // That of no face.
+  // Without a face.
   Distances_in_face() = default;
 
   // The face is that to the left of `h`.
@@ -53,7 +53,8 @@ public:
       choose_model(longest);
   }
 
-  // About the largest error of `at()`, which is no bound; infinity where a direction is not known.
+  // An estimate of the largest error of `at()`, and no bound; infinity where a direction is not
+  // known.
   double estimated_error() const { return m_estimated_error; }
 
   // The distance of the point with these weights of the corners.
@@ -91,7 +92,7 @@ private:
     }
   };
 
-  // From the slopes along two sides.
+  // The direction in which the line arrives at a corner, from the slopes along its two sides.
   static Plane_vector direction(const Plane_vector side,
                                 const Plane_vector other,
                                 const double slope,

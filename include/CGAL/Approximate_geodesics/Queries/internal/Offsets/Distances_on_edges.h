@@ -51,8 +51,8 @@ public:
       choose_model();
   }
 
-  // About the largest error of `at()`, which is no bound: paths may come from a third direction.
-  // Infinity where nothing is known.
+  // An estimate of the largest error of `at()`, and no bound: paths may come from a third
+  // direction. Infinity where nothing is known.
   double estimated_error() const { return m_estimated_error; }
 
   // The distance at the part `t` of the way.

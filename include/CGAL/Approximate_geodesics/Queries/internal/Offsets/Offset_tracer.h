@@ -281,8 +281,8 @@ private:
     return f([&](const double t) { return value(between(from, to, t, 0)); });
   }
 
-  // Where the distance has a value, as a part of the way: by linear interpolation between points
-  // that come closer to each other (the Illinois method).
+  // The part of the way along a side at which an isoline crosses it, by regula falsi (the Illinois
+  // method).
   template <typename Value>
   double part(const Corner& below,
               const Corner& above,
