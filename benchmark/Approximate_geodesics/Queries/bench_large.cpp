@@ -13,6 +13,9 @@
 #include "output/Options.h"
 #include "output/Table.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangle_soup_mesh.h>
 #include <CGAL/IO/PLY.h>
@@ -26,6 +29,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -45,11 +49,19 @@ static constexpr unsigned SECONDS_AT_MOST = 3600;
 // Times in seconds, memory in bytes.
 struct Figures
 {
-  double vertices, pairing, reading, preparing, searching, call;
+  double vertices, pairing, reading, preparing, searching, call, system;
   double arrays, mesh, graph, workspace, peak;
 
-  static constexpr std::size_t number = 11;
+  static constexpr std::size_t number = 12;
 };
+
+// The time that the operating system has taken, which clears memory before a process gets it.
+double seconds_of_system()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_stime.tv_sec) + 1e-6 * double(usage.ru_stime.tv_usec);
+}
 
 template <typename Graph>
 AG::Intrinsic_triangulation read(const Soup_mesh& mesh)
@@ -86,20 +98,21 @@ void measure_steps(const Soup_mesh& mesh,
   result.workspace = double(search->memory());
 }
 
-// In a process of its own, which has nothing in memory before: so calls on all meshes have their
-// memory cleared by the system, and their peak of memory is known.
+// In a process of its own, for its peak of memory.
 template <typename Graph, typename NamedParameters>
 Figures
 measure_call(const Make_arrays& make_arrays, const std::size_t round, const NamedParameters& np)
 {
   const std::vector<double> numbers =
       numbers_from_child(Figures::number, SECONDS_AT_MOST, [&](double* const numbers) {
+        release_free_memory();
         const double before = resident_memory();
         const Mesh_arrays arrays = make_arrays();
         std::vector<double> distances(arrays.points.size());
         std::mt19937_64 random(round);
         const std::size_t source = random() % distances.size();
         Figures result;
+        const double system = seconds_of_system();
         std::unique_ptr<Soup_mesh> mesh;
         result.pairing = seconds_of(
             [&] { mesh = std::make_unique<Soup_mesh>(arrays.points, arrays.triangles); });
@@ -108,6 +121,7 @@ measure_call(const Make_arrays& make_arrays, const std::size_t round, const Name
         result.call = result.pairing + seconds_of([&] {
                         CGAL::approximate_geodesic_distances(*mesh, map, mesh->vertex(source), np);
                       });
+        result.system = seconds_of_system() - system;
         result.peak = peak_memory() - before;
         result.vertices = double(arrays.points.size());
         result.arrays = arrays.memory() + double(distances.size() * sizeof(double));
@@ -137,8 +151,8 @@ class Call_benchmark
 public:
   Call_benchmark()
     : m_table({"mesh", "vertices", "paths", "pair ns", "read ns", "prepare ns", "search ns",
-               "one call ns", ": first mesh", "arrays B", "mesh B", "graph B", "workspace B",
-               "peak B"})
+               "one call ns", ": first mesh", "system ns", "without it : first mesh", "arrays B",
+               "mesh B", "graph B", "workspace B", "peak B"})
   {
   }
 
@@ -151,12 +165,17 @@ public:
   {
     std::cerr << name << ", " << paths << " ...\n";
     const Figures f = measure_calls<Graph>(make_arrays, rounds, np);
-    const double first = m_first.try_emplace(paths, f.call / f.vertices).first->second;
+    const Figures& first = m_first.try_emplace(paths, f).first->second;
+    const auto ratio = [&](const double seconds, const double seconds_of_first) {
+      return seconds / f.vertices / (seconds_of_first / first.vertices);
+    };
     Table::Row row = m_table.add_row();
     row.add(name).add(f.vertices, 0).add(paths);
     for(const double seconds : {f.pairing, f.reading, f.preparing, f.searching, f.call})
       row.add(seconds / f.vertices * 1e9, 1);
-    row.add(f.call / f.vertices / first, 2);
+    row.add(ratio(f.call, first.call), 2);
+    row.add(f.system / f.vertices * 1e9, 1);
+    row.add(ratio(f.call - f.system, first.call - first.system), 2);
     for(const double bytes : {f.arrays, f.mesh, f.graph, f.workspace, f.peak})
       row.add(bytes / f.vertices, 1);
   }
@@ -165,7 +184,7 @@ public:
 
 private:
   Table m_table;
-  std::map<std::string, double> m_first; // seconds per vertex of a call on the first mesh
+  std::map<std::string, Figures> m_first; // of the first mesh, by paths
 };
 
 // ----- a file
@@ -184,6 +203,7 @@ void measure_file(const std::string& name, const Make_arrays& make_arrays, Table
       throw std::runtime_error("cannot write " + file.string());
   };
   const auto read = [&](double* const result) {
+    release_free_memory();
     const double before = resident_memory();
     Mesh_arrays arrays;
     result[0] = seconds_of([&] { AG::read_soup(file.string(), arrays.points, arrays.triangles); });

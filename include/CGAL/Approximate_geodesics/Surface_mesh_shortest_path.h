@@ -574,15 +574,15 @@ public:
    * prepares for many pairs: makes landmarks, see `Landmarks`, which guide searches to single
    * targets from now on. After weights or barriers have changed, they are not used any more, until
    * this is called again. With weights, pairs then take a small part of the time, and so do exact
-   * pairs, for which it makes `Exact_landmarks`.
+   * pairs, for which it makes `Exact_landmarks`. In a list, each pair is then a search of its own:
+   * for very many targets of each source, do not prepare.
    *
    * \pre `Graph` has a member function `asymmetry()`, as `Steiner_graph` does, or is
    * `Saddle_vertex_graph`.
    *
    * \throws std::invalid_argument if `number_of_landmarks` is `0`.
    *
-   * Run time is that of a search of all vertices for each landmark, and, for exact pairs, that of
-   * building a `Discrete_geodesic_graph` with the bound 0.01.
+   * Run time and memory are those of the constructor of `Landmarks`, or of `Exact_landmarks`.
    */
   void prepare_pairs(const std::size_t number_of_landmarks = Landmarks<Graph>::DEFAULT_NUMBER)
   {

@@ -168,11 +168,10 @@ struct Soup_property_map<Mesh, vertex_point_t>
  *
  * A triangle mesh on arrays of points and of triangles, for meshes that are too large to be copied.
  *
- * It has the numbers of the arrays, refers to these, and adds 28 bytes per vertex on a closed mesh;
- * a `CGAL::Surface_mesh` of `double` takes about 130. All functions and classes of this package
- * take it as a mesh, with the same results as for a `CGAL::Surface_mesh` of the same faces whose
- * vertices have halfedges of the same faces; and so do functions of \cgal that take a
- * `FaceListGraph`.
+ * It refers to the arrays, and adds 28 bytes per vertex; a `CGAL::Surface_mesh` takes about 130.
+ * Elements have the numbers of the arrays. All functions and classes of this package take it as a
+ * mesh, with the same results as for a `CGAL::Surface_mesh` that has the same faces and the same
+ * `halfedge(v)` for each vertex. So do functions of \cgal that take a `FaceListGraph`.
  *
  * \code
  * std::vector<std::array<float, 3>> points;
@@ -242,7 +241,7 @@ public:
    *         read.
    * \throws std::length_error if there are too many faces for 32-bit indices.
    *
-   * Run time is \cgalBigO{n} for `n` vertices. It takes 36 bytes per vertex more than the result.
+   * Run time is \cgalBigO{n} for `n` vertices. It takes 32 bytes per vertex more than the result.
    */
   Triangle_soup_mesh(const PointRange& points, const TriangleRange& triangles)
     : m_points(std::begin(points)),

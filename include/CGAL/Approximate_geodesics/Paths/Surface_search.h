@@ -195,11 +195,10 @@ public:
    */
   void repair(std::vector<Source_point> sources);
 
-  /// guides runs to a single target from now on, and those for pairs of their own source, by the
-  /// landmarks of the same graph, as long as its arcs do not change. Those of an exact graph are
-  /// `Exact_landmarks`; they guide runs from a single source, by two searches of another graph.
-  /// \warning `landmarks` are referred to, not copied. \throws std::invalid_argument if they are
-  /// those of another graph.
+  /// guides runs to a single target from now on, and those for pairs, by the landmarks of the same
+  /// graph, as long as its arcs do not change. Those of an exact graph are `Exact_landmarks`; they
+  /// guide runs from a single source, by two searches of another graph. \warning `landmarks` are
+  /// referred to, not copied. \throws std::invalid_argument if they are those of another graph.
   void use_landmarks(const internal::Landmarks_of<Graph>& landmarks)
   {
     if(&landmarks.graph() != m_graph)
@@ -295,7 +294,8 @@ public:
    *
    * These functions find each pair by a search from its source that ends at its target, or the
    * other way around if distances are those to the sources. One search serves all pairs with the
-   * same start. Results have the order of the pairs; those of the last run are lost.
+   * same start; with landmarks, which guide to single targets, each pair has its own. So results do
+   * not depend on other pairs. They have the order of the pairs; those of the last run are lost.
    *
    * They throw `std::invalid_argument` if a point is not a point of the surface.
    * `approximate_geodesic_pair_distances()` does the same by several threads.

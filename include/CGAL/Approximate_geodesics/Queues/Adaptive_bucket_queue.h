@@ -363,7 +363,21 @@ public:
   static constexpr std::size_t LARGEST_BATCH = 32;
 
   /// returns whether `key` is smaller than all keys in the queue and all that may still be pushed.
-  bool is_final(const Key key) const { return bucket_index(key) < m_current; }
+  bool is_final(const Key key) const
+  {
+    return m_keeps_order ? !m_round.empty() && key < m_round.back().key
+                         : bucket_index(key) < m_current;
+  }
+
+  /// keeps entries in order until the next call of `clear()`: in a heap, from which they come one
+  /// at a time, smallest key first. \pre `is_empty()`
+  void keep_order()
+  {
+    CGAL_precondition(is_empty());
+    m_keeps_order = m_is_in_order = true;
+    m_number_in_circle = 0;
+    m_buckets_per_unit = 0; // all keys belong to the first bucket
+  }
 
   /// calls `f(node)` for the nodes of all entries; a node may be repeated.
   template <typename F>
@@ -382,7 +396,8 @@ public:
   {
     for(Bucket& b : m_buckets)
       b.clear();
-    m_policy.update(statistics());
+    if(!m_keeps_order)
+      m_policy.update(statistics());
     m_heap.clear();
     set_up_circle();
   }
@@ -433,6 +448,7 @@ private:
     m_buckets.resize(size);
     m_mask = size - 1;
     m_buckets_per_unit = 1 / width;
+    m_keeps_order = false;
     m_size = 0;
     m_statistics = Bucket_statistics();
     m_statistics.width = width;
@@ -556,6 +572,7 @@ private:
   // The bucket that is being drained.
   Index m_current = 0;
   bool m_is_in_order = false;
+  bool m_keeps_order = false;    // whether it has all entries, in order
   std::size_t m_drained = 0;     // entries in its rounds so far
   std::size_t m_first_round = 0; // entries in the first round; later entries are late
 

@@ -49,8 +49,9 @@ public:
     bool is_finite;          // whether the gauge is, in the sector
     bool is_bridge;          // whether the sector contains directions, which are redundant
     Plane_vector functional; // the gauge as a linear functional, if it is finite
-    double error_at_start; // bounds of the relative error of the gauge, before the first direction
-    double error_at_end;   // inside and behind the last one; equal if there is none
+    // Bounds of the relative error of the gauge: before the first direction inside the sector, and
+    // behind the last one. They are equal if there is none.
+    double error_at_start, error_at_end;
 
     double error() const { return (std::max)(error_at_start, error_at_end); }
   };

@@ -183,7 +183,7 @@ private:
   }
 
   Intrinsic_triangulation m_triangulation;
-  std::vector<Index> m_number;                   // by that in the mesh
+  std::vector<Index> m_number;                   // per halfedge of the mesh
   std::vector<Index> m_number_in_mesh;           // per halfedge of the triangulation
   Index m_number_of_vertices;                    // of the mesh
   std::vector<Intrinsic_point> m_positions;      // of added vertices

@@ -299,6 +299,23 @@ public:
           is_barrier[i]);
   }
 
+  /*!
+   * prepares for many pairs, until weights or barriers change: makes `Landmarks`, which guide
+   * searches for single paths and lists of pairs. No other thread may use the solver meanwhile.
+   *
+   * \throws std::invalid_argument as the constructor of `Landmarks` does, and if the solver was
+   * made for exact distances.
+   *
+   * Run time and memory are those of `Landmarks`.
+   */
+  void prepare_pairs(const std::size_t number_of_landmarks,
+                     const Solver_watch& watch = Solver_watch())
+  {
+    internal::Solver_visitor visitor(watch);
+    m_graph->prepare_pairs(number_of_landmarks);
+    visitor.finish();
+  }
+
   /// @}
 
   /// \name Distances and Paths

@@ -251,7 +251,7 @@ private:
   {
     *m_end = {left,     right,      left_side,        right_side,
               halfedge, before.tip, before.depth + 1, next_way(before, face, halfedge)};
-    // some halfedge if there is none ahead
+    // a valid halfedge if there is none ahead
     const Index edge = halfedge == null_index ? before.halfedge : halfedge;
     m_unfolding.prefetch(edge);
     m_end += (is_open & (halfedge != null_index) & is_needed(left, right, edge)) ? 1 : 0;
@@ -342,7 +342,7 @@ private:
   const Labels& m_labels;
   Arcs& m_arcs;
   const Winding m_winding;
-  const bool m_carries_edges; // if the front is general
+  const bool m_carries_edges; // read if the front is general
   double m_factor;            // of remaining lengths, in comparisons
   double m_part_saved;        // of the distance of a vertex, by going over it
   double m_part_lost;

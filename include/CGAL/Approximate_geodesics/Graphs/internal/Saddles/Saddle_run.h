@@ -515,7 +515,7 @@ private:
   }
 
   Upper_bounds m_bounds;
-  double m_last_spread = 0;                       // the horizon then
+  double m_last_spread = 0;                       // the horizon when bounds were last spread
   std::vector<Arrival> m_arrival;                 // meaningful where there is a label
   double m_limit = 0;                             // of labels
   std::function<double(Node)> m_distance_to_goal; // during a search; empty without a heuristic

@@ -318,7 +318,7 @@ public:
   // Returns an upper bound of the number of arcs that start from a node.
   std::size_t maximum_degree() const { return m_maximum_degree; }
 
-  // These return false for numbers that are no node, such as `null_index`.
+  // These return false for numbers that are not nodes, such as `null_index`.
   bool is_vertex(const Node node) const { return node < m_first_point; }
   bool is_point(const Node node) const { return node - m_first_point < number_of_points(); }
   bool is_sector(const Node node) const { return node - m_first_sector < number_of_sectors(); }
