@@ -124,7 +124,8 @@ double Surface_search<SurfaceGraph, PriorityQueue>::run_beyond(const Intrinsic_p
                   std::vector<Last_arc>& arcs = rule.points.front();
                   for(Last_arc& arc : arcs)
                     arc.length += beyond * unit;
-                  m_search.run_toward(seeds, rule, m_landmarks->to(target), entries);
+                  if constexpr(internal::has_asymmetry<Graph>)
+                    m_search.run_toward(seeds, rule, m_landmarks->to(target), entries);
                   for(const Last_arc& arc : arcs)
                     result = (std::min)(result,
                                         m_search.labels().distance(arc.node) + arc.length / unit);

@@ -300,13 +300,13 @@ public:
   }
 
   /*!
-   * prepares for many pairs, until weights or barriers change: makes `Landmarks`, which guide
-   * searches for single paths and lists of pairs. No other thread may use the solver meanwhile.
+   * prepares for many pairs, until weights or barriers change: makes `Landmarks`, or
+   * `Exact_landmarks` if distances are exact, which guide searches for single paths and lists of
+   * pairs. No other thread may use the solver meanwhile.
    *
-   * \throws std::invalid_argument as the constructor of `Landmarks` does, and if the solver was
-   * made for exact distances.
+   * \throws std::invalid_argument as the constructor of `Landmarks` does.
    *
-   * Run time and memory are those of `Landmarks`.
+   * Run time and memory are those of these classes.
    */
   void prepare_pairs(const std::size_t number_of_landmarks,
                      const Solver_watch& watch = Solver_watch())

@@ -19,7 +19,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
+#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -128,16 +128,11 @@ public:
     change([&](auto& graph) { graph.set_barriers(changes); });
   }
 
-  void prepare_pairs([[maybe_unused]] const std::size_t number_of_landmarks) override
+  void prepare_pairs(const std::size_t number_of_landmarks) override
   {
-    if constexpr(has_asymmetry<Graph>)
-    {
-      auto landmarks = std::make_unique<const Landmarks<Graph>>(m_graph, number_of_landmarks);
-      m_workspaces.set_up([l = landmarks.get()](Search& search) { search.use_landmarks(*l); });
-      m_landmarks = std::move(landmarks);
-    }
-    else
-      reject("pairs cannot be prepared where distances are exact");
+    auto landmarks = std::make_unique<const Landmarks_of<Graph>>(m_graph, number_of_landmarks);
+    m_workspaces.set_up([l = landmarks.get()](Search& search) { search.use_landmarks(*l); });
+    m_landmarks = std::move(landmarks);
   }
 
   void find_distances(std::vector<Source_point> sources,
@@ -317,7 +312,7 @@ private:
 
   Graph m_graph;
   bool m_has_changed = false;
-  std::unique_ptr<const Landmarks<Graph>> m_landmarks; // if pairs are prepared
+  std::unique_ptr<const Landmarks_of<Graph>> m_landmarks; // if pairs are prepared
   mutable Workspaces<Search> m_workspaces;
 };
 
