@@ -301,12 +301,12 @@ public:
 
   /*!
    * prepares for many pairs, until weights or barriers change: makes `Landmarks`, or
-   * `Exact_landmarks`, which guide searches for single paths and lists of pairs. No other thread
-   * may use the solver meanwhile.
+   * `Exact_landmarks` if distances are exact, which guide searches for single paths and lists of
+   * pairs. No other thread may use the solver meanwhile.
    *
-   * \throws std::invalid_argument if `number_of_landmarks` is `0`.
+   * \throws std::invalid_argument as the constructor of `Landmarks` does.
    *
-   * Run time and memory are those of the constructors of these classes.
+   * Run time and memory are those of these classes.
    */
   void prepare_pairs(const std::size_t number_of_landmarks,
                      const Solver_watch& watch = Solver_watch())
