@@ -12,9 +12,26 @@
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/compiled_matrices.h>
 
-#include <type_traits>
-
 namespace CGAL {
+namespace Approximate_geodesics::internal {
+
+// Builds the graph first.
+template <typename TriangleMesh, typename Rows, typename Sources, typename NamedParameters>
+bool compute_mesh_distances(const TriangleMesh& tmesh,
+                            Rows& rows,
+                            const Sources& sources,
+                            const NamedParameters& np)
+{
+  const auto compute = [&](const auto& graph) {
+    const Mesh_translation surface(tmesh, vertex_index_map(tmesh, np), graph.triangulation());
+    const auto all = [&] { return intrinsic_points(surface, vertices(tmesh), "target"); };
+    return compute_distance_matrix(graph, rows, matrix_points(surface, sources, all, np), np);
+  };
+  // rows are parallel, so that exact searches need not be
+  return with_graph<Discrete_geodesic_graph>(tmesh, np, compute, Sequential_tag());
+}
+
+} // namespace Approximate_geodesics::internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
@@ -45,7 +62,10 @@ namespace CGAL {
  *         model of `ConstRange` with one of these as value type
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param tmesh the triangle mesh; it is not changed
+ * \param tmesh the triangle mesh; it is not changed. Instead, a model of `SurfaceGraph` can be
+ *        given, with sources and targets of type `Approximate_geodesics::Intrinsic_point`, or of an
+ *        integer type, the indices of vertices. Other named parameters than those listed below are
+ *        then for the graph, and all vertices have the order of their indices.
  * \param rows receives the rows. A function object is called once per row, in order, by any thread,
  *        but never concurrently.
  * \param sources the points of the surface for the rows; duplicates are allowed
@@ -113,97 +133,42 @@ template <typename TriangleMesh,
           typename Rows,
           typename Sources,
           typename NamedParameters = parameters::Default_named_parameters>
-#ifdef DOXYGEN_RUNNING
-bool
-#else
-std::enable_if_t<!Approximate_geodesics::internal::is_surface_graph<TriangleMesh>, bool>
-#endif
-approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
-                                     Rows&& rows,
-                                     const Sources& sources,
-                                     const NamedParameters& np = parameters::default_values())
+bool approximate_geodesic_distance_matrix(const TriangleMesh& tmesh,
+                                          Rows&& rows,
+                                          const Sources& sources,
+                                          const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
-  static_assert(AG::internal::is_source<TriangleMesh, Sources>,
-                "approximate_geodesic_distance_matrix(tmesh, rows, sources): a source is a vertex "
-                "descriptor, a Face_location or a Surface_point, and sources are one of them or a "
-                "range");
-  static_assert(
-      !AG::internal::query_ignores_any<NamedParameters, internal_np::direction_to_source_t,
-                                       internal_np::maximum_distance_t, internal_np::targets_t,
-                                       internal_np::symmetric_t, internal_np::visitor_t>,
-      "approximate_geodesic_distance_matrix() does not read one of these named parameters: its "
-      "documentation lists the supported ones");
-
-  if constexpr(AG::internal::check_rows<Rows>())
-    return AG::internal::with_graph<AG::Discrete_geodesic_graph>(
-        tmesh, np,
-        [&](const auto& graph) {
-          const AG::Mesh_translation surface(tmesh, AG::internal::vertex_index_map(tmesh, np),
-                                             graph.triangulation());
-          const auto all = [&] {
-            return AG::internal::intrinsic_points(surface, vertices(tmesh), "target");
-          };
-          return AG::internal::compute_distance_matrix(
-              graph, rows, AG::internal::matrix_points(surface, sources, all, np), np);
-        },
-        Sequential_tag()); // rows are parallel, so that exact searches need not be
-  else
+  if constexpr(!AG::internal::check_rows<Rows>())
     return false;
-}
-
-/*!
- * \ingroup PkgApproximateGeodesicsMatrices
- *
- * computes a distance matrix on a graph that was built before.
- *
- * \tparam SurfaceGraph a model of `SurfaceGraph`
- * \tparam Rows as above
- * \tparam Sources a model of `ConstRange` with value type `Approximate_geodesics::Intrinsic_point`,
- *         or an integer type: the index of a vertex in the mesh
- * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
- *
- * \param graph the graph; it may be shared by several threads
- * \param rows as above
- * \param sources the points for the rows
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `targets`,
- *        a range with one of the value types of `sources`, by default all vertices in ascending
- *        order of their indices, and `maximum_distance`, `symmetric`, `concurrency_tag` and
- *        `visitor`, as above
- *
- * \return as above
- *
- * \throws std::invalid_argument if a source or a target is not a point of the graph's
- * triangulation, and as above
- */
-template <typename SurfaceGraph,
-          typename Rows,
-          typename Sources,
-          typename NamedParameters = parameters::Default_named_parameters>
-#ifdef DOXYGEN_RUNNING
-bool
-#else
-std::enable_if_t<Approximate_geodesics::internal::is_surface_graph<SurfaceGraph>, bool>
-#endif
-approximate_geodesic_distance_matrix(const SurfaceGraph& graph,
-                                     Rows&& rows,
-                                     const Sources& sources,
-                                     const NamedParameters& np = parameters::default_values())
-{
-  namespace AG = Approximate_geodesics;
-  static_assert(
-      !AG::internal::ignores_any<NamedParameters, internal_np::maximum_distance_t,
-                                 internal_np::targets_t, internal_np::symmetric_t,
-                                 internal_np::visitor_t>,
-      "approximate_geodesic_distance_matrix() with a graph reads targets, maximum_distance, "
-      "symmetric, concurrency_tag and visitor; pass the others to the graph");
-
-  const auto all = [&] { return AG::internal::all_vertices(graph.triangulation()); };
-  if constexpr(AG::internal::check_rows<Rows>())
+  else if constexpr(AG::internal::is_surface_graph<TriangleMesh>)
+  {
+    static_assert(
+        !AG::internal::ignores_any<NamedParameters, internal_np::maximum_distance_t,
+                                   internal_np::targets_t, internal_np::symmetric_t,
+                                   internal_np::visitor_t>,
+        "approximate_geodesic_distance_matrix() with a graph reads targets, maximum_distance, "
+        "symmetric, concurrency_tag and visitor; pass the others to the graph");
+    const auto& surface = tmesh.triangulation();
+    const auto all = [&] { return AG::internal::all_vertices(surface); };
     return AG::internal::compute_distance_matrix(
-        graph, rows, AG::internal::matrix_points(graph.triangulation(), sources, all, np), np);
+        tmesh, rows, AG::internal::matrix_points(surface, sources, all, np), np);
+  }
   else
-    return false;
+  {
+    static_assert(
+        AG::internal::is_source<TriangleMesh, Sources>,
+        "approximate_geodesic_distance_matrix(tmesh, rows, sources): a source is a vertex "
+        "descriptor, a Face_location or a Surface_point, and sources are one of them or a "
+        "range");
+    static_assert(
+        !AG::internal::query_ignores_any<NamedParameters, internal_np::direction_to_source_t,
+                                         internal_np::maximum_distance_t, internal_np::targets_t,
+                                         internal_np::symmetric_t, internal_np::visitor_t>,
+        "approximate_geodesic_distance_matrix() does not read one of these named parameters: its "
+        "documentation lists the supported ones");
+    return AG::internal::compute_mesh_distances(tmesh, rows, sources, np);
+  }
 }
 
 } // namespace CGAL

@@ -134,7 +134,8 @@ public:
   void clear() { m_workspaces.clear(); }
 
   // Landmarks are referred to, not copied.
-  void use_landmarks(const Landmarks<Graph>& landmarks)
+  template <typename Landmarks>
+  void use_landmarks(const Landmarks& landmarks)
   {
     m_workspaces.set_up([&landmarks](auto& search) { search.use_landmarks(landmarks); });
   }
@@ -225,10 +226,11 @@ bool write_pair_distances(const Graph& graph,
  * \param pairs the sources and the targets; duplicates are allowed
  * \param distances receives one distance per pair, in the order of the pairs and in the unit of the
  *        mesh: from the source to the target if costs depend on the direction, and infinity if
- * there is no path \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
- *        `maximum_distance`, `concurrency_tag`, and `visitor`, as for
- *        `approximate_geodesic_distance_matrix()`, where a row is a source; and, with a mesh, the
- *        parameters of meshes and graphs that this function reads, except for `direction_to_source`
+ *        there is no path
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
+ * `maximum_distance`, `concurrency_tag`, and `visitor`, as for
+ * `approximate_geodesic_distance_matrix()`, where a row is a source; and, with a mesh, the
+ * parameters of meshes and graphs that this function reads, except for `direction_to_source`
  *
  * \return whether distances were written: if the visitor stopped the computation, none is.
  *

@@ -382,6 +382,24 @@ class Solver:
 
     # Lists of pairs
 
+    def prepare_pairs(self, landmarks: int = 16, *, progress: Optional[Progress] = None) -> None:
+        """Prepare for many pairs, until weights or barriers change.
+
+        Distances from some landmarks are kept. They guide `path`, `pair_distances` and `paths` to
+        each target, past most of the mesh: with face weights, and for exact distances, these then
+        take a small part of the time. Distances stay the same, up to rounding. No other thread may
+        use the solver meanwhile.
+
+        Parameters
+        ----------
+        landmarks : int
+            Their number: each takes two searches of the whole mesh, and 8 bytes per point of it.
+            Exact distances need a graph of about 720 bytes per vertex, too.
+        progress : callable, optional
+            Called with how many nodes were reached, and of how many, from 0 on for each search.
+        """
+        self._solver.prepare_pairs(_at_least(1, landmarks, "landmarks"), _checked(progress))
+
     def pair_distances(
         self,
         sources: Any,
@@ -394,8 +412,8 @@ class Solver:
     ) -> _arrays.Floats:
         """Distances from the first source to the first target, and so on.
 
-        Pairs with the same source share a search. So it is best if there are fewer different
-        sources than targets.
+        Pairs with the same source share a search, unless `prepare_pairs` was called. So it is best
+        if there are fewer different sources than targets.
 
         Parameters
         ----------

@@ -102,6 +102,14 @@ void set_barriers(AG::Solver& solver, const Numbers& ends, const Array<bool>& is
   solver.set_barriers(ends.data(), is_barrier.data(), static_cast<std::size_t>(ends.shape(0)));
 }
 
+void prepare_pairs(AG::Solver& solver,
+                   const std::size_t number_of_landmarks,
+                   const py::object& progress)
+{
+  run(progress,
+      [&](const AG::Solver_watch& watch) { solver.prepare_pairs(number_of_landmarks, watch); });
+}
+
 py::tuple distances(const AG::Solver& solver,
                     const Numbers& elements,
                     const Coordinates& coordinates,
@@ -367,6 +375,7 @@ PYBIND11_MODULE(_native, module)
       .def("to_bytes", &python::to_bytes)
       .def("set_weights", &python::set_weights)
       .def("set_barriers", &python::set_barriers)
+      .def("prepare_pairs", &python::prepare_pairs)
       .def("distances", &python::distances)
       .def("path", &python::path)
       .def("pair_distances", &python::pair_distances)

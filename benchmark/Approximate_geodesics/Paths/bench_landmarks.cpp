@@ -16,12 +16,14 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
+#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
-#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
-#include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
+#include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
@@ -49,34 +51,44 @@ struct Pair_times
   std::size_t number_of_nodes = 0;
 };
 
+static std::vector<AG::Point_pair> random_pairs(const AG::Intrinsic_triangulation& triangulation,
+                                                const std::size_t number)
+{
+  std::mt19937_64 random(1);
+  const auto vertex = [&] {
+    return AG::Intrinsic_point::at_vertex(
+        static_cast<std::uint32_t>(random() % triangulation.number_of_vertices()));
+  };
+  std::vector<AG::Point_pair> result;
+  while(result.size() < number)
+  {
+    const AG::Intrinsic_point source = vertex();
+    result.emplace_back(source, vertex());
+  }
+  return result;
+}
+
 template <typename Graph>
 class Landmark_benchmark
 {
-  using Pairs = std::vector<AG::Point_pair>;
-
 public:
-  Landmark_benchmark(const Graph& graph, const std::size_t number_of_pairs) : m_graph(graph)
+  Landmark_benchmark(const Graph& graph, const std::size_t number_of_pairs)
+    : m_graph(graph), m_pairs(random_pairs(graph.triangulation(), number_of_pairs))
   {
-    std::mt19937_64 random(1);
-    while(m_pairs.size() < number_of_pairs)
-    {
-      const auto vertex = [&] {
-        return AG::Intrinsic_point::at_vertex(
-            static_cast<std::uint32_t>(random() % graph.triangulation().number_of_vertices()));
-      };
-      m_pairs.emplace_back(vertex(), vertex());
-    }
   }
 
-  void run(const std::string& mesh_name, const std::string& graph_name, Table& table)
+  void run(const std::string& mesh_name,
+           const std::string& graph_name,
+           const std::vector<std::size_t>& numbers_of_landmarks,
+           Table& table) const
   {
-    const Pair_times all = find_all<AG::Adaptive_bucket_queue>(nullptr);
-    for(const std::size_t number : {4u, 16u})
+    const Pair_times all = find_all(nullptr);
+    for(const std::size_t number : numbers_of_landmarks)
     {
       const auto start = std::chrono::steady_clock::now();
       const AG::Landmarks<Graph> landmarks(m_graph, number);
       const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
-      const Pair_times led = find_all<AG::Binary_heap_queue>(&landmarks);
+      const Pair_times led = find_all(&landmarks);
       double largest_difference = 0;
       for(std::size_t i = 0; i < m_pairs.size(); ++i)
         if(all.distances[i] > 0 && all.distances[i] != led.distances[i])
@@ -94,7 +106,7 @@ public:
           .add(led.percentile(95) * 1e3, 3)
           .add(all.percentile(50) / led.percentile(50), 1)
           .add(all.percentile(95) / led.percentile(95), 1)
-          .add(100. * double(led.number_of_nodes) / double(all.number_of_nodes), 1)
+          .add(100. * double(led.number_of_nodes) / double(all.number_of_nodes), 2)
           .add(largest_difference * 1e15, 1);
     }
   }
@@ -107,10 +119,9 @@ public:
   }
 
 private:
-  template <typename Queue>
   Pair_times find_all(const AG::Landmarks<Graph>* const landmarks) const
   {
-    AG::Surface_search<Graph, Queue> search(m_graph);
+    AG::Surface_search<Graph> search(m_graph);
     if(landmarks != nullptr)
       search.use_landmarks(*landmarks);
     search.collect_statistics(true);
@@ -125,8 +136,35 @@ private:
   }
 
   const Graph& m_graph;
-  Pairs m_pairs;
+  std::vector<AG::Point_pair> m_pairs;
 };
+
+// Exact pairs, which straight-line distances lead to their targets.
+static void
+measure_exact_pairs(const Mesh& mesh, const std::size_t number_of_pairs, const Report& report)
+{
+  const AG::Saddle_vertex_graph graph{AG::Intrinsic_triangulation(mesh)};
+  AG::Mesh_translation translation(mesh, get(boost::vertex_index, mesh), graph.triangulation());
+  translation.list_vertices();
+  const auto points = mesh.points();
+  const AG::Vertex_positions positions(graph.triangulation(),
+                                       translation.position_of_vertex(points));
+  AG::Surface_search<AG::Saddle_vertex_graph> search(graph);
+  Pair_times times;
+  for(const auto& [source, target] : random_pairs(graph.triangulation(), number_of_pairs))
+    times.seconds.push_back(
+        seconds_of([&, from = source, to = target] { search.run_to(to, {{from}}, positions); }));
+  Table table({"mesh", "faces", "exact pair ms, median", "p95"});
+  table.add_row()
+      .add("navigation")
+      .add(std::to_string(mesh.number_of_faces()))
+      .add(times.percentile(50) * 1e3, 3)
+      .add(times.percentile(95) * 1e3, 3);
+  report.print("exact_pairs",
+               "Exact distances of random pairs of vertices on a mesh without weights (" +
+                   std::to_string(number_of_pairs) + " pairs)",
+               table);
+}
 
 static void measure_landmarks(const Options& options, const Report& report)
 {
@@ -134,7 +172,8 @@ static void measure_landmarks(const Options& options, const Report& report)
   const std::size_t number = options.number_of_rounds;
   const auto add_weighted = [&](const std::string& name, const AG::Intrinsic_triangulation& t) {
     const AG::Steiner_graph<> graph(t, AG::Geometric_points(0.1));
-    Landmark_benchmark<AG::Steiner_graph<>>(graph, number).run(name, "epsilon 0.1", table);
+    Landmark_benchmark<AG::Steiner_graph<>>(graph, number)
+        .run(name, "epsilon 0.1", {4, 16, 32}, table);
   };
   Mesh mesh = navigation_mesh(options.is_quick ? 8 : 26);
   add_weighted(
@@ -146,16 +185,18 @@ static void measure_landmarks(const Options& options, const Report& report)
   {
     const AG::Intrinsic_triangulation t(read_mesh(name));
     const AG::Edge_graph edges(t);
-    Landmark_benchmark<AG::Edge_graph>(edges, number).run(short_name(name), "edges", table);
+    Landmark_benchmark<AG::Edge_graph>(edges, number)
+        .run(short_name(name), "edges", {4, 16}, table);
     const AG::Discrete_geodesic_graph built(t, CGAL::parameters::epsilon(0.1));
     Landmark_benchmark<AG::Discrete_geodesic_graph>(built, number)
-        .run(short_name(name), "epsilon 0.1, built", table);
+        .run(short_name(name), "epsilon 0.1, built", {4, 16}, table);
   }
   report.print("landmarks",
                "Pairs of random vertices, by searches that end at the target, and by those that "
                "landmarks lead there (" +
                    std::to_string(number) + " pairs)",
                table);
+  measure_exact_pairs(mesh, number, report);
 }
 
 int main(int argc, char* argv[])

@@ -7,10 +7,10 @@ matrix, and may end it. It is passed as the named parameter `visitor` to
 `CGAL::approximate_geodesic_distance_matrix()`, and to
 `CGAL::approximate_geodesic_pair_distances()`, where a row is a source.
 
-If several threads compute, any of them calls, but only one at a time: the visitor needs no lock for
-itself. It does for what other threads of the program change, such as a flag that says that the user
-has had enough, which is to be a `std::atomic<bool>`. The functions may throw: the computation ends,
-and the exception leaves the function that started it.
+If several threads compute, calls are serialized: the visitor needs no lock for itself. It does for
+what other threads of the program change, such as a flag that cancels the computation, which has to
+be a `std::atomic<bool>`. The functions may throw: the computation ends, and the exception leaves
+the function that started it.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Distance_matrix_visitor_base}
@@ -23,8 +23,8 @@ public:
   /// number of rows done never decreases.
   void on_progress(const CGAL::Approximate_geodesics::Distance_matrix_progress& progress);
 
-  /// returns whether the computation shall go on. It is called before each row. If it does not,
-  /// threads end with the rows that they are at, blocks that are not complete are dropped, and the
-  /// function returns `false`. Other threads may have been about to ask, and do so.
+  /// returns whether the computation is to continue. It is called before each row. If it returns
+  /// `false`, threads finish their current rows, incomplete blocks are dropped, and the function
+  /// returns `false`. Other threads may still call it once.
   bool go_further();
 };

@@ -23,7 +23,7 @@ Where less is needed, a function object can take its place, which gets one row a
 class DistanceRowSink
 {
 public:
-  /// what a thread keeps of the rows of a block until it adds them. Default constructible.
+  /// what a thread stores of a block of rows until it is complete. Default constructible.
   using Block = unspecified_type;
 
   /// prepares for a matrix. \param plan its size and its blocks. It stays where it is until
@@ -31,7 +31,7 @@ public:
   void start(const CGAL::Approximate_geodesics::Distance_matrix_plan& plan);
 
   /*!
-  takes a row.
+  receives a row.
 
   \param block the block of the thread
   \param row the number of the row
@@ -42,7 +42,7 @@ public:
                const CGAL::Approximate_geodesics::Distance_row& distances);
 
   /*!
-  takes a block, all rows of which were collected, and leaves it as a new one is.
+  receives a block, all rows of which were collected, and clears it for the next one.
 
   \param number the number of the block in the plan
   \param block the block
@@ -50,7 +50,7 @@ public:
   void add(std::size_t number, Block& block);
 
   /*!
-  ends the matrix.
+  completes the matrix.
 
   \param is_done whether this process was not stopped by a visitor. If it is the only one, all
   blocks were added then.

@@ -101,8 +101,8 @@ public:
   /// this member function is searched a bit more slowly.
   std::size_t maximum_degree() const;
 
-  /// is told that `node` will probably be expanded soon, and may ask the memory for what this
-  /// takes.
+  /// prefetches the data for expanding `node`. It is called for nodes that will probably be
+  /// expanded soon.
   void prefetch(Node node) const;
 
   /// what a search of the graph needs, a model of `GeodesicRun`. The default is

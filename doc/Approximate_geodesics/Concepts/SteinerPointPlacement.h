@@ -56,4 +56,8 @@ public:
 
   /// returns the number of bytes that the placement takes, apart from its own size.
   std::size_t memory() const;
+
+  /// returns whether fewer points and a weaker bound are accepted. Optional: if it returns `false`,
+  /// the message about too many points suggests `accept_weaker_bound`.
+  bool accepts_weaker_bound() const;
 };

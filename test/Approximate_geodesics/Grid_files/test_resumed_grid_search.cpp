@@ -176,6 +176,7 @@ bool ends_before(const std::function<void()>& f, const std::size_t microseconds)
 TEST(Resumed_grid_search, is_killed_and_resumed)
 {
   Random random(test_seed());
+  std::size_t number_of_all_kills = 0;
   for(int i = 0; i < 4; ++i)
   {
     const Temporary_folder folder;
@@ -194,11 +195,13 @@ TEST(Resumed_grid_search, is_killed_and_resumed)
       longest += 300 + longest / 20; // so that slow machines come to an end, too
     }
     std::cout << number_of_kills << " kills" << std::endl;
+    number_of_all_kills += number_of_kills;
     Tiled tiled = make();
     EXPECT_EQ(tiled.run(), true);
     expect_distances_of_one_graph(terrain, sources, tiled);
     expect_path_of_distance(terrain, sources, tiled, {10, 10});
   }
+  EXPECT_GT(number_of_all_kills, 0u);
 }
 
 TEST(Resumed_grid_search, refuses_a_folder_that_another_process_uses)

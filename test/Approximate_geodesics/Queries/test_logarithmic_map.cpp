@@ -259,6 +259,17 @@ TEST(KarcherMean, in_a_plane_is_the_weighted_mean)
   }
 }
 
+// Two points at the same place, or nearly so: the Hessian counts both.
+TEST(KarcherMean, is_a_point_that_has_nearly_all_of_the_weight)
+{
+  const Mesh mesh = quiet_mesh();
+  const std::vector<Surface_point> points{Face_location(Face(2), {0.25, 0.5, 0.25}), Vertex(7),
+                                          Vertex(13)};
+  const auto mean = AG::karcher_mean(mesh, points, std::vector<double>{1, 1e-30, 1e-30});
+  EXPECT_TRUE(mean.has_converged);
+  EXPECT_EQ(position(mesh, mean.point), position(mesh, points[0]));
+}
+
 // No point close to it is better; farther ones may be, beyond lines where distances have kinks.
 TEST(KarcherMean, of_many_points_is_a_local_minimum)
 {
@@ -331,6 +342,12 @@ TEST(KarcherMean, rejects_bad_input)
   expect(points, {1, -1}, "weight 1 (counted from 0) is -1");
   expect(points, {std::nan(""), 1}, "weight 0 (counted from 0) is nan");
   expect({Vertex(0), Vertex(99)}, {1, 1}, "point 1 (counted from 0): vertex 99 is not in the mesh");
+  expect_message<std::invalid_argument>(
+      [&] {
+        AG::karcher_mean(mesh, points, std::vector<double>{1, 1},
+                         CGAL::parameters::number_of_iterations(-1));
+      },
+      "the number of iterations is -1; it must not be negative");
   Mesh parts = to_mesh(many_triangles(2));
   expect_message<std::invalid_argument>(
       [&] {

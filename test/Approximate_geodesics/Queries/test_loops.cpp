@@ -186,6 +186,18 @@ TEST(Loops, slide_to_the_narrowest_place)
   EXPECT_NEAR(length_from_wide_end([](double z) { return std::sqrt(1.01 - z * z); }), 0.1, 1e-12);
 }
 
+TEST(Loops, that_take_too_many_steps_are_reported)
+{
+  const Mesh mesh = tube(41, [](const double z) { return 1 - 0.5 * z; });
+  const Triangulation t(mesh);
+  AG::Path ring;
+  for(std::size_t i = 0; i <= 24; ++i)
+    ring.points.push_back(AG::Intrinsic_point::at_vertex(t.vertex(24 + i % 24)));
+  EXPECT_NEAR(AG::Loop_straightener(t).shortened(ring).length, 24 * std::sin(circle / 48), 1e-12);
+  expect_message<std::runtime_error>([&] { AG::Loop_straightener(t, 0).shortened(ring); },
+                                     "the loop is not locally shortest after 0 steps");
+}
+
 // It touches the corners of the hole.
 TEST(Loops, around_a_hole_end_at_the_border)
 {

@@ -165,6 +165,20 @@ TEST_F(Signed_distances, are_those_between_several_curves)
   refuse(Curves_with_sides{m_square, wrong}, "the sources have no two sides");
 }
 
+TEST_F(Signed_distances, are_zero_in_a_region_of_any_size)
+{
+  const AG::Source_region<Mesh> part{{*m_mesh.faces_begin()}}; // with a corner of the mesh
+  for(const double distance : signed_distances(m_mesh, part))
+    EXPECT_GE(distance, 0);
+  const Mesh closed = to_mesh(sphere(8, 5));
+  for(const Mesh* const mesh : {&m_mesh, &closed})
+  {
+    const AG::Source_region<Mesh> all{{mesh->faces().begin(), mesh->faces().end()}};
+    for(const double distance : signed_distances(*mesh, all))
+      EXPECT_EQ(distance, 0);
+  }
+}
+
 TEST_F(Signed_distances, are_infinite_where_nothing_is_reached)
 {
   Mesh mesh = m_mesh;

@@ -518,6 +518,8 @@ TEST(StraightWalks, reject_bad_input)
   expect([&] { tracer.trace(Vertex(0), Tangent_vector{nan, 0}, 1); }, "the direction is nan, 0");
   expect([&] { tracer.trace(Vertex(0), Space_vector(0, infinite, 1), 1); }, "the direction is 0");
   expect([&] { tracer.trace(Vertex(99), x, 1); }, "start: vertex 99 is not in the mesh");
+  expect([&] { AG::Geodesic_tracer(mesh, CGAL::parameters::number_of_iterations(-1)); },
+         "the number of iterations is -1; it must not be negative");
   expect([&] { tracer.transport(std::vector<Vertex>(), x); }, "the path has no points");
   expect(
       [&] {

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/Source_curve.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/signed_distances.h>
 
 #include <gtest/gtest.h>
@@ -20,8 +21,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Curves on meshes that are as bad as they get.
@@ -149,8 +152,7 @@ TEST(Hostile_meshes, curves_in_graphs_that_are_built)
 
 // ----- sides
 
-// With their signs, exact distances of neighbors differ by no more than the length of their edge;
-// and vertices of a region are to the left of its border.
+// With their signs, exact distances of neighbors differ by no more than the length of their edge.
 void expect_sides(const AG::Saddle_vertex_graph& graph, const Intrinsic_curve& curve)
 {
   const AG::Intrinsic_triangulation& t = graph.triangulation();
@@ -223,6 +225,68 @@ TEST(Hostile_meshes, curves_have_two_sides_or_a_message)
       }
   }
   EXPECT_GT(number_with_sides, 20u);
+}
+
+// A connected set of faces, from one to all of them.
+std::vector<Face> random_region(const Mesh& mesh, Random& random)
+{
+  const std::vector<Face> all(mesh.faces().begin(), mesh.faces().end());
+  Halfedge h = mesh.halfedge(all[random.below(all.size())]);
+  std::set<Face> result;
+  const std::size_t wanted = 1 + random.below(all.size());
+  for(std::size_t step = 0; step < 20 * wanted && result.size() < wanted; ++step)
+  {
+    if(!mesh.is_border(h))
+      result.insert(mesh.face(h));
+    h = random.below(2) == 0 || mesh.is_border(h) ? mesh.opposite(h) : mesh.next(h);
+  }
+  return {result.begin(), result.end()};
+}
+
+// Vertices inside of a region are to the left of its border, and those outside are not.
+void expect_sides(const Mesh& mesh, const std::vector<Face>& region)
+{
+  using Sides = AG::internal::Curve_sides;
+  const Triangulation t(mesh);
+  const AG::Mesh_translation translation(mesh, get(boost::vertex_index, mesh), t);
+  const Sides sides(t, {AG::internal::intrinsic_curve(translation, t, {region})});
+  const std::set<Face> faces(region.begin(), region.end());
+  for(const Vertex v : mesh.vertices())
+  {
+    bool is_inside = false, is_outside = mesh.is_isolated(v);
+    if(!mesh.is_isolated(v))
+      for(const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+        (faces.count(mesh.face(h)) > 0 ? is_inside : is_outside) = true;
+    const Sides::Side found = sides[t.vertex(v.idx())];
+    if(is_inside)
+      EXPECT_EQ(found, is_outside ? Sides::NONE : Sides::LEFT) << v;
+    else
+      EXPECT_NE(found, Sides::LEFT) << v;
+  }
+}
+
+// Their vertices do not tell on which of these edges a border runs.
+bool has_parallel_edges(const Mesh& mesh)
+{
+  std::set<std::pair<Vertex, Vertex>> ends;
+  for(const Halfedge h : mesh.halfedges())
+    if(!ends.emplace(mesh.source(h), mesh.target(h)).second)
+      return true;
+  return false;
+}
+
+TEST(Hostile_meshes, regions_are_to_the_left_of_their_border)
+{
+  const std::uint64_t seed = test_seed();
+  for(const Hostile_mesh& hostile : accepted_meshes())
+  {
+    if(hostile.mesh.number_of_faces() == 0 || has_parallel_edges(hostile.mesh))
+      continue;
+    SCOPED_TRACE(hostile.name);
+    Random random(seed);
+    for(int i = 0; i < 10; ++i)
+      expect_sides(hostile.mesh, random_region(hostile.mesh, random));
+  }
 }
 
 } // namespace

@@ -5,16 +5,19 @@
 
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
 
+#include "checks/expect_message.h"
 #include "checks/solvers.h"
 #include "meshes/test_meshes.h"
 #include "meshes/test_soup.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 // Lists of pairs that a solver finds are rows of its matrices, and paths between their ends.
@@ -70,6 +73,28 @@ TEST_F(Solver_pairs, are_entries_of_matrices)
     }
     EXPECT_EQ(found[1], std::numeric_limits<double>::infinity());
     EXPECT_EQ(found[4], 0);
+  }
+}
+
+// Not to the last bit in a graph with points.
+TEST_F(Solver_pairs, may_be_prepared)
+{
+  for(const auto epsilon : {std::optional<double>(), std::optional(0.2), std::optional(0.)})
+  {
+    Solver_of solver(m_arrays, bound(epsilon));
+    const std::size_t memory = solver.memory();
+    const std::vector<double> expected = distances(solver);
+    std::vector<double> intervals(2 * expected.size());
+    solver.prepare_pairs(3);
+    EXPECT_GT(solver.memory(), memory);
+    const std::vector<double> found = distances(solver);
+    solver.find_pair_intervals(m_sources, m_targets, intervals.data());
+    for(std::size_t i = 0; i < found.size(); ++i)
+    {
+      EXPECT_TRUE(found[i] == expected[i] || std::abs(found[i] / expected[i] - 1) < 1e-12);
+      EXPECT_LE(intervals[2 * i], expected[i]);
+      EXPECT_GE(intervals[2 * i + 1], found[i]);
+    }
   }
 }
 

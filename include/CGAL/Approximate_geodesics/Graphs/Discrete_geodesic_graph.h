@@ -130,12 +130,10 @@ public:
   /// arcs that are left out in the two directions can differ: `epsilon()`.
   double asymmetry() const { return epsilon(); }
 
-  /// the data that a search needs for paths.
-#ifdef DOXYGEN_RUNNING
-  using Run = unspecified_type;
-#else
+  /// \cond SKIP_IN_MANUAL
+  // The data that a search needs for paths.
   using Run = internal::Arc_run<Discrete_geodesic_graph>;
-#endif
+  /// \endcond
 
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_triangulation.get().number_of_vertices(); }

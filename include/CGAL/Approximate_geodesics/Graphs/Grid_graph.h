@@ -208,7 +208,7 @@ public:
       for_each_arc_from_border(place(node), labels.predecessor(node), f);
     else if(const Grid_cell cell = m_shape.cell(node); is_open(cell))
     {
-      // on planes all of them, as a path straight through a center is rounded in another way
+      // on planes, all of them: a path straight through a center has other rounding errors
       if(m_costs.are_flat())
         for_each_line(cell, f);
       else
@@ -406,8 +406,8 @@ private:
                              place.in_block);
   }
 
-  // The path that arrives has crossed a cell that has the node before, or run along its side. If
-  // two cells have both nodes, it was for the lower friction of the two.
+  // The path arrives across a cell that contains the predecessor, or along its side. If two cells
+  // contain both nodes, it is the one of lower friction.
   template <typename F>
   void for_each_arc_from_border(const Place& place, const Node predecessor, F& f) const
   {

@@ -153,7 +153,8 @@ public:
   void set_weights(const std::vector<Weight_change>& changes)
   {
     this->change_weights(changes);
-    this->update_summary();
+    if(this->m_changes.number() - this->m_number_of_changes > this->most_changes())
+      this->summarize_arcs(); // takes no longer than so many changes
   }
 
   /// does the same for a list in braces, which could also stand for `Face_weights`.

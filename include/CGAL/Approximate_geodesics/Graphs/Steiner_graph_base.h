@@ -438,7 +438,7 @@ public:
 
   /// @}
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
 protected:
   Steiner_graph_base(Intrinsic_triangulation triangulation,
                      Placement placement,
@@ -459,13 +459,6 @@ protected:
     m_number_of_changes = m_changes.number();
   }
 
-  // Summarizes arcs again if so many have changed that this takes no longer than the changes.
-  void update_summary()
-  {
-    if(m_changes.number() - m_number_of_changes > most_changes())
-      summarize_arcs();
-  }
-
   Placement m_placement;
   typename Costs::Edges m_edges;
   Arc_lengths m_arc_lengths;
@@ -482,7 +475,7 @@ private:
   {
     return internal::Steiner_arcs<Costs>(costs(m_is_backward));
   }
-#endif
+  /// \endcond
 };
 
 } // namespace CGAL::Approximate_geodesics

@@ -344,7 +344,7 @@ public:
 
   /// @}
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
   // Static overloads. Unlike `construct_point()` and `locate_vertex()` of CGAL, they accept
   // isolated vertices, and do not require the header of the AABB tree.
 
@@ -442,7 +442,7 @@ public:
     tree.rebuild(faces(tmesh).begin(), faces(tmesh).end(), tmesh, point_map);
     tree.build();
   }
-#endif
+  /// \endcond
 
 protected:
   /// a type-erased vertex point map.

@@ -14,7 +14,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -201,6 +200,7 @@ public:
     check_for_interruption();
     copy_weights();
     copy_barriers();
+    free_memory();
     CGAL_expensive_postcondition(m_result.is_valid());
     return true;
   }
@@ -213,10 +213,8 @@ public:
     static_assert(!is_any_given<NamedParameters, internal_np::face_weight_t,
                                 internal_np::edge_is_constrained_t>);
     Vertex_adjacency adjacency;
-    auto links = mesh_links();
-    if(!links.read() || links.has_removed_vertices() || !links.write_adjacency(adjacency))
+    if(!read(adjacency))
       return false;
-    m_vertices = std::move(links.vertex_list());
     if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
       m_halfedges = halfedges_in_groups(m_vertices, adjacency, m_mesh);
     Edge_lengths lengths = read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, adjacency);
@@ -224,9 +222,7 @@ public:
     m_result.m_unit = lengths.unit;
     m_result.m_first_halfedge = std::move(adjacency.first_of_vertex);
     m_result.m_target = std::move(adjacency.target_of_halfedge);
-    m_result.m_vertex_of_index.resize(m_vertices.size());
-    std::iota(m_result.m_vertex_of_index.begin(), m_result.m_vertex_of_index.end(), Index(0));
-    m_result.m_index_of_vertex = m_result.m_vertex_of_index;
+    free_memory();
     return true;
   }
 
@@ -234,6 +230,24 @@ private:
   auto mesh_links() const
   {
     return Mesh_links(m_mesh, vertex_index_map(m_mesh, m_np), halfedge_index_map(m_mesh, m_np));
+  }
+
+  // The builder may outlive the search.
+  void free_memory()
+  {
+    m_vertices = {};
+    m_halfedges = {};
+  }
+
+  // Reads the adjacency of vertices, in the order of the mesh. Returns false if the mesh is
+  // invalid, or vertices were removed. The memory of `links` is free before lengths are computed.
+  bool read(Vertex_adjacency& result)
+  {
+    auto links = mesh_links();
+    if(!links.read() || links.has_removed_vertices() || !links.write_adjacency(result))
+      return false;
+    m_vertices = std::move(links.vertex_list());
+    return true;
   }
 
   // Reads the connectivity, and numbers the vertices. Returns false if the mesh is invalid.

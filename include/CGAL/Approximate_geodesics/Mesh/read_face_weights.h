@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace CGAL::Approximate_geodesics {
 
@@ -34,9 +33,7 @@ inline void normalize(Face_weights& weights, const double unit_of_lengths)
     largest = std::isinf(w) ? largest : (std::max)(largest, w);
   if(largest == 0)
     return;
-  constexpr int smallest_of_costs = -1000;
-  const int exponent =
-      (std::max)(std::ilogb(largest), smallest_of_costs - std::ilogb(unit_of_lengths));
+  const int exponent = exponent_of_costs(largest, unit_of_lengths);
   weights.unit = std::ldexp(1., exponent);
   for(double& w : weights.of_halfedge)
     if(w > 0)
@@ -127,13 +124,10 @@ private:
 // Throws if the cost of a path could overflow.
 inline void check_cost(const Face_gauges& gauges, const Intrinsic_triangulation& triangulation)
 {
-  std::vector<double> largest(gauges.number_of_faces());
-  for(Index f = 0; f < gauges.number_of_faces(); ++f)
-    largest[f] = gauges.largest_cost(f);
   double sum = 0;
   for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
     if(!triangulation.is_border(h))
-      sum += largest[gauges.face(h)] * triangulation.length(h);
+      sum += gauges.largest_cost(gauges.face(h)) * triangulation.length(h);
   check_cost(sum, triangulation.unit() * gauges.unit(), "costs",
              "directions that paths must not take");
 }

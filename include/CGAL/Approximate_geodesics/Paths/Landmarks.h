@@ -28,14 +28,17 @@ namespace CGAL::Approximate_geodesics {
  * The distances of all nodes of a graph from a few nodes that are far from each other, the
  * landmarks. By the triangle inequality, they give lower bounds of the distances of any two points,
  * which lead a search from one to the other past most of the graph: the ALT algorithm of Goldberg
- * and Harrelson \cgalCite{gh-cspasmgt-05}. Unlike straight-line distances, they heed weights,
+ * and Harrelson \cgalCite{gh-cspasmgt-05}. Unlike straight-line distances, they reflect weights,
  * barriers and holes. Distances do not change by this, up to rounding in a Steiner graph.
  *
- * An object is made once for a graph, which is worth it for many pairs: it takes a search of the
- * whole graph for each landmark. `Surface_search::use_landmarks()` and
+ * Each landmark but the first one is behind the nodes that those before it serve worst, as seen
+ * from somewhere: it is chosen by the algorithm *avoid* of Goldberg and Werneck
+ * \cgalCite{gw-cppspem-05}.
+ *
+ * An object is made once for a graph, which is worth it for many pairs: it takes two searches of
+ * the whole graph for each landmark. `Surface_search::use_landmarks()` and
  * `Surface_mesh_shortest_path::prepare_pairs()` use it. All landmarks are in the largest connected
- * part of the graph; pairs elsewhere are found as without them. `Binary_heap_queue` suits such
- * searches best, as the keys of many nodes are nearly equal.
+ * part of the graph; pairs elsewhere are found as without them.
  *
  * An object never changes after its construction, and may be used by several threads.
  *
@@ -62,8 +65,9 @@ public:
    *
    * \throws std::invalid_argument if `number` is `0`.
    *
-   * Run time is that of `number + 1` searches of the graph. Memory is 8 bytes per node and
-   * landmark, and that of a workspace meanwhile.
+   * Run time is that of two searches of the graph for each landmark, and of one or a few to find
+   * the largest connected part. Memory is 8 bytes per node and landmark; meanwhile, also that of a
+   * workspace and 16 bytes per node.
    */
   explicit Landmarks(const SurfaceGraph& graph, std::size_t number = DEFAULT_NUMBER);
 
@@ -111,6 +115,9 @@ private:
   }
 
   void find_distances(Search& search, Node first);
+  void add(Search& search, Node landmark, std::size_t i);
+  Node next_landmark(Search& search, Node root, std::size_t number) const;
+  double largest_difference(Node a, Node b, std::size_t number) const; // from the first landmarks
 
   const SurfaceGraph* m_graph;
   std::vector<Node> m_nodes;      // the landmarks
@@ -131,6 +138,9 @@ template <typename SurfaceGraph>
 class Landmarks<SurfaceGraph>::Heuristic
 {
 public:
+  /// that keys are nearly equal, and nodes have to be expanded in their order.
+  static constexpr bool needs_order = true;
+
   /// returns a lower bound for `node`, in units of the graph.
   double operator()(const Node node) const
   {
@@ -236,21 +246,78 @@ auto Landmarks<SurfaceGraph>::first_landmark(Search& search) -> Node
 template <typename SurfaceGraph>
 void Landmarks<SurfaceGraph>::find_distances(Search& search, const Node first)
 {
-  std::vector<double> from_nearest(search.graph().number_of_nodes(), internal::infinity);
   const std::size_t number = m_nodes.size();
-  for(std::size_t i = 0; i < number; ++i)
+  add(search, first, 0);
+  const std::vector<Node> nodes = search.reached_nodes(); // of the largest part
+  constexpr std::size_t stride = 1000003;                 // a prime: roots lie apart
+  for(std::size_t i = 1; i < number; ++i)
   {
     internal::check_for_interruption(i, number);
-    m_nodes[i] = i == 0 ? first : farthest(search, [&](const Node n) { return from_nearest[n]; });
-    search.run_from(m_nodes[i]);
-    for(const Node node : search.reached_nodes())
-    {
-      const double distance = search.labels().distance(node);
-      m_distance[std::size_t(node) * number + i] = distance;
-      m_largest = (std::max)(m_largest, distance);
-      from_nearest[node] = (std::min)(from_nearest[node], distance);
-    }
+    add(search, next_landmark(search, nodes[i * stride % nodes.size()], i), i);
   }
+}
+
+template <typename SurfaceGraph>
+void Landmarks<SurfaceGraph>::add(Search& search, const Node landmark, const std::size_t i)
+{
+  m_nodes[i] = landmark;
+  search.run_from(landmark);
+  for(const Node node : search.reached_nodes())
+  {
+    const double distance = search.labels().distance(node);
+    m_distance[std::size_t(node) * m_nodes.size() + i] = distance;
+    m_largest = (std::max)(m_largest, distance);
+  }
+}
+
+// In the shortest-path tree of `root`, sums up how much the bounds are below the distances of the
+// nodes of each subtree that has none of the landmarks so far. Returns a leaf of the subtree with
+// the largest sum, behind the worst of its subtrees.
+template <typename SurfaceGraph>
+auto Landmarks<SurfaceGraph>::next_landmark(Search& search,
+                                            const Node root,
+                                            const std::size_t number) const -> Node
+{
+  search.run_from(root);
+  std::vector<Node> order = search.reached_nodes();
+  const auto& labels = search.labels();
+  std::sort(order.begin(), order.end(), [&](const Node a, const Node b) {
+    return std::make_pair(labels.distance(a), a) < std::make_pair(labels.distance(b), b);
+  });
+  order.erase(std::unique(order.begin(), order.end()), order.end());
+  std::vector<double> sum(labels.number_of_nodes());
+  std::vector<Node> worst_child(labels.number_of_nodes(), Search::null_node);
+  for(std::size_t i = 0; i < number; ++i)
+    sum[m_nodes[i]] = -internal::infinity;
+  Node result = root;
+  for(std::size_t i = order.size(); i-- > 0;)
+  {
+    const Node node = order[i], parent = labels.predecessor(node);
+    sum[node] += labels.distance(node) - largest_difference(root, node, number);
+    result = sum[node] > sum[result] ? node : result;
+    if(parent == Search::null_node)
+      continue;
+    sum[parent] += sum[node];
+    if(worst_child[parent] == Search::null_node || sum[node] > sum[worst_child[parent]])
+      worst_child[parent] = node;
+  }
+  while(worst_child[result] != Search::null_node)
+    result = worst_child[result];
+  return result;
+}
+
+template <typename SurfaceGraph>
+double Landmarks<SurfaceGraph>::largest_difference(const Node a,
+                                                   const Node b,
+                                                   const std::size_t number) const
+{
+  double result = 0;
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const double difference = std::abs(distances(a)[i] - distances(b)[i]);
+    result = result < difference ? difference : result; // which may be unknown
+  }
+  return result;
 }
 
 } // namespace CGAL::Approximate_geodesics

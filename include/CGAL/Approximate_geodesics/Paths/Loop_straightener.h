@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Straightening/Sleeve_straightener.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -17,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,10 +40,18 @@ namespace CGAL::Approximate_geodesics {
 class Loop_straightener
 {
 public:
-  /// a straightener for loops on `triangulation`.
+  /// a straightener for loops on `triangulation`, with at most 1,000 steps more for each loop than
+  /// there are vertices.
   /// \warning `triangulation` is referred to, not copied.
   explicit Loop_straightener(const Intrinsic_triangulation& triangulation)
-    : m_triangulation(triangulation)
+    : Loop_straightener(triangulation, 1000 + std::size_t(triangulation.number_of_vertices()))
+  {
+  }
+
+  /// a straightener with at most this number of steps for each loop.
+  Loop_straightener(const Intrinsic_triangulation& triangulation,
+                    const std::size_t largest_number_of_steps)
+    : m_triangulation(triangulation), m_largest_number_of_steps(largest_number_of_steps)
   {
   }
 
@@ -50,6 +61,8 @@ public:
   ///
   /// The first point of a loop is also its last one. Each point shares a face or an edge with the
   /// next.
+  ///
+  /// \throws std::runtime_error if it is not locally shortest after the largest number of steps.
   Path shortened(const Path& loop) const
   {
     const auto base = std::find_if(loop.points.begin(), loop.points.end(),
@@ -58,10 +71,12 @@ public:
       return {{loop.points.front()}, 0};
     Path result =
         tightened(rotated(loop.points, static_cast<std::size_t>(base - loop.points.begin())));
-    const std::size_t largest_number_of_steps = 1000 + m_triangulation.number_of_vertices();
-    for(std::size_t i = 0; i < largest_number_of_steps && !is_point(result); ++i)
-      if(!shorten(result))
-        break;
+    for(std::size_t i = 0; !is_point(result) && shorten(result); ++i)
+      if(i == m_largest_number_of_steps)
+        throw std::runtime_error(internal::name_of_package() +
+                                 "the loop is not locally shortest after " + std::to_string(i) +
+                                 " steps; its length is " +
+                                 internal::text_of(result.length * m_triangulation.unit()));
     return finished(std::move(result));
   }
 
@@ -215,6 +230,7 @@ private:
   }
 
   const Intrinsic_triangulation& m_triangulation;
+  const std::size_t m_largest_number_of_steps;
 };
 
 } // namespace CGAL::Approximate_geodesics

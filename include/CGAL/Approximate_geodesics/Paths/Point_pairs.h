@@ -66,7 +66,8 @@ public:
   std::size_t number_of_groups() const { return m_first.size() - 1; }
 
   // Searches from the start of a group until the distances of all its ends are final, and sets
-  // `results[i]` to `find(search, end)` for each of its pairs.
+  // `results[i]` to `find(search, end)` for each of its pairs. Landmarks guide a search to each
+  // end: as they may change its distance, this must not depend on the other ones.
   template <typename SurfaceSearch, typename Find, typename Result>
   void find(SurfaceSearch& search,
             const std::size_t group,
@@ -74,15 +75,21 @@ public:
             const Find& find,
             std::vector<Result>& results) const
   {
-    typename SurfaceSearch::Stop_rule stop{maximum_distance};
+    const Intrinsic_point& start = this->start(m_order[m_first[group]]);
+    const bool is_guided = search.uses_landmarks();
+    if(!is_guided)
+    {
+      typename SurfaceSearch::Stop_rule stop{maximum_distance};
+      for(std::size_t i = m_first[group]; i < m_first[group + 1]; ++i)
+        stop.targets.push_back(end(m_order[i]));
+      search.run({{start}}, stop);
+    }
     for(std::size_t i = m_first[group]; i < m_first[group + 1]; ++i)
-      stop.targets.push_back(end(m_order[i]));
-    if(stop.targets.size() == 1 && search.uses_landmarks())
-      search.run_to(stop.targets[0], {{start(m_order[m_first[group]])}}, {}, maximum_distance);
-    else
-      search.run({{start(m_order[m_first[group]])}}, stop);
-    for(std::size_t i = m_first[group]; i < m_first[group + 1]; ++i)
+    {
+      if(is_guided)
+        search.run_to(end(m_order[i]), {{start}}, {}, maximum_distance);
       results[m_order[i]] = find(search, end(m_order[i]));
+    }
   }
 
   // Does so for all groups.

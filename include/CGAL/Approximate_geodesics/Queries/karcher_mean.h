@@ -89,6 +89,13 @@ private:
     Plane_vector mean{0, 0};       // of logarithms
     double xx = 0, xy = 0, yy = 0; // the Hessian
 
+    // A point at the same place.
+    void add_here(const double weight)
+    {
+      xx += weight;
+      yy += weight;
+    }
+
     void add(const double weight, const double distance, const First_line& line)
     {
       const Plane_vector u{std::cos(line.angle), std::sin(line.angle)};
@@ -121,7 +128,10 @@ private:
       Path path = m_search.find_path(m_points[i]);
       check_reached(path, i);
       if(!(path.length > 0)) // the same point, or one that edges of length zero join it with
+      {
+        result.add_here(m_weights[i]);
         continue;
+      }
       std::reverse(path.points.begin(), path.points.end());
       result.add(m_weights[i], path.length / triangulation().unit(), m_first_lines(path.points));
     }
@@ -289,7 +299,7 @@ std::vector<double> shares(const Weights& weights, const std::size_t number_of_p
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the largest number of iterations}
+ *     \cgalParamDescription{the largest number of iterations; not negative}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{`100`}
  *   \cgalParamNEnd
@@ -298,8 +308,8 @@ std::vector<double> shares(const Weights& weights, const std::size_t number_of_p
  * \return the point, the deviation, the number of iterations, and whether it has converged.
  *
  * \throws std::invalid_argument if there are no points, or not as many weights, if a weight is
- *         negative, infinite or NaN, if all are `0`, if points lie in different components, and as
- *         `logarithmic_map()` does.
+ *         negative, infinite or NaN, if all are `0`, if points lie in different components, if the
+ *         number of iterations is negative, and as `logarithmic_map()` does.
  *
  * \sa `logarithmic_map()`
  */
@@ -320,8 +330,7 @@ Karcher_mean<TriangleMesh> karcher_mean(const TriangleMesh& tmesh,
   std::vector<Intrinsic_point> places = internal::intrinsic_points(translation, points, "point");
   std::vector<double> shares = internal::shares(weights, places.size());
   internal::Mean_search search(graph, std::move(places), std::move(shares));
-  search.run(static_cast<std::size_t>(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::number_of_iterations), 100)));
+  search.run(internal::largest_number_of_iterations(np, 100));
   return {translation.surface_point(search.point()),
           search.deviation() * graph.triangulation().unit(), search.number_of_iterations(),
           search.has_converged()};

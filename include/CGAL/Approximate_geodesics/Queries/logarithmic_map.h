@@ -85,7 +85,8 @@ private:
     return result;
   }
 
-  // If the path first crosses the edge of `g`, into the face to its left.
+  // The first line of a path that first crosses the edge of `g`, into the face to its left; none if
+  // that edge is not one of the face where the path starts.
   std::optional<First_line> line_across(Index g, const std::vector<Intrinsic_point>& points) const
   {
     const Index first = m_triangulation.opposite(g);
@@ -189,7 +190,7 @@ private:
     return before == Search::Search::null_node || before == m_source.vertex;
   }
 
-  // That of the straight line from the source.
+  // The angle of the straight line from the source.
   double angle_of_line(const Node node)
   {
     m_points.assign(1, m_source);

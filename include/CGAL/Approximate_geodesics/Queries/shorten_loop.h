@@ -174,9 +174,10 @@ inline Path shortest_loop(const Saddle_vertex_graph& graph, const Intrinsic_poin
  *         and no edge in common, if a point is not on the mesh, if a face breaks the triangle
  *         inequality, and as `Intrinsic_triangulation` does.
  * \throws std::length_error if `tmesh` has too many halfedges for 32-bit indices.
+ * \throws std::runtime_error if the loop is not locally shortest after \f$n + 1000\f$ steps.
  *
- * Reading the mesh takes \cgalBigO{n} time. A loop takes a number of steps that is less than
- * \f$n + 1000\f$, and mostly below ten: each fixes one point, and straightens the loop in time in
+ * Reading the mesh takes \cgalBigO{n} time. A loop takes a number of steps that is mostly below
+ * ten: each fixes one point, and straightens the loop in time in
  * proportion to the number of faces that it crosses, in practice.
  *
  * The method is that of `Path_straightener`, with a base that moves.

@@ -106,6 +106,18 @@ inline void check_tangent_vector(const Tangent_vector& v, const char* const name
            "; its coordinates must be finite numbers");
 }
 
+// Reads a parameter that may be of a signed type.
+template <typename NamedParameters>
+std::size_t largest_number_of_iterations(const NamedParameters& np, const std::size_t otherwise)
+{
+  const auto number = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::number_of_iterations), otherwise);
+  if constexpr(std::is_signed_v<std::decay_t<decltype(number)>>)
+    if(!(number >= 0))
+      reject("the number of iterations is " + std::to_string(number) + "; it must not be negative");
+  return static_cast<std::size_t>(number);
+}
+
 // A face in space, laid out around the source of a halfedge.
 struct Face_in_space
 {
@@ -193,11 +205,12 @@ public:
    * of this object.
    *
    * \throws std::invalid_argument and std::length_error as `Intrinsic_triangulation` does, and if a
-   * face breaks the triangle inequality.
+   * face breaks the triangle inequality, or the number of iterations is negative.
    */
   explicit Geodesic_tracer(const TriangleMesh& tmesh,
                            const NamedParameters& np = parameters::default_values())
     : m_np(np),
+      m_largest_number_of_faces(internal::largest_number_of_iterations(np, 1000000)),
       m_triangulation(tmesh, np),
       m_translation(tmesh, internal::vertex_index_map(tmesh, np), m_triangulation),
       m_frames(m_triangulation)
@@ -224,7 +237,7 @@ public:
     const double steps =
         (std::min)(length / m_triangulation.unit(), (std::numeric_limits<double>::max)());
     const internal::Straight_walk walk(m_triangulation, p, internal::angle_of(way), steps,
-                                       largest_number_of_faces());
+                                       m_largest_number_of_faces);
     return internal::walk_on_mesh(m_translation, m_triangulation, walk);
   }
 
@@ -301,13 +314,6 @@ public:
 #endif
 
 private:
-  std::size_t largest_number_of_faces() const
-  {
-    constexpr std::size_t enough = 1000000;
-    return static_cast<std::size_t>(parameters::choose_parameter(
-        parameters::get_parameter(m_np, internal_np::number_of_iterations), enough));
-  }
-
   template <typename Vector>
   Tangent_vector
   tangent_vector_at(const Intrinsic_point& p, const Vector& vector, const char* const name) const
@@ -370,6 +376,7 @@ private:
   }
 
   const NamedParameters m_np;
+  const std::size_t m_largest_number_of_faces; // that a walk visits
   const Intrinsic_triangulation m_triangulation;
   Mesh_translation<TriangleMesh, Index_map> m_translation;
   const internal::Tangent_frames m_frames;
@@ -391,9 +398,10 @@ private:
  * larger angle. So a walk along a straight border goes on along it.
  *
  * A walk that would miss a vertex ahead by less than \f$10^{-12}\f$ of the length of an edge goes
- * through the vertex. Through vertices on both sides of which it could go on, the end is no
- * continuous function of the direction; elsewhere, it is accurate up to rounding, and the same walk
- * backward, from the end, in the direction opposite to that at the end, returns to the start.
+ * through the vertex. Through vertices on both sides of which it could go on, the end is
+ * not a continuous function of the direction; elsewhere, it is accurate up to rounding, and the
+ * same walk backward, from the end, in the direction opposite to that at the end, returns to the
+ * start.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam Point `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, `Face_location`, or
@@ -423,8 +431,9 @@ private:
  *         border.
  *
  * \throws std::invalid_argument if the length is negative, infinite or NaN, if the direction has
- *         length `0` or is not finite, if `start` is not a point of the mesh, if a face breaks the
- *         triangle inequality, and as `Intrinsic_triangulation` does.
+ *         length `0` or is not finite, if `start` is not a point of the mesh, if the number of
+ *         iterations is negative, if a face breaks the triangle inequality, and as
+ *         `Intrinsic_triangulation` does.
  * \throws std::length_error if `tmesh` has too many halfedges for 32-bit indices.
  *
  * Reading the mesh takes \cgalBigO{n} time, and the walk time in proportion to the number of faces

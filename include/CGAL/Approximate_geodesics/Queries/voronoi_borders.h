@@ -59,7 +59,8 @@ struct Voronoi_corner
   /// the point.
   Face_location<TriangleMesh> point;
 
-  /// the sources whose cells meet, counterclockwise if there are three or more, seen from outside.
+  /// the sources whose cells meet, counterclockwise if there are three or more, seen from outside;
+  /// in increasing order if a cell comes to the corner from several sides.
   std::vector<std::size_t> sources;
 };
 

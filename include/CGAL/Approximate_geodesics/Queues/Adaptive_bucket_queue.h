@@ -342,18 +342,42 @@ public:
    * of `extract_min()` or `clear()`.
    * \pre `!is_empty()`
    */
-  Batch extract_min() { return extract(LARGEST_BATCH); }
+  Batch extract_min() { return extract_round(LARGEST_BATCH); }
 
   /// removes and returns current entries of the first nonempty bucket, at most `largest_batch`: a
   /// batch that is large enough for several threads. Remaining entries are extracted next.
   /// \pre `!is_empty()`
-  Batch extract_round(const std::size_t largest_batch) { return extract(largest_batch); }
+  Batch extract_round(const std::size_t largest_batch)
+  {
+    CGAL_precondition(!is_empty());
+    if(m_next == m_round.size())
+      start_next_round();
+    const Entry* const first = m_round.data() + m_next;
+    const std::size_t size = (std::min)(m_round.size() - m_next, largest_batch);
+    m_next += size;
+    m_size -= size;
+    return Batch(first, first + size);
+  }
 
   /// the largest number of entries in a batch.
   static constexpr std::size_t LARGEST_BATCH = 32;
 
   /// returns whether `key` is smaller than all keys in the queue and all that may still be pushed.
-  bool is_final(const Key key) const { return bucket_index(key) < m_current; }
+  bool is_final(const Key key) const
+  {
+    return m_keeps_order ? !m_round.empty() && key < m_round.back().key
+                         : bucket_index(key) < m_current;
+  }
+
+  /// keeps entries in order until the next call of `clear()`: in a heap, from which they come one
+  /// at a time, smallest key first. \pre `is_empty()`
+  void keep_order()
+  {
+    CGAL_precondition(is_empty());
+    m_keeps_order = m_is_in_order = true;
+    m_number_in_circle = 0;
+    m_buckets_per_unit = 0; // all keys belong to the first bucket
+  }
 
   /// calls `f(node)` for the nodes of all entries; a node may be repeated.
   template <typename F>
@@ -372,7 +396,8 @@ public:
   {
     for(Bucket& b : m_buckets)
       b.clear();
-    m_policy.update(statistics());
+    if(!m_keeps_order)
+      m_policy.update(statistics());
     m_heap.clear();
     set_up_circle();
   }
@@ -403,18 +428,6 @@ private:
   static constexpr Index LARGEST_CIRCLE = 1024; // arcs longer than 1023 widths are rare
   static constexpr Index LARGEST_INDEX = Index(1) << 62;
 
-  Batch extract(const std::size_t largest_batch)
-  {
-    CGAL_precondition(!is_empty());
-    if(m_next == m_round.size())
-      start_next_round();
-    const Entry* const first = m_round.data() + m_next;
-    const std::size_t size = (std::min)(m_round.size() - m_next, largest_batch);
-    m_next += size;
-    m_size -= size;
-    return Batch(first, first + size);
-  }
-
   // Monotone in `key`, which suffices for correctness.
   Index bucket_index(const Key key) const
   {
@@ -435,6 +448,7 @@ private:
     m_buckets.resize(size);
     m_mask = size - 1;
     m_buckets_per_unit = 1 / width;
+    m_keeps_order = false;
     m_size = 0;
     m_statistics = Bucket_statistics();
     m_statistics.width = width;
@@ -558,6 +572,7 @@ private:
   // The bucket that is being drained.
   Index m_current = 0;
   bool m_is_in_order = false;
+  bool m_keeps_order = false;    // whether it has all entries, in order
   std::size_t m_drained = 0;     // entries in its rounds so far
   std::size_t m_first_round = 0; // entries in the first round; later entries are late
 

@@ -235,6 +235,24 @@ public:
     }
   }
 
+  /// \cond SKIP_IN_MANUAL
+
+  // Runs as `run()` does, in a part of the surface that the graph's `Run` knows how to stay in.
+  // Nodes outside, and those on no path to the goal that is short enough, may not be reached.
+  template <typename Corridor>
+  void run_within(Corridor corridor,
+                  const std::vector<Seed>& seeds,
+                  const Stop_rule& stop,
+                  const Find_entries& find_entries)
+  {
+    check(seeds, stop);
+    forget();
+    m_run.limit_to(std::move(corridor));
+    search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_entries);
+  }
+
+  /// \endcond
+
   /*!
    * adds seeds to those of the last run, and lowers the distances of the nodes that are nearer to
    * the new ones. Results are those of a run from all seeds; but only nodes whose distances fall
@@ -509,7 +527,7 @@ private:
     return (std::min)(m_limit, to_graph_unit(stop.maximum_distance));
   }
 
-  // Nodes in `border` have labels, and are expanded with these, too.
+  // Nodes in `border` have labels already; the search starts from them, too.
   template <typename Visitor, typename Heuristic>
   void search(const std::vector<Seed>& seeds,
               const Stop_rule& stop,
@@ -520,12 +538,14 @@ private:
   {
     guard([&] {
       prepare();
+      keep_order<Heuristic>();
       m_is_complete = m_is_complete && !internal::is_heuristic<Heuristic> && !find_entries &&
                       stop.maximum_distance == std::numeric_limits<double>::infinity();
       for(const Node node : border)
         m_queue.push(node, m_labels.distance(node));
       Start<Heuristic> start{*this, seeds, stop, heuristic, bool(find_entries)};
       m_run.start(start);
+      keep_order<Heuristic>(); // another graph may have been searched
       if(find_entries)
         for(const Entry& entry : find_entries())
           enter(entry, stop, heuristic);
@@ -534,6 +554,13 @@ private:
           enter(Entry{seed, {}}, stop, heuristic);
       propagate_all(stop, visitor, heuristic);
     });
+  }
+
+  template <typename Heuristic>
+  void keep_order()
+  {
+    if constexpr(internal::needs_order<Heuristic> && internal::can_keep_order<Queue>)
+      m_queue.keep_order();
   }
 
   template <typename Visitor, typename Heuristic>
@@ -572,7 +599,7 @@ private:
     m_is_complete = true; // nothing is reached
   }
 
-  // Afterwards, labels are to be those of the graph as it is now.
+  // Prepares for labels of the graph in its present state.
   void forget_seeds()
   {
     m_seeds.clear();

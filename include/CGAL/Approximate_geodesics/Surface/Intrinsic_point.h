@@ -148,7 +148,7 @@ inline void check_point(const Intrinsic_point& p, const Intrinsic_triangulation&
            text_of(p.s));
 }
 
-// Numbers of things that lie in faces, sorted by these.
+// Numbers of points or segments, sorted by the faces that contain them.
 class Numbers_by_face
 {
   using Index = Intrinsic_triangulation::Index;

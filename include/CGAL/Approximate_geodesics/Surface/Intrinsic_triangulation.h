@@ -238,6 +238,8 @@ public:
   /// none.
   Index vertex(const std::size_t i) const
   {
+    if(m_vertex_of_index.empty())
+      return i < number_of_vertices() ? static_cast<Index>(i) : null_index;
     return i < m_vertex_of_index.size() ? m_vertex_of_index[i] : null_index;
   }
 
@@ -245,7 +247,7 @@ public:
   Index index(const Index v) const
   {
     CGAL_precondition(v < number_of_vertices());
-    return m_index_of_vertex[v];
+    return m_index_of_vertex.empty() ? v : m_index_of_vertex[v];
   }
 
   /// @}
@@ -306,14 +308,14 @@ public:
     return {h, second, next(second)};
   }
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
   // The smallest halfedge of the face to the left of `h`, which identifies the face.
   Index first_of_face(const Index h) const
   {
     const auto sides = halfedges_of_face(h);
     return *std::min_element(sides.begin(), sides.end());
   }
-#endif
+  /// \endcond
 
   /// returns whether there is no face to the left of `h`.
   bool is_border(const Index h) const { return m_is_border[h]; }
@@ -387,18 +389,18 @@ public:
    */
   void set_weights(const std::vector<Weight_change>& changes);
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
   // Calls `f(halfedge, before, after)` for each change.
   template <typename F>
   void set_weights(const std::vector<Weight_change>& changes, F f);
-#endif
+  /// \endcond
 
   /// returns whether weights are functions of the direction. `has_weights()` is `false` then.
   bool has_directional_costs() const { return !m_gauges.is_empty(); }
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
   const internal::Face_gauges& gauges() const { return m_gauges; }
-#endif
+  /// \endcond
 
   /// returns whether any edge is a barrier.
   bool has_barriers() const { return !m_is_barrier.empty(); }
@@ -443,7 +445,7 @@ public:
   /// returns the lengths of all halfedges, one after the other.
   const std::vector<double>& lengths() const { return m_length; }
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
   const internal::Thin_faces& thin_faces() const { return m_thin_faces; }
 
   // Whether a shortest path may return to a face of the mesh: lengths are not those of an
@@ -462,7 +464,7 @@ public:
     const Index second = next(h);
     return is_flipped(h) || is_flipped(second) || is_flipped(next(second));
   }
-#endif
+  /// \endcond
 
   /// prefetches the arrays' entries at `h`, and the next few.
   void prefetch(const Index h) const
@@ -473,10 +475,10 @@ public:
     internal::prefetch(m_length.data(), h + doubles_per_cache_line);
   }
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
   // `h` may be null_index.
   void prefetch_length(const Index h) const { internal::prefetch(m_length.data(), h); }
-#endif
+  /// \endcond
 
   /// @}
 
@@ -531,7 +533,7 @@ public:
 
   /// @}
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
   // A halfedge of a face that breaks the triangle inequality, or whose area underflows; or null.
   Index face_without_shape() const
   {
@@ -552,14 +554,14 @@ public:
     return null_index;
   }
 
-  // the face to the left of `h`, in words
+  // Names the face to the left of `h` in messages.
   std::string name_of_face(const Index h) const
   {
     const Index g = next(h);
     return "the face with vertices " + std::to_string(index(target(next(g)))) + ", " +
            std::to_string(index(target(h))) + ", " + std::to_string(index(target(g)));
   }
-#endif
+  /// \endcond
 
 private:
   template <typename TriangleMesh, typename NamedParameters>
@@ -590,12 +592,12 @@ private:
   internal::Opposite_ranks m_opposite_rank;
   internal::Thin_faces m_thin_faces;
   internal::Face_gauges m_gauges;
-  std::vector<double> m_weight;   // per halfedge, or empty
-  std::vector<bool> m_is_barrier; // likewise
-  std::vector<bool> m_is_lifted;  // likewise
-  std::vector<bool> m_is_flipped; // likewise
-  std::vector<Index> m_vertex_of_index;
-  std::vector<Index> m_index_of_vertex;
+  std::vector<double> m_weight;         // per halfedge, or empty
+  std::vector<bool> m_is_barrier;       // likewise
+  std::vector<bool> m_is_lifted;        // likewise
+  std::vector<bool> m_is_flipped;       // likewise
+  std::vector<Index> m_vertex_of_index; // empty if vertices keep their indices
+  std::vector<Index> m_index_of_vertex; // likewise
   Index m_number_of_faces = 0;
   double m_unit = 1;
   double m_weight_unit = 1;

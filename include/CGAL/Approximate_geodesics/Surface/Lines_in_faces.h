@@ -165,7 +165,7 @@ public:
     });
   }
 
-#ifndef DOXYGEN_RUNNING
+  /// \cond SKIP_IN_MANUAL
   // Calls `f(v, cost, p)` for the corners and points that `for_each_corner_beside()` reports.
   template <typename F, typename OnSample>
   void for_each_node_beside(const Intrinsic_point& end, F f, OnSample /* on_sample */) const
@@ -175,7 +175,7 @@ public:
         [&](const Index v, const internal::Face_point& corner, const internal::Face_point& foot,
             const Intrinsic_point& p) { f(v, m_costs.between(corner.halfedge, foot, corner), p); });
   }
-#endif
+  /// \endcond
 
 protected:
   /// returns the triangulation.

@@ -287,7 +287,7 @@ private:
     return static_cast<std::size_t>(tile - m_smallest_open.begin());
   }
 
-  // Those that have labels, none of which is open.
+  // The number of tiles that have labels, but no open node.
   std::size_t number_of_closed_tiles() const
   {
     std::size_t result = 0;

@@ -54,7 +54,7 @@ void reset(std::vector<T>& array, const std::vector<Index>& numbers, const T val
 
 // Prefetches the cache line of entry `i` of an array. The entry may lie beyond the end, so the
 // address is computed as an integer, because pointer arithmetic must stay in the array. WebAssembly
-// cannot prefetch; it loads, which nothing waits for.
+// has no such instruction; there, a load whose result is not used takes its place.
 template <typename T>
 void prefetch(const T* const array, const std::size_t i)
 {

@@ -45,8 +45,9 @@ struct Uninitialized_allocator : std::allocator<T>
   }
 };
 
-// Reserves memory for entries that are written right away. A large array gets huge pages where the
-// system has them on request: to be given pages one by one would take longer than to write them.
+// Reserves memory for entries that are written right away. Large arrays request huge pages where
+// the system supports this: page faults, one per small page, would take longer than writing the
+// entries.
 template <typename T, typename Allocator>
 void reserve_huge_pages(std::vector<T, Allocator>& array, const std::size_t size)
 {

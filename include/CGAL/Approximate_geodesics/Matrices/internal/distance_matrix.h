@@ -56,11 +56,9 @@ std::vector<Intrinsic_point> intrinsic_points(const Intrinsic_triangulation& tri
 inline std::vector<Intrinsic_point> all_vertices(const Intrinsic_triangulation& triangulation)
 {
   std::vector<Intrinsic_point> result;
-  for(Intrinsic_triangulation::Index v = 0; v < triangulation.number_of_vertices(); ++v)
-    result.push_back(Intrinsic_point::at_vertex(v));
-  std::sort(result.begin(), result.end(), [&](const auto& p, const auto& q) {
-    return triangulation.index(p.vertex) < triangulation.index(q.vertex);
-  });
+  for(std::size_t i = 0; result.size() < triangulation.number_of_vertices(); ++i)
+    if(const auto v = triangulation.vertex(i); v != Intrinsic_triangulation::null_index)
+      result.push_back(Intrinsic_point::at_vertex(v));
   return result;
 }
 

@@ -41,25 +41,6 @@ void append_backward(ForEachCrossing for_each_crossing, Path& path)
   std::reverse(path.points.begin() + beyond, path.points.end());
 }
 
-// Appends the arc from `previous` to `node` in the opposite direction.
-template <typename Search>
-void append_arc_back(const Search& search,
-                     const typename Search::Node node,
-                     const typename Search::Node previous,
-                     Path& path)
-{
-  using Graph = typename Search::Graph;
-  if constexpr(has_crossing_arcs<Graph>)
-    append_backward(
-        [&](auto f) {
-          return search.graph_run().for_each_crossing(previous, node, search.labels(), f);
-        },
-        path);
-  else
-    path.length += search.labels().distance(node) - search.labels().distance(previous);
-  append(position(search.graph(), previous), search.graph().triangulation(), path);
-}
-
 // Appends the rest of the path from `node` back to the start of the search. Returns the last node.
 template <typename Search>
 typename Search::Node append_tree_path(const Search& search, typename Search::Node node, Path& path)
@@ -67,7 +48,15 @@ typename Search::Node append_tree_path(const Search& search, typename Search::No
   for(auto previous = search.predecessor(node); previous != Search::null_node;
       previous = search.predecessor(node))
   {
-    append_arc_back(search, node, previous, path);
+    if constexpr(has_crossing_arcs<typename Search::Graph>)
+      append_backward(
+          [&](auto f) {
+            return search.graph_run().for_each_crossing(previous, node, search.labels(), f);
+          },
+          path);
+    else
+      path.length += search.labels().distance(node) - search.labels().distance(previous);
+    append(position(search.graph(), previous), search.graph().triangulation(), path);
     node = previous;
   }
   return node;

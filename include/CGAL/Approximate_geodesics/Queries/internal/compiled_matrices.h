@@ -12,7 +12,8 @@
 #include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 
-// The same for matrices and lists of pairs.
+// What programs can compile once for matrices and lists of pairs, as `compiled_searches.h` does for
+// searches.
 #ifdef CGAL_APPROXIMATE_GEODESICS_COMPILED
 
 namespace CGAL::Approximate_geodesics {

@@ -284,7 +284,7 @@ private:
   std::vector<Node> m_nodes;       // those that are marked
 };
 
-// That of a graph whose searches are not repaired.
+// Stands for `Repair` if searches of a graph are not repaired.
 struct No_repair
 {
   static std::size_t memory() { return 0; }

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
+#include <boost/type_traits/detected_or.hpp>
 #include <boost/type_traits/is_detected.hpp>
 
 #include <cstddef>
@@ -20,7 +21,8 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// Checks that report a missing member of a graph or a queue in one line.
+// Checks that report a missing member of a graph or a queue in one line. Conditions have names, as
+// compilers quote what they assert.
 
 // Arguments that convert only to integers, or only to floating-point numbers: a node is not a
 // distance.
@@ -150,6 +152,10 @@ template <typename Queue>
 constexpr bool
     has_rounds = is_valid<Queue&>([](auto& q) -> decltype(q.extract_round(std::size_t(1))) {});
 
+// Whether a queue, which does not order entries of similar keys, can do so on request.
+template <typename Queue>
+constexpr bool can_keep_order = is_valid<Queue&>([](auto& q) -> decltype(q.keep_order()) {});
+
 // Whether a queue counts comparisons.
 template <typename Queue>
 constexpr bool counts_comparisons =
@@ -177,6 +183,13 @@ double rounding_of_keys([[maybe_unused]] const Heuristic& heuristic)
   else
     return 0;
 }
+
+template <typename Heuristic>
+using Needs_order = std::bool_constant<Heuristic::needs_order>;
+
+// Whether the keys with a heuristic are so nearly equal that their order matters.
+template <typename Heuristic>
+constexpr bool needs_order = boost::detected_or_t<std::false_type, Needs_order, Heuristic>::value;
 
 // Whether an entry is stale: its key is larger than the one that its node would be entered with
 // now, at this distance. With a heuristic, both keys were rounded, and the first one may have been

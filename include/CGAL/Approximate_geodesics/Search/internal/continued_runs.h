@@ -65,11 +65,11 @@ void Propagation<GeodesicGraph, PriorityQueue>::repair(const std::vector<Seed>& 
     if(m_is_complete && internal::are_changes_known(*m_graph, m_number_of_changes))
     {
       m_sources.forget(m_labels);
-      std::vector<Seed> in_graph_unit = seeds;
-      for(Seed& seed : in_graph_unit)
-        seed.distance = to_graph_unit(seed.distance);
       bool is_worthwhile = false;
       guard([&] {
+        std::vector<Seed> in_graph_unit = seeds;
+        for(Seed& seed : in_graph_unit)
+          seed.distance = to_graph_unit(seed.distance);
         is_worthwhile = m_repair.raise_labels(*m_graph, m_labels, m_seeds, std::move(in_graph_unit),
                                               m_number_of_changes);
       });

@@ -24,8 +24,8 @@ namespace CGAL::Approximate_geodesics::internal {
  * separate these.
  *
  * In a face that a curve passes, a corner or the middle of a side lies on the side from which it
- * sees the nearest point of the curve, as nothing is between the two. Vertices and all other faces
- * take their side from their neighbors.
+ * sees the nearest point of the curve, as nothing is between the two. Faces of a region are to the
+ * left of its border. Vertices and all other faces take their side from their neighbors.
  */
 class Curve_sides
 {
@@ -57,11 +57,14 @@ public:
       if(m_is_passed[face(h)])
         look_around_face(h);
     });
+    for(const Intrinsic_curve& curve : curves)
+      for(const Index h : curve.faces)
+        mark_region(h);
     spread();
     check_edges();
   }
 
-  // That of a vertex; none if it belongs to a curve, or is unknown.
+  // The side of a vertex; none if it belongs to a curve, or is unknown.
   Side operator[](const Index v) const { return m_sides[v]; }
 
   // Whether a vertex is connected with no curve, unless faces are nearly degenerate.
@@ -121,6 +124,14 @@ private:
         h < m_triangulation.beyond_halfedge(p.vertex); ++h)
       result = result || is_border(h);
     return result;
+  }
+
+  // A region that is a whole component has no border.
+  void mark_region(const Index face_of)
+  {
+    mark_face(face_of, LEFT);
+    for(const Index h : m_triangulation.halfedges_of_face(face_of))
+      mark(m_triangulation.source(h), LEFT);
   }
 
   // In a face that is nearly degenerate, rounding would decide.

@@ -66,7 +66,7 @@ public:
         has_area = has_area && (copied.doubled_area > 0 || copied.is_border);
         m_halfedges.push_back(copied);
       }
-    if(!has_area) // an impossible face has none
+    if(!has_area) // a face that violates the triangle inequality has none
       triangulation.check_triangle_inequality();
   }
 

@@ -49,8 +49,9 @@ public:
     bool is_finite;          // whether the gauge is, in the sector
     bool is_bridge;          // whether the sector contains directions, which are redundant
     Plane_vector functional; // the gauge as a linear functional, if it is finite
-    double error_at_start; // bounds of the relative error of the gauge, before the first direction
-    double error_at_end;   // inside and behind the last one; equal if there is none
+    // Bounds of the relative error of the gauge: before the first direction inside the sector, and
+    // behind the last one. They are equal if there is none.
+    double error_at_start, error_at_end;
 
     double error() const { return (std::max)(error_at_start, error_at_end); }
   };
@@ -366,6 +367,14 @@ private:
   Gauge_hull m_hull;
 };
 
+// Returns the exponent of a power of two near the largest cost per unit of length, or a larger one,
+// so that products with the unit of lengths do not underflow.
+inline int exponent_of_costs(const double largest, const double unit_of_lengths)
+{
+  constexpr int smallest = -1000;
+  return (std::max)(std::ilogb(largest), smallest - std::ilogb(unit_of_lengths));
+}
+
 /*
  * The costs of paths in faces that depend on the direction: for each face, a convex gauge in a
  * frame that is given by the directions of its sides. It has a formula, or its unit ball is a
@@ -489,7 +498,7 @@ public:
       m_formulas.emplace_back();
   }
 
-  // ... whose gauge has a formula.
+  // Adds a face whose gauge has a formula.
   template <typename Halfedges, typename Sides>
   void add(const Halfedges& halfedges, const Sides& sides, const Gauge_formula& formula)
   {
@@ -511,9 +520,7 @@ public:
       largest = formula ? (std::max)(largest, formula.largest()) : largest;
     if(largest == 0 || std::isinf(largest))
       return;
-    constexpr int smallest_of_costs = -1000;
-    const int exponent =
-        (std::max)(std::ilogb(largest), smallest_of_costs - std::ilogb(unit_of_lengths));
+    const int exponent = exponent_of_costs(largest, unit_of_lengths);
     m_unit = std::ldexp(1., exponent);
     const double root = std::ldexp(1., -(exponent / 2)); // powers of two within the range of double
     const double rest = std::ldexp(1., exponent / 2 - exponent);

@@ -46,7 +46,7 @@ inline Plane_vector turned_left(const Plane_vector a, const Plane_vector r)
   return {a.x * r.x - a.y * r.y, a.x * r.y + a.y * r.x};
 }
 
-// ... and the other way
+// `a` turned by that angle in the opposite direction
 inline Plane_vector turned_right(const Plane_vector a, const Plane_vector r)
 {
   return turned_left(a, {r.x, -r.y});

@@ -37,7 +37,11 @@ public:
   {
     const bool has_needles = Refined_needles::are_useful(mesh);
     if(has_needles || Balanced_fans::are_useful(mesh))
-      return Retriangulation(mesh, has_needles, most_flips(mesh));
+    {
+      // more flips than strips and fans of needles need, which is about one per halfedge
+      constexpr std::size_t flips_per_halfedge = 32;
+      return Retriangulation(mesh, has_needles, flips_per_halfedge * mesh.number_of_halfedges());
+    }
     return std::nullopt;
   }
 
@@ -57,12 +61,6 @@ public:
     m_signposts.reserve(flips.signposts().size());
     for(const auto& signpost : flips.signposts())
       m_signposts.push_back({number(signpost.halfedge), signpost.angle});
-  }
-
-  // More than strips and fans of needles need, which is about one per halfedge.
-  static std::size_t most_flips(const Intrinsic_triangulation& mesh)
-  {
-    return std::size_t(32) * mesh.number_of_halfedges();
   }
 
   const Intrinsic_triangulation& triangulation() const { return m_triangulation; }
@@ -185,7 +183,7 @@ private:
   }
 
   Intrinsic_triangulation m_triangulation;
-  std::vector<Index> m_number;                   // by that in the mesh
+  std::vector<Index> m_number;                   // per halfedge of the mesh
   std::vector<Index> m_number_in_mesh;           // per halfedge of the triangulation
   Index m_number_of_vertices;                    // of the mesh
   std::vector<Intrinsic_point> m_positions;      // of added vertices

@@ -20,8 +20,8 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// The point of the face to the left of `h` with the given weights, of which not more than one is as
-// good as zero.
+// The point of the face to the left of `h` with the given weights, of which at most one is zero up
+// to rounding.
 inline Intrinsic_point point_in_face(const Intrinsic_triangulation& triangulation,
                                      const Index h,
                                      const std::array<double, 3>& weight)
@@ -42,8 +42,8 @@ inline Intrinsic_point point_in_face(const Intrinsic_triangulation& triangulatio
  * straight across faces and edges, and through vertices as `Fan::straight_on()` says. Lengths are
  * in units of the triangulation.
  *
- * A vertex that is passed closely is passed through. So no line passes an edge of
- * length zero but through its ends; there, it goes on as if the edge were very short.
+ * A walk that passes very close to a vertex goes through it. So a line crosses an edge of length
+ * zero only at its ends; there, it goes on as if the edge were very short.
  */
 class Straight_walk
 {

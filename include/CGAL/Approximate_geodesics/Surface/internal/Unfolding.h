@@ -174,6 +174,17 @@ private:
   mutable std::vector<Unfolded_face> m_faces; // of these
 };
 
+// Takes the last line from a stack of those to be followed. Returns whether there was one.
+template <typename Stack, typename T>
+bool pop(Stack& stack, T& last)
+{
+  if(stack.empty())
+    return false;
+  last = stack.back();
+  stack.pop_back();
+  return true;
+}
+
 // A halfedge that straight lines from the origin meet, laid out between two points.
 struct Crossing
 {

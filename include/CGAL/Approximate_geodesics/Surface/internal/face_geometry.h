@@ -477,7 +477,7 @@ public:
     const std::array<double, 3> lengths{triangulation.length(m_halfedges[0]),
                                         triangulation.length(m_halfedges[1]),
                                         triangulation.length(m_halfedges[2])};
-    const auto longest = std::max_element(lengths.begin(), lengths.end()); // others may have none
+    const auto longest = std::max_element(lengths.begin(), lengths.end()); // others may be zero
     const auto base = static_cast<std::size_t>(longest - lengths.begin());
     const double c = lengths[base], a = lengths[(base + 1) % 3], b = lengths[(base + 2) % 3];
     m_corners[base] = {0, 0};

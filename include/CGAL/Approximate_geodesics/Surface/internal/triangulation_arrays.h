@@ -224,7 +224,7 @@ private:
 
   std::vector<Index> m_first_of_block; // the number of its first face
   std::vector<Index> m_halfedge;       // of each face, the one with the smallest number
-  std::vector<Thin_face> m_face;       // from that on
+  std::vector<Thin_face> m_face;       // the corner of that halfedge comes first
   bool m_has_extreme_needles = false;
 };
 

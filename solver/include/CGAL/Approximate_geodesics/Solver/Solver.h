@@ -314,6 +314,23 @@ public:
           is_barrier[i]);
   }
 
+  /*!
+   * prepares for many pairs, until weights or barriers change: makes `Landmarks`, or
+   * `Exact_landmarks` if distances are exact, which guide searches for single paths and lists of
+   * pairs. No other thread may use the solver meanwhile.
+   *
+   * \throws std::invalid_argument as the constructor of `Landmarks` does.
+   *
+   * Run time and memory are those of these classes.
+   */
+  void prepare_pairs(const std::size_t number_of_landmarks,
+                     const Solver_watch& watch = Solver_watch())
+  {
+    internal::Solver_visitor visitor(watch);
+    m_graph->prepare_pairs(number_of_landmarks);
+    visitor.finish();
+  }
+
   /// @}
 
   /// \name Distances and Paths
@@ -403,15 +420,7 @@ public:
                            const std::vector<Solver_point>& targets,
                            double* const distances,
                            const Solver_pair_options& options = Solver_pair_options(),
-                           const Solver_watch& watch = Solver_watch()) const
-  {
-    std::vector<double> found;
-    with_pairs(sources, targets, options, watch,
-               [&](const std::vector<Point_pair>& pairs, internal::Solver_visitor& visitor) {
-                 found = m_graph->find_distances(pairs, options.maximum_distance, visitor);
-               });
-    std::copy(found.begin(), found.end(), distances);
-  }
+                           const Solver_watch& watch = Solver_watch()) const;
 
   /// finds intervals that contain the distances on the surface: writes the lower and the upper end
   /// for each pair. The lower end is `0` if there is no error bound.
@@ -419,19 +428,7 @@ public:
                            const std::vector<Solver_point>& targets,
                            double* ends,
                            const Solver_pair_options& options = Solver_pair_options(),
-                           const Solver_watch& watch = Solver_watch()) const
-  {
-    std::vector<std::pair<double, double>> found;
-    with_pairs(sources, targets, options, watch,
-               [&](const std::vector<Point_pair>& pairs, internal::Solver_visitor& visitor) {
-                 found = m_graph->find_intervals(pairs, options.maximum_distance, visitor);
-               });
-    for(const auto& [lower, upper] : found)
-    {
-      *ends++ = lower;
-      *ends++ = upper;
-    }
-  }
+                           const Solver_watch& watch = Solver_watch()) const;
 
   /*!
    * returns the points of a shortest path from each source to its target, three coordinates each.
@@ -448,21 +445,7 @@ public:
              const std::vector<Solver_point>& targets,
              double* const lengths = nullptr,
              const Solver_pair_options& options = Solver_pair_options(),
-             const Solver_watch& watch = Solver_watch()) const
-  {
-    std::vector<Path> paths;
-    with_pairs(sources, targets, options, watch,
-               [&](const std::vector<Point_pair>& pairs, internal::Solver_visitor& visitor) {
-                 paths = m_graph->find_paths(pairs, options.maximum_distance, options.straighten,
-                                             visitor);
-               });
-    std::vector<std::vector<double>> result(paths.size());
-    for(std::size_t i = 0; i < paths.size(); ++i)
-      append_coordinates(paths[i].points.begin(), paths[i].points.end(), result[i]);
-    if(lengths != nullptr)
-      std::transform(paths.begin(), paths.end(), lengths, length_of);
-    return result;
-  }
+             const Solver_watch& watch = Solver_watch()) const;
 
   /// @}
 
@@ -637,12 +620,7 @@ private:
                   const std::vector<Solver_point>& targets,
                   const Solver_pair_options& options,
                   const Solver_watch& watch,
-                  const F& f) const
-  {
-    internal::Solver_visitor visitor(watch);
-    const std::vector<Point_pair> pairs = this->pairs(sources, targets);
-    with_threads(options.number_of_threads, [&] { f(pairs, visitor); });
-  }
+                  const F& f) const;
 
   static double length_of(const Path& path)
   {
@@ -661,18 +639,7 @@ private:
   }
 
   std::vector<Point_pair> pairs(const std::vector<Solver_point>& sources,
-                                const std::vector<Solver_point>& targets) const
-  {
-    if(sources.size() != targets.size())
-      internal::reject("pairs have " + std::to_string(sources.size()) + " sources and " +
-                       std::to_string(targets.size()) + " targets");
-    const auto from = intrinsic_points(sources, "the source of pair");
-    const auto to = intrinsic_points(targets, "the target of pair");
-    std::vector<Point_pair> result;
-    for(std::size_t i = 0; i < from.size(); ++i)
-      result.emplace_back(from[i], to[i]);
-    return result;
-  }
+                                const std::vector<Solver_point>& targets) const;
 
   std::vector<Intrinsic_point> intrinsic_points(const std::vector<Solver_point>& points,
                                                 const std::string& kind) const
@@ -758,5 +725,7 @@ private:
 };
 
 } // namespace CGAL::Approximate_geodesics
+
+#include <CGAL/Approximate_geodesics/Solver/internal/solver_pairs.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_H

@@ -8,16 +8,23 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/mesh_file_error.h>
+#include <CGAL/IO/PLY.h>
 #include <CGAL/IO/polygon_soup_io.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <ios>
+#include <istream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
@@ -25,17 +32,64 @@ namespace CGAL::Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsArrays
  *
+ * A triangle of a polygon soup, in 12 bytes. A reader of \cgal that resizes it to a polygon of
+ * another number of vertices gets an exception.
+ */
+struct Soup_triangle : std::array<std::uint32_t, 3>
+{
+  /// \throws std::invalid_argument if `number` is not `3`.
+  static void resize(const std::size_t number)
+  {
+    if(number != 3)
+      internal::reject("a face has " + std::to_string(number) + " vertices; it must have three");
+  }
+};
+
+namespace internal {
+
+template <typename Point>
+bool read_soup_file(const std::string& file,
+                    std::istream& /* in */,
+                    std::vector<Point>& points,
+                    std::vector<std::vector<std::size_t>>& faces)
+{
+  return IO::read_polygon_soup(file, points, faces, parameters::verbose(false));
+}
+
+// Reserves memory first, so that no array is copied to a larger one.
+template <typename Point>
+bool read_soup_file(const std::string& file,
+                    std::istream& in,
+                    std::vector<Point>& points,
+                    std::vector<Soup_triangle>& faces)
+{
+  in.seekg(0, std::ios::end);
+  const std::size_t size = static_cast<std::size_t>(in.tellg());
+  in.seekg(0);
+  Ply_header header(in);
+  points.reserve(points.size() + (std::min)(header.number_of["vertex"], size));
+  faces.reserve(faces.size() + (std::min)(header.number_of["face"], size));
+  return IO::read_PLY(file, points, faces, parameters::verbose(false));
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgApproximateGeodesicsArrays
+ *
  * reads a polygon soup in the format of the file name extension: OFF, OBJ, PLY, STL or GOCAD (ts).
  * It wraps `CGAL::IO::read_polygon_soup()`, and adds the reason of a failure.
+ *
+ * \tparam Point a `%Point_3`
+ * \tparam Face `std::vector<std::size_t>`; or `Soup_triangle`, for PLY files with many triangles,
+ *         which then take no more memory than the arrays
  *
  * \throws std::invalid_argument if reading fails, or a face has a vertex that does not exist. The
  *         message names the line, the vertex or the face, if it is known, or says why the file
  *         cannot be opened.
  */
-template <typename Point>
-void read_soup(const std::string& file,
-               std::vector<Point>& points,
-               std::vector<std::vector<std::size_t>>& faces)
+template <typename Point, typename Face>
+void read_soup(const std::string& file, std::vector<Point>& points, std::vector<Face>& faces)
 {
   const auto fail = [&](const std::string& reason) {
     throw std::invalid_argument("cannot read a mesh from " + file + ": " + reason);
@@ -49,9 +103,13 @@ void read_soup(const std::string& file,
     fail("it is empty");
   bool is_read = false;
   const std::string ending = internal::ending_of(file);
+  if(std::is_same_v<Face, Soup_triangle> && ending != "ply")
+    fail("triangles of 12 bytes are read from PLY files only");
   if(internal::is_long_enough(in, ending))
-    internal::fits_memory(
-        [&] { is_read = IO::read_polygon_soup(file, points, faces, parameters::verbose(false)); });
+  {
+    in.clear();
+    internal::fits_memory([&] { is_read = internal::read_soup_file(file, in, points, faces); });
+  }
   if(!is_read)
   {
     std::string reason = "a number in it exceeds the memory";
@@ -61,7 +119,7 @@ void read_soup(const std::string& file,
     fail(reason);
   }
   for(std::size_t f = 0; f < faces.size(); ++f)
-    for(const std::size_t v : faces[f])
+    for(const auto v : faces[f])
       if(v >= points.size())
         fail(internal::text_of_wrong_corner(f, std::to_string(static_cast<std::ptrdiff_t>(v)),
                                             points.size()));

@@ -36,7 +36,7 @@ public:
   std::size_t columns() const { return m_columns + m_beyond; }
   std::size_t rows() const { return m_rows + m_beyond; }
 
-  // Returns how many nodes may be at each.
+  // Returns how many nodes a cell, its corner and its sides may have together.
   std::size_t number_of_slots() const { return 1 + m_size_of_block; }
 
   std::size_t number_of_nodes() const

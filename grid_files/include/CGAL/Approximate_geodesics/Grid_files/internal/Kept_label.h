@@ -20,7 +20,8 @@ namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A distance in a file, and whether the node is open: whether arcs from it have to be followed
- * since its distance fell. The sign tells that. Zeros, as a new file has them, stand for infinity.
+ * since its distance fell, which the sign bit tells. Zeros, as a new file has them, stand for
+ * infinity.
  */
 class Kept_label
 {

@@ -95,8 +95,7 @@ public:
       rows.append_row(arcs);
     }
     reader.finish();
-    if(!(epsilon > 0) || std::isinf(epsilon))
-      reject("the file of the graph has an epsilon of " + text_of(epsilon));
+    checked_positive(epsilon, "epsilon in the file of the graph");
   }
 
 private:

@@ -46,10 +46,7 @@ struct Cone_rules
   }
 
   explicit Cone_rules(const double bound, const double share_of_detours = SHARE_OF_DETOURS)
-    : epsilon(bound),
-      longest_detour(1 + SHARE_OF_ENDS * bound),
-      part_saved(1 / longest_detour),
-      large_part_saved(1 / (1 + share_of_detours * bound))
+    : epsilon(bound), large_part_saved(1 / (1 + share_of_detours * bound))
   {
   }
 
@@ -57,8 +54,10 @@ struct Cone_rules
   Cone_rules farther(const double part) const { return Cone_rules(part * epsilon); }
 
   double epsilon;
-  double longest_detour;   // as a multiple of the straight line, at which a cone may end
-  double part_saved;       // of the distance of a vertex, by going over it: a cone may end ...
+  // as a multiple of the straight line, at which a cone may end
+  double longest_detour = 1 + SHARE_OF_ENDS * epsilon;
+  // of the distance of a vertex, by going over it: a cone may end ...
+  double part_saved = 1 / longest_detour;
   double large_part_saved; // ... and an arc to the vertex is not needed
 };
 

@@ -130,15 +130,6 @@ public:
   }
 
 private:
-  static bool pop(Stack& cones, Cone& cone)
-  {
-    if(cones.empty())
-      return false;
-    cone = cones.back();
-    cones.pop_back();
-    return true;
-  }
-
   Cone_side side(const Plane_vector position, const double distance) const
   {
     const Plane_vector direction = 1 / distance * position;

@@ -14,10 +14,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -67,41 +67,24 @@ struct alignas(64) Narrow_cone
   Way way;             // a halfedge on the way, or `Crossing_and_edge`
 };
 
-/*
- * Memory for cones, which it neither initializes nor keeps when it grows.
- */
-template <typename Cone>
-class Cone_memory
-{
-public:
-  // Reserves memory for `size` cones. Cones in it may be lost.
-  Cone* reserve(const std::size_t size)
-  {
-    if(size > m_size)
-    {
-      const std::size_t larger = 2 * size;
-      m_cones.reset(new Cone[larger]);
-      m_size = larger;
-    }
-    return m_cones.get();
-  }
-
-  Cone* cones() const { return m_cones.get(); }
-
-  std::size_t memory() const { return m_size * sizeof(Cone); }
-
-private:
-  std::unique_ptr<Cone[]> m_cones;
-  std::size_t m_size = 0;
-};
-
 // Memory for the cones of a front, and for those that they become.
 template <typename Cone>
 struct Cone_memories
 {
+  // Makes room for `size` of the latter. What is there may be lost.
+  Cone* make_room(const std::size_t size)
+  {
+    if(size > next.size())
+    {
+      next.clear(); // is not copied
+      next.resize(2 * size);
+    }
+    return next.data();
+  }
+
   std::size_t memory() const { return memory_of(cones, next); }
 
-  Cone_memory<Cone> cones, next;
+  std::vector<Cone, Uninitialized_allocator<Cone>> cones, next;
 };
 
 // Memory for one front after the other, of either kind.
@@ -172,18 +155,18 @@ public:
     for(std::size_t i = 0; i < number; ++i)
       size += m_triangulation.beyond_halfedge(nodes[i]) - m_triangulation.first_halfedge(nodes[i]);
     m_arcs.make_room(size);
-    m_end = m_memory.next.reserve(size + 1);
+    m_end = m_memory.make_room(size + 1);
     for(std::size_t i = 0; i < number; ++i)
       open_cones(nodes[i]);
     for(;;)
     {
-      size = static_cast<std::size_t>(m_end - m_memory.next.cones());
+      size = static_cast<std::size_t>(m_end - m_memory.next.data());
       if(size == 0)
         return;
       std::swap(m_memory.cones, m_memory.next);
       m_arcs.make_room(size);
-      m_end = m_memory.next.reserve(2 * size + 1);
-      const Cone* const first = m_memory.cones.cones();
+      m_end = m_memory.make_room(2 * size + 1);
+      const Cone* const first = m_memory.cones.data();
       const Cone* const beyond = first + size;
       for(const Cone* cone = first; cone != beyond; ++cone)
       {
@@ -268,7 +251,7 @@ private:
   {
     *m_end = {left,     right,      left_side,        right_side,
               halfedge, before.tip, before.depth + 1, next_way(before, face, halfedge)};
-    // some halfedge if there is none ahead
+    // a valid halfedge if there is none ahead
     const Index edge = halfedge == null_index ? before.halfedge : halfedge;
     m_unfolding.prefetch(edge);
     m_end += (is_open & (halfedge != null_index) & is_needed(left, right, edge)) ? 1 : 0;
@@ -359,7 +342,7 @@ private:
   const Labels& m_labels;
   Arcs& m_arcs;
   const Winding m_winding;
-  const bool m_carries_edges; // if the front is general
+  const bool m_carries_edges; // read if the front is general
   double m_factor;            // of remaining lengths, in comparisons
   double m_part_saved;        // of the distance of a vertex, by going over it
   double m_part_lost;

@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Lines_by_direction.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>

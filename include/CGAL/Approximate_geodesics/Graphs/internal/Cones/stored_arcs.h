@@ -317,7 +317,7 @@ public:
 
   void prefetch(const Node node) const { block(node).prefetch(node % SIZE_OF_BLOCK); }
 
-  // Of the last block: the others have no more memory than they need.
+  // Shrinks the last block; the others have no spare capacity.
   void shrink_to_fit()
   {
     if(!m_blocks.empty())

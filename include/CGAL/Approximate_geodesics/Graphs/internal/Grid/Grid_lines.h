@@ -57,7 +57,7 @@ public:
     std::ptrdiff_t first, second; // places of cells
     double share;                 // of the second one
     double length, inverse;       // the length, and 1 / length
-    std::size_t beyond_part;      // its parts are those that begin behind the last piece
+    std::size_t beyond_part;      // its parts begin where those of the piece before it end
   };
 
   struct Line

@@ -36,10 +36,10 @@ struct Deferred_sight
 /*
  * Sights are followed up to a horizon only, a few edges farther away than the nodes that are
  * expanded, and are continued when the search gets there. By then, labels are known around them,
- * and end those that are of no use. Paths along edges from the sources, all that is known farther
- * away, would not: where the surface is rough, most sights are of no use there, and would be
- * followed across a large part of it. Where it is smooth, most are of use; there, the horizon is
- * farther away, and keeps what the search reads and writes at a time small enough for the
+ * and end those that are of no use. Farther away, only upper bounds are known, the lengths of paths
+ * along edges, which are too large to end them. Where the surface is rough, most sights are of no
+ * use there, and would be followed across a large part of it. Where it is smooth, most are of use;
+ * there, the horizon is farther away, and keeps the working set of the search small enough for the
  * processor's caches.
  *
  * The order of sights by distance is that of continuous Dijkstra (J. Mitchell, D. Mount,

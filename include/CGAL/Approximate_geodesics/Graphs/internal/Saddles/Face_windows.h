@@ -18,15 +18,15 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * Whose windows reach the faces. Where those of one source do, no window has to be found. At first,
- * the sources of all three vertices count; other windows come in later.
+ * The owner of each face: the source whose windows reach it, if it is the only one. The windows of
+ * such faces need not be found.
  */
 class Face_owners
 {
 public:
   static constexpr std::size_t NONE = (std::numeric_limits<std::size_t>::max)();
 
-  // No face has an owner.
+  // At first, no face has an owner.
   explicit Face_owners(const Intrinsic_triangulation& triangulation)
     : m_triangulation(triangulation), m_owners(triangulation.number_of_halfedges(), NONE)
   {
@@ -66,7 +66,8 @@ public:
   {
   }
 
-  // From now on, windows of faces without owner are found; before, owners.
+  // Fixes the owners, which are determined before; windows are found afterwards, of faces without
+  // an owner.
   void fix_owners() { m_are_owners_fixed = true; }
 
   // Adds the windows of a vertex that was reached from a source.

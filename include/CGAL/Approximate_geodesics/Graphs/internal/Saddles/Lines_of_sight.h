@@ -318,7 +318,12 @@ private:
   {
     const auto consider = [&](const double length) { Lines_of_sight::consider(length, line); };
     if(point().is_vertex())
-      consider_edges(end, consider);
+    {
+      for(Index h = triangulation().first_halfedge(point().vertex);
+          h < triangulation().beyond_halfedge(point().vertex); ++h)
+        if(triangulation().target(h) == end.vertex)
+          consider(triangulation().length(h));
+    }
     else if(end.is_vertex())
     {
       const auto consider_node = [&](const Index v, const double length, const auto&...) {
@@ -366,15 +371,6 @@ private:
     OnPoint& on_point;
   };
 
-  template <typename F>
-  void consider_edges(const Intrinsic_point& end, F consider) const
-  {
-    const Index v = point().vertex;
-    for(Index h = triangulation().first_halfedge(v); h < triangulation().beyond_halfedge(v); ++h)
-      if(triangulation().target(h) == end.vertex)
-        consider(triangulation().length(h));
-  }
-
   // The index in the mesh of an end of a line from here, or of a vertex close to it.
   std::size_t vertex_at(const Intrinsic_point& end) const
   {
@@ -391,7 +387,7 @@ protected:
       left = {sign * length(left), 0};
       right = {length(right), 0};
     }
-    return {halfedge, left, right, right - left, length(left), length(right)};
+    return {halfedge, null_index, 0, left, right, right - left, length(left), length(right)};
   }
 
   const Sight_tables& m_tables;

@@ -75,7 +75,7 @@ public:
     if(!(begin < end) || is_useless(window, begin, end))
       return;
     parts.clear();
-    double way = begin; // of the window, up to here
+    double way = begin; // the window is inserted up to here
     for(const Part& old : m_parts)
     {
       if(old.end <= begin || old.begin >= end)

@@ -178,26 +178,6 @@ struct Sight
   // Edges shorter than this, in units of the triangulation, have no direction.
   static constexpr double SHORTEST_EDGE = 1e-100;
 
-  Sight() = default;
-
-  // Sees all between the ends of the edge.
-  Sight(const Index h,
-        const Plane_vector source,
-        const Plane_vector target,
-        const Plane_vector vector,
-        const double distance_of_source,
-        const double distance_of_target)
-    : halfedge(h),
-      left(source),
-      right(target),
-      edge(vector),
-      left_distance(distance_of_source),
-      right_distance(distance_of_target),
-      left_ray(source, distance_of_source),
-      right_ray(target, distance_of_target)
-  {
-  }
-
   Index halfedge = 0;                         // that of the edge whose face lies ahead, to its left
   Index milestone = 0;                        // one of the halfedges on the way
   std::uint32_t depth = 0;                    // the number of faces on the way
@@ -205,7 +185,8 @@ struct Sight
   Plane_vector edge = {0, 0};                 // from one to the other
   double left_distance = 0, right_distance = 0; // of source and target
   double left_bound = 0, right_bound = 0;       // of their labels, with a margin for rounding
-  Sight_ray left_ray, right_ray;
+  // Sees all between the ends of the edge, unless other rays are given.
+  Sight_ray left_ray = {left, left_distance}, right_ray = {right, right_distance};
 
   // A lower bound on the distances of all points of the edge, by the triangle inequality. Where the
   // edge is far longer than they are, rounding errors of its length would matter.

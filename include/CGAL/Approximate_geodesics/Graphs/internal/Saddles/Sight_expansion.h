@@ -35,7 +35,7 @@ struct Sight_visitor_base
  * that are longer than the bounds of the labels allow are given up.
  *
  * The visitor has
- * - `bound(v)`: a number that no shortest path to `v` is longer than, or of no interest if it is;
+ * - `bound(v)`: an upper bound on the lengths of shortest paths to `v` that are of interest;
  * - `on_vertex(v, path, sight, apex, left_edge)`: called for vertices that shortest paths may
  *   reach straight from the tip, when `sight` sees them in the face ahead;
  * - `label(v)`, `has_predecessor(v)` and `arrival(v)`, if it knows the lengths of real paths,
@@ -97,17 +97,8 @@ private:
     sight.left_bound = bound(left_end);
     sight.right_bound = bound(right_end);
     bool is_open = !sight.is_useless(m_label_of_tip);
-    while(is_open || pop(sight))
+    while(is_open || pop(m_stack, sight))
       is_open = advance(sight);
-  }
-
-  bool pop(Sight& sight)
-  {
-    if(m_stack.empty())
-      return false;
-    sight = m_stack.back();
-    m_stack.pop_back();
-    return true;
   }
 
   // Takes `sight` across the face ahead of it, which is the inner loop; a second part of it goes

@@ -101,7 +101,7 @@ private:
  * to.
  *
  * The visitor has
- * - `bound(v)`: a number that no shortest path to `v` is longer than, or of no interest if it is;
+ * - `bound(v)`: an upper bound on the lengths of shortest paths to `v` that are of interest;
  * - `on_vertex(v, length, x, strip, position, left_edge)`: called for vertices that are seen in the
  *   face ahead of `strip`, from the point at `x`;
  * - `ends(strip)`: whether the strip need not be followed.
@@ -145,17 +145,8 @@ private:
     strip.left_bound = bound(left_end);
     strip.right_bound = bound(right_end);
     bool is_open = goes_on(strip);
-    while(is_open || pop(strip))
+    while(is_open || pop(m_stack, strip))
       is_open = advance(strip);
-  }
-
-  bool pop(Strip& strip)
-  {
-    if(m_stack.empty())
-      return false;
-    strip = m_stack.back();
-    m_stack.pop_back();
-    return true;
   }
 
   // Takes the strip across the face ahead of it. Returns whether it is not empty.

@@ -58,9 +58,12 @@ public:
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
       if(steps[h].has_face() && is_degenerate(triangulation, steps, h))
         m_bends[steps[h].apex] = Bend_kind::ANY;
-    m_number_of_bends = static_cast<std::size_t>(
-        std::count_if(m_bends.begin(), m_bends.end(),
-                      [](const Bend_kind kind) { return kind >= Bend_kind::SADDLE; }));
+    const auto number = static_cast<double>((std::max)(m_bends.size(), std::size_t(1)));
+    m_mean_excess /= number;
+    m_share_of_bends = static_cast<double>(std::count_if(
+                           m_bends.begin(), m_bends.end(),
+                           [](const Bend_kind kind) { return kind >= Bend_kind::SADDLE; })) /
+                       number;
   }
 
   Bend_kind operator[](const Index v) const { return m_bends[v]; }
@@ -75,17 +78,10 @@ public:
 
   // The mean, over all vertices, of what the angles of saddle vertices exceed 2 pi by. Where it is
   // large, the surface is rough, and many sights start from each of these vertices.
-  double mean_excess() const
-  {
-    return m_sum_of_excess / static_cast<double>((std::max)(m_bends.size(), std::size_t(1)));
-  }
+  double mean_excess() const { return m_mean_excess; }
 
   // The share of vertices where paths can bend.
-  double share_of_bends() const
-  {
-    return static_cast<double>(m_number_of_bends) /
-           static_cast<double>((std::max)(m_bends.size(), std::size_t(1)));
-  }
+  double share_of_bends() const { return m_share_of_bends; }
 
   std::size_t memory() const { return memory_of(m_bends); }
 
@@ -131,15 +127,15 @@ private:
     if(number_of_borders > 1)
       return Bend_kind::ANY;
     const double excess = sum.value() - (2 - number_of_borders) * straight_angle;
-    m_sum_of_excess += number_of_borders > 0 ? 0 : (std::max)(0., excess);
+    m_mean_excess += number_of_borders > 0 ? 0 : (std::max)(0., excess);
     if(excess > (number_of_borders > 0 ? largest_at_border : ROUNDING))
       return number_of_borders > 0 ? Bend_kind::BORDER : Bend_kind::SADDLE;
     return excess >= -FLAT ? Bend_kind::NONE_AS_FLAT : Bend_kind::NONE;
   }
 
   std::vector<Bend_kind> m_bends; // per vertex
-  double m_sum_of_excess = 0;
-  std::size_t m_number_of_bends = 0;
+  double m_mean_excess = 0;       // a sum until all vertices are added
+  double m_share_of_bends = 0;
 };
 
 /*
@@ -431,7 +427,8 @@ private:
        !(step.across > 0 || step.along < 0))
       return;
     const Plane_vector left{distance * step.along, distance * step.across}, right{distance, 0};
-    Sight sight(step.right, left, right, step.right_edge(right), length(left), distance);
+    Sight sight{step.right,   null_index, 0, left, right, step.right_edge(right),
+                length(left), distance};
     const auto narrow = [](Sight_ray& ray, const Plane_vector direction,
                            const Plane_vector direction_of_vertex,
                            const double distance_of_vertex) {

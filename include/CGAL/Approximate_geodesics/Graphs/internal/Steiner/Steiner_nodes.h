@@ -66,8 +66,6 @@ public:
 
   // ----- edges
 
-  Index number_of_edges() const { return static_cast<Index>(m_first_point.size() - 1); }
-
   // Returns the edge of a halfedge; of a barrier, the one on the left side of `h`.
   Index edge(const Index h) const { return m_edge[h] / 2; }
 
@@ -309,8 +307,7 @@ public:
     m_first_sector = m_first_point + m_points.number_of_points();
     if(m_points.number_of_points() > 0) // there are arcs across faces
       triangulation.check_triangle_inequality();
-    m_maximum_degree = (std::max)(maximum_degree_of_vertices(triangulation),
-                                  maximum_degree_of_points(triangulation));
+    m_maximum_degree = find_maximum_degree(triangulation);
   }
 
   const Points_on_edges& points() const { return m_points; }
@@ -321,7 +318,7 @@ public:
   // Returns an upper bound of the number of arcs that start from a node.
   std::size_t maximum_degree() const { return m_maximum_degree; }
 
-  // These return false for numbers that are no node, such as `null_index`.
+  // These return false for numbers that are not nodes, such as `null_index`.
   bool is_vertex(const Node node) const { return node < m_first_point; }
   bool is_point(const Node node) const { return node - m_first_point < number_of_points(); }
   bool is_sector(const Node node) const { return node - m_first_sector < number_of_sectors(); }
@@ -411,7 +408,7 @@ private:
   Node number_of_points() const { return m_first_sector - m_first_point; }
   Node number_of_sectors() const { return m_sectors.number_of_sectors(); }
 
-  std::size_t maximum_degree_of_vertices(const Intrinsic_triangulation& triangulation) const
+  std::size_t find_maximum_degree(const Intrinsic_triangulation& triangulation) const
   {
     std::size_t result = 0;
     for(Node v = 0; v < triangulation.number_of_vertices(); ++v)
@@ -421,12 +418,6 @@ private:
         degree += 2 + number_of_opposite_points(triangulation, h); // a barrier counts as two edges
       result = (std::max)(result, degree);
     }
-    return result;
-  }
-
-  std::size_t maximum_degree_of_points(const Intrinsic_triangulation& triangulation) const
-  {
-    std::size_t result = 0;
     m_points.for_each_first_halfedge([&](const Index h, const Index /* edge */) {
       std::size_t degree = 5; // along the edge, to its other side, and to two third vertices
       for(const Index side : {h, triangulation.opposite(h)})

@@ -79,6 +79,7 @@ private:
   {
     Plane_vector position; // in the frame of the face
     double tolerance;
+    bool is_at_border; // of the surface
   };
 
   const Border_arc& arc(const std::size_t end) const { return m_arcs[end / 2]; }
@@ -88,7 +89,7 @@ private:
     return end % 2 == 0 ? arc(end).points.front() : arc(end).points.back();
   }
 
-  // Also lists it at the vertices and edges that it is next to.
+  // Locates the end of an arc, and lists it at the vertices and edges that it is next to.
   End place(const std::size_t end)
   {
     const Index h = arc(end).halfedge;
@@ -97,7 +98,7 @@ private:
     const double longest = (std::max)({m_triangulation.length(layout.halfedge(0)),
                                        m_triangulation.length(layout.halfedge(1)),
                                        m_triangulation.length(layout.halfedge(2))});
-    const End result{layout.position({h, weight}), TOLERANCE * longest};
+    End result{layout.position({h, weight}), TOLERANCE * longest, false};
     for(std::size_t i = 0; i < 3; ++i)
     {
       const Index side = layout.halfedge(i), opposite = m_triangulation.opposite(side);
@@ -107,6 +108,7 @@ private:
       const double size = length(edge);
       if(std::abs(cross(edge, p)) > result.tolerance * size || !(size > 0))
         continue;
+      result.is_at_border = result.is_at_border || m_triangulation.is_border(opposite);
       const double way = dot(edge, p) / size;
       m_on_edges.push_back({(std::min)(side, opposite), side < opposite ? way : size - way, end});
     }
@@ -184,23 +186,35 @@ private:
       if(beyond == i + 2)
       {
         const std::size_t a = std::get<3>(m_incidences[i]), b = std::get<3>(m_incidences[i + 1]);
-        m_next[a] = b;
-        m_next[b] = a;
+        if(has_same_cells(a) || a % 2 != b % 2) // so that the same cell stays on the left
+        {
+          m_next[a] = b;
+          m_next[b] = a;
+        }
       }
     }
   }
 
+  // Whether there is the same cell on both sides of an arc: then it has no direction.
+  bool has_same_cells(const std::size_t end) const { return arc(end).left == arc(end).right; }
+
+  // In the direction of the arcs, as far as they have any.
   void follow_all()
   {
     m_is_passed.resize(m_arcs.size());
+    const auto follow_from = [&](const std::size_t end, const bool is_closed) {
+      if(!m_is_passed[end / 2] && !is_point(end / 2) && (is_closed || m_next[end] == NONE))
+        follow(end);
+    };
     for(const bool is_closed : {false, true})
-      for(std::size_t end = 0; end < m_ends.size(); ++end)
-        if(!m_is_passed[end / 2] && !is_point(end / 2) && (is_closed || m_next[end] == NONE))
-          follow(end);
+      for(const std::size_t first : {0, 1})
+        for(std::size_t end = first; end < m_ends.size(); end += 2)
+          follow_from(end, is_closed);
   }
 
   // Whether an arc in a face is far smaller than the face, and meets no other: between two narrow
-  // windows, there was one that is narrower than rounding errors.
+  // windows, there was one that is narrower than rounding errors. An arc from border to border cuts
+  // off a corner of the surface.
   bool is_stray(const std::size_t first, const std::size_t last) const
   {
     constexpr double several = 1000;
@@ -210,6 +224,7 @@ private:
       return it + 1 == m_incidences.end() || std::get<0>(*(it + 1)) != m_nodes[end];
     };
     return first / 2 == last / 2 && is_alone(first) && is_alone(last) &&
+           !(m_ends[first].is_at_border && m_ends[last].is_at_border) &&
            length(m_ends[first].position - m_ends[last].position) <=
                several * m_ends[first].tolerance;
   }
@@ -231,11 +246,6 @@ private:
       border.corners = {corner(first), corner(last)};
     else
       border.points.push_back(border.points.front());
-    if(first % 2 == 1)
-    {
-      std::reverse(border.points.begin(), border.points.end());
-      std::swap(border.corners[0], border.corners[1]);
-    }
     m_borders.push_back(std::move(border));
   }
 
@@ -261,30 +271,47 @@ private:
     return it->second;
   }
 
-  // Across a border that leaves the node, the next cell counterclockwise is that on its left.
+  // Counterclockwise, unless a cell comes to the node more than once.
   std::vector<std::size_t> cells_around(const std::size_t node) const
   {
-    std::vector<std::size_t> result;
-    std::multimap<std::size_t, std::size_t> next;
+    // across a border that leaves the node, the next cell counterclockwise is that on its left
+    std::vector<std::size_t> before, after;
     for(auto it =
             std::lower_bound(m_incidences.begin(), m_incidences.end(), Incidence(node, 0, 0, 0));
         it != m_incidences.end() && std::get<0>(*it) == node; ++it)
     {
       const auto& [n, left, right, end] = *it;
-      next.emplace(end % 2 == 0 ? right : left, end % 2 == 0 ? left : right);
-      result.insert(result.end(), {left, right});
+      before.push_back(end % 2 == 0 ? right : left);
+      after.push_back(end % 2 == 0 ? left : right);
     }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    std::vector<std::size_t> ordered;
-    std::size_t cell = result.front();
-    do
+    std::vector<std::size_t> sorted = before;
+    sorted.insert(sorted.end(), after.begin(), after.end());
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    const std::vector<std::size_t> ordered = in_order(sorted, before, after);
+    return ordered.size() == sorted.size() ? ordered : sorted;
+  }
+
+  // Begins with a cell that comes after no other, if there is one, at the border of the surface;
+  // each number in `after` follows that in `before`. Ends where more than one follows.
+  static std::vector<std::size_t> in_order(const std::vector<std::size_t>& cells,
+                                           const std::vector<std::size_t>& before,
+                                           const std::vector<std::size_t>& after)
+  {
+    std::vector<std::size_t> result;
+    const auto first = std::find_if(cells.begin(), cells.end(), [&](const std::size_t cell) {
+      return std::count(after.begin(), after.end(), cell) == 0;
+    });
+    std::size_t cell = first == cells.end() ? cells.front() : *first;
+    for(;;)
     {
-      ordered.push_back(cell);
-      const auto it = next.find(cell);
-      cell = it == next.end() || next.count(cell) > 1 ? NONE : it->second;
-    } while(cell != NONE && cell != ordered.front() && ordered.size() <= result.size());
-    return cell == ordered.front() && ordered.size() == result.size() ? ordered : result;
+      result.push_back(cell);
+      const auto it = std::find(before.begin(), before.end(), cell);
+      const bool is_last = it == before.end();
+      if(is_last || std::count(it, before.end(), cell) > 1 || result.size() == cells.size())
+        return result;
+      cell = after[static_cast<std::size_t>(it - before.begin())];
+    }
   }
 
   using Incidence = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>;

@@ -57,7 +57,7 @@ struct Cell_options
   double chord_error; // the largest distance of an arc from its polyline
 };
 
-// The same direction, up to what rounding errors of labels make of paths that meet at a tip.
+// Whether two directions differ by more than rounding errors of labels can turn paths at a tip.
 inline bool differ_in_direction(const Plane_vector a, const Plane_vector b)
 {
   constexpr double smallest_angle = 1e-5;
@@ -264,7 +264,7 @@ private:
       m_arcs.push_back(std::move(arc));
   }
 
-  // Points on sides are exactly there.
+  // Returns barycentric coordinates, which are exactly 0 for points on sides.
   std::array<double, 3> weights(const Plane_vector p) const
   {
     constexpr double rounding = 1e-9;

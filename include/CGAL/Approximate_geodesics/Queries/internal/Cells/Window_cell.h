@@ -166,7 +166,7 @@ private:
       m_corners.push_back(m_entry ? entry().point(u) : Plane_vector{0, 0});
   }
 
-  // Whether no point of the face is seen through both windows: most pairs are told apart by that.
+  // Whether no point of the face is seen through both windows. This quick test excludes most pairs.
   bool is_beside(const Placed_window& v) const
   {
     const Plane_vector tip = v.tip - m_window.tip;
@@ -243,7 +243,7 @@ private:
       Focal_curve{0, {-d.y, d.x}}.for_each_root(all, add);
     std::sort(ends.begin(), ends.end(),
               [](const Plane_vector u, const Plane_vector v) { return is_before(u, v); });
-    // the same curve bounds the region from one end to the next, and often on
+    // one curve bounds the region from each end to the next, and often farther
     const Region::Bound* bound = nullptr;
     Plane_vector begin = all.begin;
     for(std::size_t i = 1; i < ends.size(); ++i)

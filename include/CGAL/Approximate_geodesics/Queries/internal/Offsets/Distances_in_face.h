@@ -20,13 +20,14 @@ namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * Distances of points of a face. The last straight lines of the paths to its corners start from
- * points of its plane. Where these are the same, or nearly so, all paths across the face start from
- * there; what differs is interpolated. In units of the triangulation.
+ * points of its plane. Where these are nearly the same, all paths across the face start from there,
+ * and what differs is interpolated. Where paths from different points meet, the smallest distance
+ * counts. In units of the triangulation.
  */
 class Distances_in_face
 {
 public:
-  // That of no face.
+  // Without a face.
   Distances_in_face() = default;
 
   // The face is that to the left of `h`.
@@ -41,19 +42,20 @@ public:
     {
       const Index side = layout.halfedge(i),
                   other = triangulation.opposite(layout.halfedge((i + 2) % 3));
-      m_corners[i] = {layout.corner(i), on_edges.distance(layout.vertex(i)),
-                      on_edges.straight(layout.vertex(i)),
-                      direction(layout.edge(i, (i + 1) % 3), layout.edge(i, (i + 2) % 3),
-                                on_edges.slope(side), on_edges.slope(other))};
+      const Distances_on_edge::End end = on_edges.end(side);
+      m_corners[i] = {layout.corner(i), end.distance, end.straight,
+                      direction(layout.edge(i, (i + 1) % 3), layout.edge(i, (i + 2) % 3), end.slope,
+                                on_edges.end(other).slope)};
       nearest = (std::min)(nearest, m_corners[i].distance);
       longest = (std::max)(longest, triangulation.length(side));
     }
     if(nearest > longest) // or else there may be sources in the face
-      m_error = largest_difference();
+      choose_model(longest);
   }
 
-  // About the largest error of `at()`; infinity where a direction is not known.
-  double error() const { return m_error; }
+  // An estimate of the largest error of `at()`, and no bound; infinity where a direction is not
+  // known.
+  double estimated_error() const { return m_estimated_error; }
 
   // The distance of the point with these weights of the corners.
   double at(const std::array<double, 3>& weight) const
@@ -61,11 +63,14 @@ public:
     Plane_vector p{0, 0};
     for(std::size_t i = 0; i < 3; ++i)
       p = p + weight[i] * m_corners[i].position;
-    double result = 0;
+    double sum = 0, smallest = infinity;
     for(std::size_t i = 0; i < 3; ++i)
-      if(weight[i] > 0)
-        result += weight[i] * m_corners[i].distance_of(p);
-    return result;
+    {
+      const double distance = m_corners[i].distance_of(p);
+      sum += weight[i] * distance;
+      smallest = (std::min)(smallest, distance);
+    }
+    return m_is_smallest ? smallest : sum;
   }
 
 private:
@@ -87,7 +92,7 @@ private:
     }
   };
 
-  // From the slopes along two sides.
+  // The direction in which the line arrives at a corner, from the slopes along its two sides.
   static Plane_vector direction(const Plane_vector side,
                                 const Plane_vector other,
                                 const double slope,
@@ -100,23 +105,26 @@ private:
     return turned_left(1 / l * turned, 1 / a * side);
   }
 
-  // Infinity if any direction is not a number.
-  double largest_difference() const
+  void choose_model(const double longest)
   {
-    double result = 0;
+    constexpr double rounding = 1e-9;
+    double smallest = infinity, largest = 0;
     for(const Corner& c : m_corners)
       for(const Corner& other : m_corners)
       {
-        const double difference = std::abs(c.distance_of(other.position) - other.distance);
-        if(!(difference < infinity))
-          return infinity;
-        result = (std::max)(result, difference);
+        const double difference = c.distance_of(other.position) - other.distance;
+        if(!(std::abs(difference) < infinity))
+          return; // a direction is not known
+        smallest = (std::min)(smallest, difference);
+        largest = (std::max)(largest, std::abs(difference));
       }
-    return result;
+    m_is_smallest = smallest >= -rounding * longest;
+    m_estimated_error = m_is_smallest ? 0 : largest;
   }
 
   std::array<Corner, 3> m_corners = {};
-  double m_error = infinity;
+  bool m_is_smallest = false;
+  double m_estimated_error = infinity;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -21,9 +21,94 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * Distances of points on edges, from what an exact search knows at vertices: the distance, the
- * direction in which the shortest path arrives, and how far the path is straight. The direction
- * gives the slope of the distance along each edge. All in units of the triangulation.
+ * Distances of points on an edge, from what is known at its ends: the distance, its slope along the
+ * edge, and the length of the last straight line of a shortest path. In units of the triangulation.
+ */
+class Distances_on_edge
+{
+public:
+  struct End
+  {
+    double distance;
+    double slope;    // toward the other end; not a number if it is not known
+    double straight; // infinity if lines are parallel
+
+    // The distance `x` away, if the last straight line of the path starts from the same point.
+    double at(const double x) const
+    {
+      if(!(straight < infinity))
+        return distance + slope * x;
+      const double difference = x * (2 * straight * slope + x); // of squares
+      const double length = std::sqrt((std::max)(0., straight * straight + difference));
+      return length + straight > 0 ? distance + difference / (straight + length) : distance;
+    }
+  };
+
+  Distances_on_edge(const End& start, const End& end, const double length)
+    : m_start(start), m_end(end), m_length(length)
+  {
+    if((std::min)(start.distance, end.distance) > length) // or else, sources may be beside the edge
+      choose_model();
+  }
+
+  // An estimate of the largest error of `at()`, and no bound: paths may come from a third
+  // direction. Infinity where nothing is known.
+  double estimated_error() const { return m_estimated_error; }
+
+  // The distance at the part `t` of the way.
+  double at(const double t) const
+  {
+    const double s = 1 - t, x = t * m_length, y = s * m_length;
+    if(m_model == Model::CUBIC)
+      return m_start.distance * s * s * (1 + 2 * t) + m_end.distance * t * t * (1 + 2 * s) +
+             m_length * s * t * (m_start.slope * s + m_end.slope * t);
+    const double from_start = m_start.at(x), from_end = m_end.at(y);
+    return m_model == Model::SMALLER ? (std::min)(from_start, from_end)
+                                     : s * from_start + t * from_end;
+  }
+
+private:
+  enum class Model
+  {
+    SMALLER, // of the distances on paths like those to both ends, where these meet
+    MEAN,    // of nearly the same distances
+    CUBIC    // between bends of paths, where the distance is convex
+  };
+
+  void choose_model()
+  {
+    const double at_end = m_start.at(m_length) - m_end.distance,
+                 at_start = m_end.at(m_length) - m_start.distance;
+    const double difference = std::abs(at_end) + std::abs(at_start);
+    constexpr double rounding = 1e-9;
+    if((std::min)(at_end, at_start) >= -rounding * m_length)
+      return choose(Model::SMALLER, 0);
+    // a mean leaves a part of the difference, which grows with the square of the way
+    choose(Model::MEAN, difference / 8);
+    // the distance is between the chord and the tangents at the ends
+    const double rise = m_end.distance - m_start.distance;
+    if(m_start.slope * m_length <= rise && m_end.slope * m_length <= -rise)
+      choose(Model::CUBIC, -(m_start.slope + m_end.slope) * m_length / 48 + difference / 32);
+  }
+
+  // Unless there is a better one.
+  void choose(const Model model, const double error)
+  {
+    if(!(error < m_estimated_error)) // or not a number
+      return;
+    m_model = model;
+    m_estimated_error = error;
+  }
+
+  End m_start, m_end;
+  double m_length;
+  Model m_model = Model::MEAN;
+  double m_estimated_error = infinity;
+};
+
+/*
+ * What an exact search knows of the distances of all edges: those of vertices, and the directions
+ * in which paths arrive there, which give the slopes along edges.
  */
 template <typename Search>
 class Distances_on_edges
@@ -48,89 +133,19 @@ public:
     }
   }
 
-  double distance(const Index v) const { return m_labels.distance(v); }
-
-  // The length of the last line of the path to a vertex; infinity if lines are parallel.
-  double straight(const Index v) const { return m_straight[v]; }
-
-  // That of the distance at the source of a halfedge; not a number if it is not known.
-  double slope(const Index h) const { return m_slopes[h]; }
-
-  // About the largest error of `at()`, off the medial axis; infinity where a direction is not
-  // known, or a path may come from beside the edge.
-  double error(const Index h) const
+  Distances_on_edge::End end(const Index h) const
   {
-    const Side side = this->side(h);
-    if(!((std::min)(side.start, side.end) > side.length))
-      return infinity;
-    const double result = (std::min)(error_from_ends(h), error_of_cubic(h));
-    return std::isnan(result) ? infinity : result;
+    const Index v = m_triangulation.source(h);
+    return {m_labels.distance(v), m_slopes[h], m_straight[v]};
   }
 
-  // The distance at the part `t` of the way along the edge.
-  double at(const Index h, const double t) const
+  // From the source to the target of a halfedge.
+  Distances_on_edge operator[](const Index h) const
   {
-    const Side side = this->side(h);
-    const double s = 1 - t;
-    if(error_from_ends(h) <= error_of_cubic(h))
-      return s * from_start(h, t * side.length) +
-             t * from_start(m_triangulation.opposite(h), s * side.length);
-    return side.start * s * s * (1 + 2 * t) + side.end * t * t * (1 + 2 * s) +
-           side.length * s * t * (side.slope * s + side.slope_back * t);
+    return {end(h), end(m_triangulation.opposite(h)), m_triangulation.length(h)};
   }
 
 private:
-  struct Side
-  {
-    double start, end;        // distances
-    double slope, slope_back; // from the start, and from the end
-    double length;
-  };
-
-  Side side(const Index h) const
-  {
-    return {m_labels.distance(m_triangulation.source(h)),
-            m_labels.distance(m_triangulation.target(h)), m_slopes[h],
-            m_slopes[m_triangulation.opposite(h)], m_triangulation.length(h)};
-  }
-
-  // The distance at `x` from the source of `h`, if paths come from where that to the source does.
-  double from_start(const Index h, const double x) const
-  {
-    const Index v = m_triangulation.source(h);
-    const double distance = m_labels.distance(v), straight = m_straight[v], slope = m_slopes[h];
-    if(!(straight < infinity))
-      return distance + slope * x;
-    const double difference = x * (2 * straight * slope + x); // of squares
-    const double end = std::sqrt((std::max)(0., straight * straight + difference));
-    return end + straight > 0 ? distance + difference / (straight + end) : distance;
-  }
-
-  // By how much that is wrong at the other end; not a number if a slope is not known.
-  double difference(const Index h) const
-  {
-    const Index opposite = m_triangulation.opposite(h);
-    const double length = m_triangulation.length(h);
-    const double at_end = from_start(h, length) - m_labels.distance(m_triangulation.target(h)),
-                 at_start =
-                     from_start(opposite, length) - m_labels.distance(m_triangulation.source(h));
-    return std::abs(at_end) + std::abs(at_start);
-  }
-
-  // Interpolation leaves a part of the difference, which grows with the square of the way.
-  double error_from_ends(const Index h) const { return difference(h) / 8; }
-
-  // Except where paths from different directions meet, the distance is convex: between the chord
-  // and the tangents at the ends, and close to the cubic function with these slopes.
-  double error_of_cubic(const Index h) const
-  {
-    const Side side = this->side(h);
-    const bool is_convex = side.slope * side.length <= side.end - side.start &&
-                           side.slope_back * side.length <= side.start - side.end;
-    return is_convex ? -(side.slope + side.slope_back) * side.length / 48 + difference(h) / 32
-                     : infinity;
-  }
-
   // Paths from a curve count as parallel.
   void set_straight(const Index v, const Search& search)
   {

@@ -43,7 +43,9 @@ public:
       m_triangulation(search.graph().triangulation()),
       m_on_edges(search),
       m_distances(std::move(distances)),
-      m_step(step)
+      m_step(step),
+      m_middles(m_triangulation),
+      m_first_crossings(m_triangulation)
   {
   }
 
@@ -84,10 +86,15 @@ private:
   // In steps: of distances found from slopes, and of those that have to be equal to another.
   static constexpr double LARGEST_ERROR = 1e-2, LARGEST_DIFFERENCE = 2e-3;
 
-  double value(const Corner& c) const
+  double value(const Corner& c)
   {
-    return is_small(m_in_face.error()) ? m_in_face.at(c.weight) * m_triangulation.unit()
-                                       : m_search.distance(point(c));
+    if(m_face_of_distances != m_face)
+    {
+      m_in_face = Distances_in_face(m_triangulation, m_on_edges, m_face);
+      m_face_of_distances = m_face;
+    }
+    return is_small(m_in_face.estimated_error()) ? m_in_face.at(c.weight) * m_triangulation.unit()
+                                                 : m_search.distance(point(c));
   }
 
   bool is_small(const double error) const
@@ -116,10 +123,9 @@ private:
       triangle[i].weight[i] = 1;
       sides[i] = {m_triangulation.length(halfedges[i]) * m_triangulation.unit(), halfedges[i]};
     }
-    m_in_face = Distances_in_face(m_triangulation, m_on_edges, h);
-    m_middles_in_face.clear();
-    m_first_crossings_in_face.clear();
     divide(triangle, sides, 0);
+    m_middles.forget_lines_in_face();
+    m_first_crossings.forget_lines_in_face();
   }
 
   void divide(const Triangle& t, const Sides& sides, const int depth)
@@ -190,18 +196,6 @@ private:
     return length > smallest && (nearest < length || length * length > 0.16 * m_step * nearest);
   }
 
-  // Two vertices may have several edges between them.
-  std::uint64_t key(const Corner& a, const Corner& b, const Side& side) const
-  {
-    std::uint32_t low = (std::min)(a.number, b.number), high = (std::max)(a.number, b.number);
-    if(side.is_edge())
-    {
-      low = (std::min)(side.halfedge, m_triangulation.opposite(side.halfedge));
-      high = null_index;
-    }
-    return (std::uint64_t(high) << 32) | low;
-  }
-
   Corner between(const Corner& a, const Corner& b, const double t, const std::uint32_t number) const
   {
     Corner result{number, {}};
@@ -212,12 +206,13 @@ private:
 
   Corner middle(const Corner& a, const Corner& b, const Side& side)
   {
-    auto& middles = side.is_part_of_edge() ? m_middles : m_middles_in_face;
-    const auto [it, is_new] =
-        middles.try_emplace(key(a, b, side), static_cast<std::uint32_t>(m_values.size()));
-    const Corner result = between(a, b, 0.5, it->second);
+    std::uint32_t& number = m_middles.at(side, a.number, b.number);
+    const bool is_new = number == null_index;
     if(is_new)
-      m_values.push_back(has_slopes(side) ? value(side, 0.5) : value(result));
+      number = static_cast<std::uint32_t>(m_values.size());
+    const Corner result = between(a, b, 0.5, number);
+    if(is_new)
+      m_values.push_back(with_distances(side, a, b, [](const auto& at) { return at(0.5); }));
     return result;
   }
 
@@ -253,16 +248,17 @@ private:
   crossing(const Corner& below, const Corner& above, const Side& side, const std::size_t number)
   {
     const std::size_t first = first_above(m_values[below.number]);
-    auto& crossings = side.is_part_of_edge() ? m_first_crossings : m_first_crossings_in_face;
-    const auto [it, is_new] =
-        crossings.try_emplace(key(below, above, side), m_lines.number_of_points());
-    if(is_new)
+    std::uint32_t& result = m_first_crossings.at(side, below.number, above.number);
+    if(result == null_index)
     {
+      result = static_cast<std::uint32_t>(m_lines.number_of_points());
       const std::size_t beyond = first_above(m_values[above.number]);
-      for(std::size_t i = first; i < beyond; ++i)
-        m_lines.add_point(i, point(between(below, above, part(below, above, side, i), 0)));
+      with_distances(side, below, above, [&](const auto& at) {
+        for(std::size_t i = first; i < beyond; ++i)
+          m_lines.add_point(i, point(between(below, above, part(below, above, i, at), 0)));
+      });
     }
-    return it->second + (number - first);
+    return result + (number - first);
   }
 
   Side reversed(const Side& side) const
@@ -272,30 +268,21 @@ private:
     return {side.length, m_triangulation.opposite(side.halfedge), 1 - side.end, 1 - side.begin};
   }
 
-  // Whether the slopes at the ends of an edge tell the distance on a side well enough.
-  bool has_slopes(const Side& side) const
+  // Returns `f(at)`, where `at(t)` is the distance at a part `t` of the way along a side.
+  template <typename F>
+  auto with_distances(const Side& side, const Corner& from, const Corner& to, const F& f)
   {
-    return side.is_part_of_edge() && is_small(m_on_edges.error(side.halfedge));
+    if(side.is_part_of_edge())
+      if(const Distances_on_edge on_edge = m_on_edges[side.halfedge];
+         is_small(on_edge.estimated_error()))
+        return f([&](const double t) {
+          return on_edge.at(side.begin + t * (side.end - side.begin)) * m_triangulation.unit();
+        });
+    return f([&](const double t) { return value(between(from, to, t, 0)); });
   }
 
-  // Found from them, at a part of the way.
-  double value(const Side& side, const double t) const
-  {
-    return m_on_edges.at(side.halfedge, side.begin + t * (side.end - side.begin)) *
-           m_triangulation.unit();
-  }
-
-  // Where the distance has a value, as a part of the way.
-  double
-  part(const Corner& below, const Corner& above, const Side& side, const std::size_t number) const
-  {
-    if(has_slopes(side))
-      return part(below, above, number, [&](const double t) { return value(side, t); });
-    return part(below, above, number,
-                [&](const double t) { return value(between(below, above, t, 0)); });
-  }
-
-  // By linear interpolation between points that come closer to each other.
+  // The part of the way along a side at which an isoline crosses it, by regula falsi (the Illinois
+  // method).
   template <typename Value>
   double part(const Corner& below,
               const Corner& above,
@@ -306,7 +293,7 @@ private:
     const double wanted = m_distances[number];
     double start = 0, end = 1;
     double at_start = m_values[below.number] - wanted, at_end = m_values[above.number] - wanted;
-    double result = -at_start / (at_end - at_start);
+    double result = -at_start / (at_end - at_start), before = 0;
     for(int i = 0; i < 8; ++i)
     {
       const double here = value_at(result) - wanted;
@@ -314,10 +301,46 @@ private:
         break;
       (here < 0 ? start : end) = result;
       (here < 0 ? at_start : at_end) = here;
+      if(here * before > 0)
+        (here < 0 ? at_end : at_start) /= 2;
+      before = here;
       result = start + (end - start) * (-at_start / (at_end - at_start));
     }
     return result < rounding ? 0 : result > 1 - rounding ? 1 : result; // so that points coincide
   }
+
+  // A number for each side.
+  class Numbers_of_sides
+  {
+  public:
+    explicit Numbers_of_sides(const Intrinsic_triangulation& triangulation)
+      : m_triangulation(triangulation), m_of_edges(triangulation.number_of_halfedges(), null_index)
+    {
+    }
+
+    // null_index if there is none yet. Two faces may have the same corners, but not the same lines
+    // between them, and two vertices several edges.
+    std::uint32_t& at(const Side& side, const std::uint32_t a, const std::uint32_t b)
+    {
+      if(side.is_edge())
+        return m_of_edges[(std::min)(side.halfedge, m_triangulation.opposite(side.halfedge))];
+      auto& others = side.is_part_of_edge() ? m_of_parts : m_in_face;
+      const std::uint64_t key =
+          (std::uint64_t((std::max)(a, b)) << 32) | std::uint64_t((std::min)(a, b));
+      return others.try_emplace(key, null_index).first->second;
+    }
+
+    void forget_lines_in_face()
+    {
+      if(!m_in_face.empty())
+        m_in_face.clear();
+    }
+
+  private:
+    const Intrinsic_triangulation& m_triangulation;
+    std::vector<std::uint32_t> m_of_edges; // by halfedge
+    std::unordered_map<std::uint64_t, std::uint32_t> m_of_parts, m_in_face;
+  };
 
   const Search& m_search;
   const Intrinsic_triangulation& m_triangulation;
@@ -325,11 +348,10 @@ private:
   const std::vector<double> m_distances;
   const double m_step;
   Index m_face = null_index; // a halfedge of the present one
-  Distances_in_face m_in_face;
+  Index m_face_of_distances = null_index;
+  Distances_in_face m_in_face;  // of that face
   std::vector<double> m_values; // of corners; those of the vertices come first
-  // Of sides; two faces may have the same corners, but not the same lines between them.
-  std::unordered_map<std::uint64_t, std::uint32_t> m_middles, m_middles_in_face;
-  std::unordered_map<std::uint64_t, std::size_t> m_first_crossings, m_first_crossings_in_face;
+  Numbers_of_sides m_middles, m_first_crossings;
   std::size_t m_number_of_triangles = 0;
   Offset_lines m_lines;
 };

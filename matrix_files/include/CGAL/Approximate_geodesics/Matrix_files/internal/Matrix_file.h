@@ -81,7 +81,8 @@ private:
   // Whether a block matches the checksum of its marker.
   virtual bool is_intact(std::size_t block) const = 0;
 
-  // Whether blocks were being changed when an earlier run ended, so that all were complete.
+  // Whether an earlier run ended while it made the matrix symmetric: then all blocks are complete,
+  // and their checksums may be invalid.
   virtual bool is_being_changed() const = 0;
 
   // Closes the files of this process.

@@ -20,6 +20,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -124,6 +125,13 @@ public:
   void set_barriers(const std::vector<Barrier_change>& changes) override
   {
     change([&](auto& graph) { graph.set_barriers(changes); });
+  }
+
+  void prepare_pairs(const std::size_t number_of_landmarks) override
+  {
+    auto landmarks = std::make_unique<const Landmarks_of<Graph>>(m_graph, number_of_landmarks);
+    m_workspaces.set_up([l = landmarks.get()](Search& search) { search.use_landmarks(*l); });
+    m_landmarks = std::move(landmarks);
   }
 
   void find_distances(std::vector<Source_point> sources,
@@ -289,7 +297,8 @@ private:
 
   std::size_t own_memory() const override
   {
-    return m_graph.memory() + m_workspaces.sum([](const Search& s) { return s.search().memory(); });
+    return m_graph.memory() + (m_landmarks ? m_landmarks->memory() : 0) +
+           m_workspaces.sum([](const Search& s) { return s.search().memory(); });
   }
 
   std::unique_ptr<Solver_graph> reversed() const override
@@ -302,6 +311,7 @@ private:
 
   Graph m_graph;
   bool m_has_changed = false;
+  std::unique_ptr<const Landmarks_of<Graph>> m_landmarks; // if pairs are prepared
   mutable Workspaces<Search> m_workspaces;
 };
 

@@ -1,0 +1,307 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Mesh/Triangle_soup_mesh.h>
+
+#include "checks/expect_message.h"
+#include "meshes/random_soups.h"
+#include "meshes/sample_meshes.h"
+#include "meshes/test_mesh_type.h"
+#include "meshes/test_weights.h"
+
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace geodesics_test;
+using CGAL::Approximate_geodesics::Triangle_soup_mesh;
+using CGAL::Approximate_geodesics::internal::Paired_sides;
+using Soup_mesh = Triangle_soup_mesh<std::vector<Point>, std::vector<std::array<std::size_t, 3>>>;
+
+Soup_mesh on_arrays(const Soup& soup) { return {soup.points, soup.triangles}; }
+
+Soup soup_of(const Mesh& mesh)
+{
+  Soup result;
+  result.points.assign(mesh.points().begin(), mesh.points().end());
+  for(const Face f : mesh.faces())
+  {
+    const Halfedge h = mesh.halfedge(f);
+    result.triangles.push_back(
+        {mesh.source(h), mesh.target(h), std::size_t(mesh.target(mesh.next(h)))});
+  }
+  return result;
+}
+
+// The distances from a vertex, by the number of the vertex.
+template <typename AnyMesh, typename... NamedParameters>
+std::vector<double>
+distances_from(const AnyMesh& mesh, const std::size_t source, const NamedParameters&... np)
+{
+  std::vector<double> result(num_vertices(mesh));
+  const auto map =
+      boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh));
+  using vertex_descriptor = typename boost::graph_traits<AnyMesh>::vertex_descriptor;
+  CGAL::approximate_geodesic_distances(
+      mesh, map, vertex_descriptor(static_cast<std::uint32_t>(source)), np...);
+  return result;
+}
+
+template <typename AnyMesh>
+auto weights_of(const AnyMesh& mesh, const Weights& weights)
+{
+  return CGAL::parameters::face_weight_map(
+      boost::make_iterator_property_map(weights.begin(), get(boost::face_index, mesh)));
+}
+
+// All kinds of graphs find the same distances, to the last bit, as on a mesh with links.
+void expect_same_bits_as_mesh(const Soup& soup, Random& random, const bool is_short = false)
+{
+  const Mesh mesh = to_mesh(soup);
+  const Soup_mesh arrays = on_arrays(soup);
+  const std::size_t source = soup.triangles.empty() ? 0 : soup.triangles.front()[1];
+  const auto compare = [&](const auto& np) {
+    EXPECT_TRUE(
+        have_same_bits(distances_from(arrays, source, np), distances_from(mesh, source, np)));
+  };
+  compare(CGAL::parameters::default_values());
+  compare(CGAL::parameters::epsilon(0.1));
+  if(!is_short)
+    compare(CGAL::parameters::epsilon(0));
+  const Weights weights = random_weights(mesh, random, 0.5, 4, 0.1);
+  EXPECT_TRUE(have_same_bits(
+      distances_from(arrays, source, weights_of(arrays, weights).number_of_points_per_edge(1)),
+      distances_from(mesh, source, weights_of(mesh, weights).number_of_points_per_edge(1))));
+}
+
+TEST(Triangle_soup_mesh, has_the_same_bits_as_a_mesh_with_links)
+{
+  Random random(test_seed());
+  for(const std::uint64_t seed : seeds_of_small_soups())
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_same_bits_as_mesh(random_small_soup(seed), random);
+  }
+}
+
+TEST(Triangle_soup_mesh, has_the_same_bits_on_sample_meshes)
+{
+  SKIP_WITHOUT_SAMPLE_MESHES();
+  Random random(test_seed());
+  for(const std::string name : {"elephant.off", "eight.off", "mannequin-devil.off"})
+  {
+    SCOPED_TRACE(name);
+    expect_same_bits_as_mesh(soup_of(sample_mesh(name)), random, name != "eight.off");
+  }
+}
+
+TEST(Triangle_soup_mesh, is_taken_by_everything_that_takes_a_mesh)
+{
+  for(const Mesh& original : simple_meshes())
+  {
+    const Soup soup = soup_of(original);
+    const Soup_mesh mesh = on_arrays(soup);
+    EXPECT_TRUE(CGAL::is_triangle_mesh(mesh));
+    const auto all = vertices(mesh);
+    expect_same_results(original, mesh,
+                        std::vector<Soup_mesh::Vertex_index>(all.begin(), all.end()));
+  }
+}
+
+// Walks along all links, in both directions.
+TEST(Triangle_soup_mesh, has_consistent_links)
+{
+  for(const std::uint64_t seed : seeds_of_small_soups())
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Soup soup = random_small_soup(seed);
+    const Soup_mesh mesh = on_arrays(soup);
+    for(const auto h : halfedges(mesh))
+    {
+      ASSERT_EQ(opposite(opposite(h, mesh), mesh), h);
+      ASSERT_NE(opposite(h, mesh), h);
+      ASSERT_EQ(prev(next(h, mesh), mesh), h);
+      ASSERT_EQ(next(prev(h, mesh), mesh), h);
+      ASSERT_EQ(source(h, mesh), target(opposite(h, mesh), mesh));
+      ASSERT_EQ(source(next(h, mesh), mesh), target(h, mesh));
+      ASSERT_EQ(edge(h, mesh), edge(opposite(h, mesh), mesh));
+      ASSERT_EQ(face(next(h, mesh), mesh), face(h, mesh));
+      ASSERT_EQ(halfedge(source(h, mesh), target(h, mesh), mesh), std::make_pair(h, true));
+    }
+    std::size_t sum_of_degrees = 0;
+    for(const auto v : vertices(mesh))
+    {
+      sum_of_degrees += degree(v, mesh);
+      const auto h = halfedge(v, mesh);
+      ASSERT_TRUE(h == Soup_mesh::Halfedge_index() || target(h, mesh) == v);
+    }
+    ASSERT_EQ(sum_of_degrees, num_halfedges(mesh));
+    for(std::size_t f = 0; f < num_faces(mesh); ++f)
+      for(std::size_t i = 0; i < 3; ++i)
+        ASSERT_EQ(source(Soup_mesh::Halfedge_index(3 * f + i), mesh), soup.triangles[f][i]);
+  }
+}
+
+// Single precision, plain pointers, signed indices, and faces with sizes.
+TEST(Triangle_soup_mesh, takes_arrays_of_many_types)
+{
+  Random random(test_seed());
+  const Soup soup = terrain(9, 8, random).transformed([](const Point& p) {
+    const auto single = [](const double x) { return static_cast<double>(static_cast<float>(x)); };
+    return Point(single(p.x()), single(p.y()), single(p.z()));
+  });
+  std::vector<std::array<float, 3>> points;
+  for(const Point& p : soup.points)
+    points.push_back(
+        {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
+  std::vector<std::vector<std::int64_t>> triangles;
+  for(const auto& t : soup.triangles)
+    triangles.push_back({t.begin(), t.end()});
+  const auto epsilon = CGAL::parameters::epsilon(0.1);
+  const auto expected = distances_from(to_mesh(soup), 3, epsilon);
+
+  EXPECT_TRUE(
+      have_same_bits(distances_from(Triangle_soup_mesh(points, triangles), 3, epsilon), expected));
+  const auto pointers = CGAL::make_range(points.data(), points.data() + points.size());
+  const auto faces =
+      CGAL::make_range(soup.triangles.data(), soup.triangles.data() + soup.triangles.size());
+  EXPECT_TRUE(
+      have_same_bits(distances_from(Triangle_soup_mesh(pointers, faces), 3, epsilon), expected));
+}
+
+TEST(Triangle_soup_mesh, gives_vertices_by_their_numbers)
+{
+  const Soup soup = flat_grid(6, 5);
+  const Soup_mesh mesh = on_arrays(soup);
+  std::vector<double> distances(soup.points.size());
+  const auto map =
+      boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh));
+  CGAL::approximate_geodesic_distances(mesh, map, mesh.vertex(7), CGAL::parameters::epsilon(0));
+  EXPECT_NEAR(distances[27], std::sqrt(13), 1e-12);
+  expect_message<std::invalid_argument>(
+      [&] { CGAL::approximate_geodesic_distances(mesh, map, mesh.vertex(30)); }, "vertex 30");
+  expect_message<std::invalid_argument>(
+      [&] { CGAL::approximate_geodesic_distances(mesh, map, mesh.vertex(std::size_t(-1))); },
+      "null vertex");
+}
+
+// Graphs for many queries are built from arrays.
+TEST(Triangle_soup_mesh, has_graphs)
+{
+  const Soup soup = sphere(12, 9);
+  using CGAL::Approximate_geodesics::Discrete_geodesic_graph;
+  const Discrete_geodesic_graph built{Triangulation(on_arrays(soup))},
+      expected{Triangulation(to_mesh(soup))};
+  EXPECT_EQ(built.number_of_arcs(), expected.number_of_arcs());
+  EXPECT_TRUE(built.is_valid());
+}
+
+TEST(Triangle_soup_mesh, may_be_empty_or_have_isolated_vertices)
+{
+  EXPECT_EQ(num_halfedges(on_arrays({})), 0u);
+  const Soup points{std::vector<Point>(3, Point(1, 2, 3)), {}};
+  EXPECT_EQ(distances_from(on_arrays(points), 1), std::vector<double>({infinity, 0, infinity}));
+}
+
+TEST(Triangle_soup_mesh, names_what_is_wrong)
+{
+  const Soup right = flat_grid(3, 3);
+  const auto expect_refused = [](const Soup& soup, const std::vector<std::string>& texts) {
+    expect_texts<std::invalid_argument>([&] { on_arrays(soup); }, texts);
+  };
+  Soup soup = right;
+  soup.triangles[2][1] = 9;
+  expect_refused(soup, {"face 2 has vertex 9;", "there are 9"});
+  soup.triangles[2][1] = std::size_t(-1);
+  expect_refused(soup, {"face 2 has vertex"});
+  soup = right;
+  soup.triangles[4][0] = soup.triangles[4][2];
+  expect_refused(soup, {"face 4 has vertex", "twice"});
+  soup = right;
+  std::swap(soup.triangles[3][0], soup.triangles[3][1]);
+  expect_refused(soup, {"face", "in the same direction"});
+  soup = right;
+  soup.triangles.push_back(soup.triangles[5]);
+  expect_refused(soup, {"face 5 and face 8 have the same vertices"});
+  soup = right;
+  soup.triangles.push_back({0, 4, 8});
+  expect_refused(soup, {"vertices 0 and 4 is not manifold: face 0, face 1 and face 8"});
+}
+
+// Whichever end of an edge has the smaller number, and from whichever faces come first.
+TEST(Triangle_soup_mesh, names_edges_that_are_not_manifold)
+{
+  const std::vector<Point> points(6, Point(0, 0, 0));
+  const std::vector<std::array<std::size_t, 3>> up{{0, 1, 2}, {0, 1, 3}},
+      down{{1, 0, 2}, {1, 0, 3}};
+  for(const auto& triangles : {up, down})
+    expect_message<std::invalid_argument>(
+        [&] { Triangle_soup_mesh(points, triangles); },
+        "face 0 and face 1 traverse the edge between vertices 0 and 1 in the same direction");
+  for(std::array<std::size_t, 3> third : {std::array<std::size_t, 3>{0, 1, 5}, {1, 0, 5}})
+    for(auto triangles : {up, down})
+    {
+      triangles.push_back(third);
+      expect_message<std::invalid_argument>(
+          [&] { Triangle_soup_mesh(points, triangles); },
+          "the edge between vertices 0 and 1 is not manifold: face 0, face 1 and face 2 share it");
+    }
+}
+
+TEST(Triangle_soup_mesh, names_vertices_that_are_not_manifold)
+{
+  using Triples = std::vector<std::array<std::size_t, 3>>;
+  const std::vector<Point> points(9, Point(0, 0, 0));
+  const Triples two_corners{{4, 1, 2}, {3, 4, 5}};
+  const Triples closed{{4, 0, 1}, {4, 1, 2}, {4, 2, 0}, {4, 5, 6}, {4, 6, 7}, {4, 7, 5}};
+  const Triples closed_and_open{{4, 5, 6}, {4, 0, 1}, {4, 1, 2}, {4, 2, 0}};
+  for(const Triples& triangles : {two_corners, closed, closed_and_open})
+    expect_message<std::invalid_argument>([&] { Triangle_soup_mesh(points, triangles); },
+                                          "vertex 4 is not manifold");
+}
+
+TEST(Triangle_soup_mesh, names_faces_that_are_not_triangles)
+{
+  const std::vector<Point> points(4, Point(0, 0, 0));
+  const std::vector<std::vector<int>> faces{{0, 1, 2}, {2, 1, 0, 3}};
+  expect_message<std::invalid_argument>([&] { Triangle_soup_mesh(points, faces); },
+                                        "face 1 has 4 vertices");
+}
+
+TEST(Triangle_soup_mesh, refuses_coordinates_that_are_not_finite)
+{
+  Soup soup = flat_grid(3, 3);
+  soup.points[4] = Point(0, infinity, 0);
+  expect_message<std::invalid_argument>([&] { distances_from(on_arrays(soup), 0); }, "vertex 4",
+                                        "infinite or not a number");
+}
+
+// Halfedges of 10^8 vertices need all 32 bits. Sizes are checked before anything is read.
+TEST(Triangle_soup_mesh, has_numbers_of_32_bits)
+{
+  const auto corners = [](std::size_t) { return std::array<int, 3>{0, 1, 2}; };
+  for(const std::size_t number_of_faces : {std::size_t(800'000'000), std::size_t(1) << 40})
+    EXPECT_THROW(Paired_sides(3, number_of_faces, corners), std::length_error);
+  EXPECT_THROW(Paired_sides(0xffffffff, 1, corners), std::length_error);
+  EXPECT_EQ(Paired_sides::side_after(4294967292), 4294967293);
+  EXPECT_EQ(Paired_sides::side_after(4294967294), 4294967292);
+  EXPECT_EQ(Paired_sides::side_before(4294967292), 4294967294);
+  EXPECT_EQ(Soup_mesh::Halfedge_index(std::size_t(4294967294)), 4294967294u);
+  EXPECT_EQ(Soup_mesh::Vertex_index(std::size_t(1) << 32), Soup_mesh::Vertex_index());
+}
+
+} // namespace
