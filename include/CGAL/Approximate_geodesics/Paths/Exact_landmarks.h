@@ -29,7 +29,8 @@ public:
   virtual ~Corridor_finder() = default;
 
   // Returns the corridor of the paths from a source to a target, which refers to this object, and
-  // is valid until the next call. Where the target cannot be reached, its length is 0.
+  // is valid until the next call. It is not known if it is not worth it. Where the target cannot be
+  // reached, its length is 0.
   virtual Corridor find(const Intrinsic_point& source, const Intrinsic_point& target) = 0;
 };
 
