@@ -133,7 +133,7 @@ TEST_F(Offset_curves, are_near_a_region_at_very_small_distances)
 {
   std::vector<Offset> curves;
   const AG::Source_region<Mesh> region{{Face(100), Face(101)}};
-  AG::offset_curves(m_mesh, region, 1e-6, std::back_inserter(curves));
+  AG::offset_curves(m_mesh, region, 0.01, std::back_inserter(curves));
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_TRUE(curves[0].is_closed);
 }
