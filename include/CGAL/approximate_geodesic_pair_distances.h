@@ -134,7 +134,8 @@ public:
   void clear() { m_workspaces.clear(); }
 
   // Landmarks are referred to, not copied.
-  void use_landmarks(const Landmarks<Graph>& landmarks)
+  template <typename Landmarks>
+  void use_landmarks(const Landmarks& landmarks)
   {
     m_workspaces.set_up([&landmarks](auto& search) { search.use_landmarks(landmarks); });
   }

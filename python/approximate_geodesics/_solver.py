@@ -386,14 +386,15 @@ class Solver:
         """Prepare for many pairs, until weights or barriers change.
 
         Distances from some landmarks are kept. They guide `path`, `pair_distances` and `paths` to
-        each target, past most of the mesh: with face weights, these then take a small part of the
-        time. Distances stay the same, up to rounding. Not for exact distances. No other thread may
+        each target, past most of the mesh: with face weights, and for exact distances, these then
+        take a small part of the time. Distances stay the same, up to rounding. No other thread may
         use the solver meanwhile.
 
         Parameters
         ----------
         landmarks : int
             Their number: each takes two searches of the whole mesh, and 8 bytes per point of it.
+            Exact distances need a graph of about 720 bytes per vertex, too.
         progress : callable, optional
             Called with how many nodes were reached, and of how many, from 0 on for each search.
         """

@@ -84,15 +84,14 @@ def test_progress_is_that_of_sources(solver):
     assert calls[-1] == (2, 2)
 
 
-def test_prepared_pairs_are_the_same(solver, pairs):
-    prepared = ag.Solver(solver.vertices, solver.faces, 0.1)
+@pytest.mark.parametrize("epsilon", [0.1, 0])
+def test_prepared_pairs_are_the_same(solver, pairs, epsilon):
+    prepared = ag.Solver(solver.vertices, solver.faces, epsilon)
     expected = prepared.pair_distances(pairs)
     prepared.prepare_pairs(4)
     np.testing.assert_allclose(prepared.pair_distances(pairs), expected, rtol=1e-12)
     with pytest.raises(ValueError, match="landmarks is 0"):
         prepared.prepare_pairs(0)
-    with pytest.raises(ValueError, match="exact"):
-        ag.Solver(solver.vertices, solver.faces, 0).prepare_pairs()
 
 
 def test_wrong_pairs_are_named(solver):

@@ -28,10 +28,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -219,24 +221,88 @@ static Table table_of_calls(const Mesh& mesh, const std::vector<Vertex>& sources
   return table;
 }
 
+// ----- pairs of faces
+
+// Two faces beside one edge, on a plane of this slope, which is turned. The last two vertices are
+// the ends of a path that crosses the edge once.
+static Mesh random_pair(std::mt19937& random, const double slope)
+{
+  const auto between = [&](const double low, const double high) {
+    return low + (high - low) * double(random()) / 4294967296.;
+  };
+  const double turn = between(0, 6.28), run = 1 / std::hypot(1, slope);
+  Mesh mesh;
+  const auto add = [&](const double x, const double y) {
+    const double along = x * std::sin(turn) + y * std::cos(turn);
+    return mesh.add_vertex(
+        {x * std::cos(turn) - y * std::sin(turn), along * run, along * run * slope});
+  };
+  const Vertex v = add(0, 0), u = add(1, 0);
+  const double x = between(0.3, 0.7), y = between(0.05, 0.4);
+  const Vertex left = add(x, y), right = add(between(0.3, 0.7), -between(0.05, 0.4));
+  mesh.add_face(v, u, left);
+  mesh.add_face(u, v, right);
+  return mesh;
+}
+
+template <typename Placement>
+double cost_between_last(const AG::Directional_graph<Placement>& graph)
+{
+  Search<Placement> search(graph);
+  search.run_from(graph.triangulation().vertex(2));
+  return search.distance(graph.triangulation().vertex(3));
+}
+
+// How much of the bound paths take that cross one edge: there, no choice of several crossings makes
+// up for a point in the middle between two others.
+template <typename Cost>
+void add_pairs(Table& table,
+               const std::string& name,
+               const Cost& cost,
+               const double slope,
+               const bool is_quick)
+{
+  constexpr std::size_t number_of_points = 1000; // of the reference
+  constexpr double bound = 0.1;
+  std::mt19937 random(1);
+  double points = 0, largest = 0;
+  const int number_of_pairs = is_quick ? 20 : 250;
+  for(int i = 0; i < number_of_pairs; ++i)
+  {
+    const AG::Intrinsic_triangulation pair(
+        random_pair(random, slope),
+        CGAL::parameters::face_weight_map(AG::directional_cost(cost)).epsilon(bound));
+    const AG::Directional_graph<> graph(pair, Directional_points(bound));
+    const AG::Directional_graph<Fixed_number_of_points> reference(
+        pair, Fixed_number_of_points(number_of_points));
+    points += double(graph.number_of_points()) / number_of_pairs;
+    largest = (std::max)(largest, cost_between_last(graph) / cost_between_last(reference) - 1);
+  }
+  table.add_row().add(name).add(slope, 2).add(points, 1).add(largest / bound, 2);
+}
+
 int main(int argc, char* argv[])
 {
   const auto measure = [](const Options& options, const Report& report) {
     const Mesh mesh = terrain(options.is_quick ? 6 : 25, 1, 0.2);
     const std::vector<Vertex> sources = random_sources(mesh, options.number_of_rounds);
     Table table = Directions_benchmark::empty_table();
-    const auto add = [&](const std::string& name, const auto& cost) {
+    Table pairs({"costs", "slope", "points/edge", "largest : bound"});
+    const auto add = [&](const std::string& name, const auto& cost, const double slope) {
       Directions_benchmark(name, mesh, cost).add_to(table, sources);
+      add_pairs(pairs, name, cost, slope, options.is_quick);
     };
     using Vector = Kernel::Vector_3;
-    add("walking, time", AG::Hiking_time());
-    add("walking, energy", AG::Walking_energy());
+    add("walking, time", AG::Hiking_time(), 0.2);
+    add("walking, energy", AG::Walking_energy(), 0.2);
     const auto drift =
         boost::static_property_map<Vector, Mesh::Face_index>(Vector(0.5, 0, 0)); // of speed 1
-    add("a current", AG::Drift_time(drift, 1));
+    add("a current", AG::Drift_time(drift, 1), 0);
     using Tensor = std::array<double, 6>;
-    add("a tensor", AG::Tensor_cost(boost::static_property_map<Tensor, Mesh::Face_index>(
-                        Tensor{1, 0.5, 0, 4, 0, 1})));
+    add("a tensor",
+        AG::Tensor_cost(
+            boost::static_property_map<Tensor, Mesh::Face_index>(Tensor{1, 0.5, 0, 4, 0, 1})),
+        0);
     report.print("direction_calls",
                  "Single calls with costs that depend on the direction, beside a weight per face "
                  "(microseconds per vertex, medians of " +
@@ -248,6 +314,8 @@ int main(int argc, char* argv[])
                      std::to_string(sources.size()) + " sources, errors of " +
                      std::to_string(SOURCES_OF_ERRORS) + ")",
                  table);
+    report.print("directional_pairs",
+                 "Random pairs of faces, paths across one edge, for a bound of 0.1", pairs);
   };
   return run_benchmark(argc, argv, "bench_directions", {{}, 11, ""}, measure);
 }

@@ -6,18 +6,23 @@
 // Grids of cells: errors by direction where all have the same friction, beside steps in 8 and 16
 // directions as other programs for rasters have them; time and memory of a search where friction
 // varies, and errors against a graph with many more points; on heights, times of hikers against a
-// grid that is four times finer. See --help.
+// grid that is four times finer, and what errors are due to. See --help.
 
 #include "measuring/Errors.h"
 #include "measuring/measure.h"
+#include "meshes/Mesh.h"
 #include "meshes/Rough_terrain.h"
 #include "output/Options.h"
 #include "output/Table.h"
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
+#include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/centroid.h>
 
 #include <boost/program_options.hpp>
 
@@ -320,10 +325,11 @@ std::vector<double> times_of_hikers(const Graph& graph, const Grid_shape& shape,
   return result;
 }
 
-// Times on a grid that is four times finer, whose heights are interpolated.
-static std::vector<double> finer_times(const Grid_shape& shape, const std::vector<double>& heights)
+// Times on a grid that is so many times finer, whose heights are interpolated.
+static std::vector<double> finer_times(const Grid_shape& shape,
+                                       const std::vector<double>& heights,
+                                       const std::size_t factor = 4)
 {
-  constexpr std::size_t factor = 4;
   const Grid_shape finer{factor * (shape.columns - 1) + 1,
                          factor * (shape.rows - 1) + 1,
                          shape.cell_width / factor,
@@ -396,6 +402,89 @@ static Table measure_hikers(const std::size_t side)
   return table;
 }
 
+// ----- what errors on heights are due to
+
+// Cells between four heights become two triangles, or four around their mean.
+static Mesh
+mesh_of_heights(const Grid_shape& shape, const std::vector<double>& heights, const bool has_means)
+{
+  Mesh mesh;
+  for(std::size_t i = 0; i < shape.number_of_cells(); ++i)
+  {
+    const AG::Grid_point p = shape.center(shape.cell(i));
+    mesh.add_vertex({p.x, p.y, heights[i]});
+  }
+  for(std::size_t row = 0; row + 1 < shape.rows; ++row)
+    for(std::size_t column = 0; column + 1 < shape.columns; ++column)
+    {
+      const auto at = [&](const std::size_t c, const std::size_t r) {
+        return Vertex(static_cast<Mesh::size_type>(shape.index({column + c, row + r})));
+      };
+      const std::array<Vertex, 4> v{at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
+      if(has_means)
+      {
+        const Vertex middle = mesh.add_vertex(
+            CGAL::centroid(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3])));
+        for(std::size_t i = 0; i < 4; ++i)
+          mesh.add_face(v[i], v[(i + 1) % 4], middle);
+      }
+      else
+      {
+        mesh.add_face(v[0], v[1], v[2]);
+        mesh.add_face(v[0], v[2], v[3]);
+      }
+    }
+  return mesh;
+}
+
+static std::vector<double>
+times_on_mesh(const Grid_shape& shape, const std::vector<double>& heights, const bool has_means)
+{
+  constexpr std::size_t points_per_edge = 15;
+  const Mesh mesh = mesh_of_heights(shape, heights, has_means);
+  const AG::Directional_graph<AG::Fixed_number_of_points> graph(
+      AG::Intrinsic_triangulation(
+          mesh, CGAL::parameters::face_weight_map(AG::directional_cost(AG::Hiking_time()))),
+      AG::Fixed_number_of_points(points_per_edge));
+  AG::Propagation search(graph);
+  const auto node = [&](const std::size_t i) {
+    return graph.triangulation().vertex(static_cast<std::uint32_t>(i));
+  };
+  search.run_from(node(shape.index(middle_of(shape))));
+  std::vector<double> result;
+  for(std::size_t i = 0; i < shape.number_of_cells(); ++i)
+    result.push_back(search.distance(node(i)));
+  return result;
+}
+
+// Lines of the grid and of finer ones, and another surface, next to the cheapest paths on a mesh.
+static Table compare_surfaces(const std::size_t side)
+{
+  const Grid_shape shape = shape_of_terrain(side);
+  Table table({"terrain", "times", "mean %", "largest %", "least %"});
+  for(const Named_terrain& named : terrains())
+  {
+    const std::vector<double> heights = named.terrain.heights(shape);
+    const std::vector<double> reference = times_on_mesh(shape, heights, true);
+    const auto add = [&](const std::string& times, const std::vector<double>& found) {
+      Errors errors;
+      for(std::size_t i = 0; i < reference.size(); ++i)
+        errors.add(found[i], reference[i]);
+      table.add_row()
+          .add(named.name)
+          .add(times)
+          .add(100 * errors.mean(), 2)
+          .add(100 * errors.largest(), 1)
+          .add(100 * errors.least(), 1);
+    };
+    for(const std::size_t factor : {1u, 2u, 4u})
+      add("lines of a grid " + std::to_string(factor) + " times as fine",
+          finer_times(shape, heights, factor));
+    add("mesh of two triangles per cell", times_on_mesh(shape, heights, false));
+  }
+  return table;
+}
+
 // Writes the heights of the terrains, for programs of others to read: `double`s, row by row.
 static void write_heights(const std::string& prefix, const std::size_t side)
 {
@@ -434,6 +523,13 @@ int main(int argc, char* argv[])
                  "Heights, times of hikers, errors against a grid that is four times finer, " +
                      std::to_string(side / part) + " x " + std::to_string(side / part) + " cells",
                  measure_hikers(side / part));
+    const std::size_t side_of_mesh = options.is_quick ? 10 : 64;
+    report.print(
+        "grid_surfaces",
+        "Heights, times of hikers, errors against a mesh of four triangles per cell with 15 "
+        "points per edge, " +
+            std::to_string(side_of_mesh) + " x " + std::to_string(side_of_mesh) + " cells",
+        compare_surfaces(side_of_mesh));
     report.print("grid_searches",
                  "Friction that varies, " + std::to_string(side / part) + " x " +
                      std::to_string(side / part) + " cells (times as medians of " +

@@ -16,6 +16,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/read_changes.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
+#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
@@ -572,18 +573,21 @@ public:
   /*!
    * prepares for many pairs: makes landmarks, see `Landmarks`, which guide searches to single
    * targets from now on. After weights or barriers have changed, they are not used any more, until
-   * this is called again. With weights, pairs then take a small part of the time. In a list, each
-   * pair is then a search of its own: for very many targets of each source, do not prepare.
+   * this is called again. With weights, pairs then take a small part of the time, and so do exact
+   * pairs, for which it makes `Exact_landmarks`. In a list, each pair is then a search of its own:
+   * for very many targets of each source, do not prepare.
    *
-   * \pre `Graph` has a member function `asymmetry()`, as `Steiner_graph` does.
+   * \pre `Graph` has a member function `asymmetry()`, as `Steiner_graph` does, or is
+   * `Saddle_vertex_graph`.
    *
    * \throws std::invalid_argument if `number_of_landmarks` is `0`.
    *
-   * Run time and memory are those of the constructor of `Landmarks`.
+   * Run time and memory are those of the constructor of `Landmarks`, or of `Exact_landmarks`.
    */
   void prepare_pairs(const std::size_t number_of_landmarks = Landmarks<Graph>::DEFAULT_NUMBER)
   {
-    auto landmarks = std::make_unique<const Landmarks<Graph>>(m_graph, number_of_landmarks);
+    auto landmarks =
+        std::make_unique<const internal::Landmarks_of<Graph>>(m_graph, number_of_landmarks);
     m_pairs.use_landmarks(*landmarks);
     m_pair_search.reset();
     m_landmarks = std::move(landmarks);
@@ -784,10 +788,12 @@ private:
                                          internal_np::maximum_distance_t, internal_np::visitor_t>,
                   "single pairs read straighten, maximum_distance and visitor");
     if(!m_pair_search)
+    {
       m_pair_search = std::make_unique<Pair_search>(Pair_search{
           Mesh_search(m_graph, m_translation, this->point_map()), m_search.positions()});
-    if(m_landmarks)
-      m_pair_search->search.search().use_landmarks(*m_landmarks);
+      if(m_landmarks)
+        m_pair_search->search.search().use_landmarks(*m_landmarks);
+    }
     const auto run = [&](const auto& from, const auto& to) {
       m_pair_search->search.run_to(from, to, m_pair_search->positions, np);
       return m_translation.intrinsic_point(to);
@@ -841,7 +847,7 @@ private:
   Graph m_graph;
   Translation m_translation;
   Mesh_search m_search;
-  std::unique_ptr<const Landmarks<Graph>> m_landmarks; // if pairs are prepared
+  std::unique_ptr<const internal::Landmarks_of<Graph>> m_landmarks; // if pairs are prepared
   std::unique_ptr<Pair_search> m_pair_search;
   internal::Mesh_pairs<Graph, Translation> m_pairs{m_graph, m_translation};
   std::list<Listed_source> m_sources;

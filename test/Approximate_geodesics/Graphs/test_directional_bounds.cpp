@@ -143,6 +143,25 @@ TEST(Directional_bounds, hold_with_random_gauges)
   }
 }
 
+// Small surfaces: most paths pass near vertices.
+TEST(Directional_bounds, hold_on_a_hundred_surfaces)
+{
+  Random random(test_seed());
+  for(std::size_t i = 0; i < 100; ++i)
+  {
+    SCOPED_TRACE(i);
+    const Mesh mesh = to_mesh(i % 4 == 0   ? fan(3 + i % 9, random.between(0, 2)) // first: its tip
+                              : i % 4 == 1 ? sphere(4, 3)
+                                           : terrain(4, 3, random));
+    const auto cost = mixed_gauges(mesh, random);
+    const double epsilon = std::pow(10., random.between(-1, 0));
+    const auto found = costs_from_first(mesh, bounded_graph(mesh, cost, epsilon));
+    const auto reference = costs_from_first(mesh, dense_graph(mesh, cost, 40));
+    for(const Vertex v : mesh.vertices())
+      EXPECT_LE(found[v], (1 + 1e-9) * (1 + epsilon) * reference[v]);
+  }
+}
+
 TEST(Directional_bounds, include_the_errors_of_samples)
 {
   const Mesh mesh = to_mesh(flat_grid(3, 3));

@@ -99,6 +99,32 @@ struct Test_corner
   Plane_vector a, b;
 };
 
+// Next to random segments from the part `x` of one side to a part of the other one.
+template <typename Cost>
+void expect_bend(const Gauge_polygon::Bend& bend,
+                 const Test_corner& corner,
+                 Random& random,
+                 const Cost& cost)
+{
+  for(int k = 0; k < 200; ++k)
+  {
+    const double x = random.between(0, 1), y = random.between(0, 1);
+    const double far = k % 3 == 0 ? 1 : std::exp(random.between(0, 4));
+    for(const double sign : {1., -1.})
+      for(const bool is_first : {true, false})
+      {
+        const auto between = [&](const double near, const double other) {
+          return cost(sign * (is_first ? corner.way(near, other) : corner.way(other, near)));
+        };
+        const double one_end = x * between(1, far) + (1 - x) * between(0, far);
+        ASSERT_LE(one_end - between(x, far), bend.turn * x * (1 - x) + 1e-12 * one_end);
+        const double both_ends = (std::min)(x, y) * between(1, 1) +
+                                 std::abs(x - y) * (x < y ? between(0, 1) : between(1, 0));
+        ASSERT_LE(both_ends, (1 + bend.excess) * (1 + 1e-12) * between(x, y));
+      }
+  }
+}
+
 // Both ends of a segment are rounded to the ends of intervals, outward where the same random number
 // is below their positions.
 TEST(Gauge_steps, let_ends_of_segments_be_rounded_together)
@@ -155,6 +181,64 @@ TEST(Gauge_steps, are_known_for_lengths)
       EXPECT_LE(step, 1.02 * largest);
       EXPECT_GE(step, 0.8 * largest);
     }
+}
+
+// One end of a segment is rounded to a vertex or to the end of a side of any length, or both are.
+TEST(Gauge_bends, bound_what_rounding_near_a_vertex_costs)
+{
+  Random random(test_seed());
+  for(int i = 0; i < 60; ++i)
+    for(const Gauge& gauge : random_gauges(random))
+    {
+      Test_corner corner(random);
+      corner.a = random.between(0.5, 2) * corner.a;
+      corner.b = random.between(0.5, 2) * corner.b;
+      Sampled_polygon sampled(gauge);
+      expect_bend(sampled.polygon.bend(corner.a, corner.b), corner, random,
+                  [&](const Plane_vector v) { return sampled.cost(v); });
+    }
+}
+
+// ... also where the polygon is made of samples, and not exact.
+TEST(Gauge_bends, hold_for_formulas)
+{
+  Random random(test_seed());
+  for(int i = 0; i < 100; ++i)
+  {
+    Mesh mesh;
+    const auto place = [&] {
+      return Point(random.between(-1, 1), random.between(-1, 1), random.between(-0.4, 0.4));
+    };
+    mesh.add_face(mesh.add_vertex(place()), mesh.add_vertex(place()), mesh.add_vertex(place()));
+    const Triangulation t(mesh, with_cost(AG::Hiking_time()));
+    Node h = 0;
+    while(!t.is_open(h))
+      ++h;
+    Gauge_samples samples;
+    Gauge_polygon polygon;
+    ASSERT_TRUE(t.gauges().has_formula(t.gauges().face(h)));
+    const double error = polygon.assign(t, h, 0.01, samples);
+    Test_corner corner(random);
+    corner.a = random.between(0.5, 2) * t.gauges().side(h);
+    corner.b = -random.between(0.5, 2) * t.gauges().side(t.halfedges_of_face(h)[2]);
+    auto bend = polygon.bend(corner.a, corner.b);
+    bend.excess = (1 + bend.excess) * (1 + error) - 1;
+    expect_bend(bend, corner, random,
+                [&](const Plane_vector v) { return t.gauges().cost(t.gauges().face(h), v); });
+  }
+}
+
+// The slope of the length changes along the side of a regular triangle from -1/2 to 1/2, and the
+// chord over 60 degrees is too high by that over an edge of a hexagon.
+TEST(Gauge_bends, are_known_for_lengths)
+{
+  Sampled_polygon sampled([](const Plane_vector v) { return length(v); }, 1e-5);
+  const Test_corner corner(0.3, straight_angle / 3);
+  const auto bend = sampled.polygon.bend(corner.a, corner.b);
+  EXPECT_NEAR(1, bend.turn, 0.02);
+  EXPECT_NEAR(2 / std::sqrt(3.) - 1, bend.excess, 1e-4);
+  EXPECT_NEAR(std::sqrt(0.75), sampled.polygon.height(corner.a, corner.b), 1e-4);
+  EXPECT_NEAR(std::sqrt(3.), sampled.polygon.height(2 * corner.a, 2 * corner.b), 1e-4);
 }
 
 // Directions beside a corner of the unit ball may differ in proportion to the error, and without

@@ -10,10 +10,12 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Gauge_polygon.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Gauge_vicinities.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -33,8 +35,9 @@ namespace CGAL::Approximate_geodesics {
  * of a path can turn in each corner of a face before the chord of the gauge between two directions
  * is too high: where the unit ball of the gauge is smooth, this is proportional to
  * \f$\sqrt\varepsilon\f$ divided by the root of the curvature, and where it has corners, to
- * \f$\varepsilon\f$. And progressions start at all vertices as if weights were different, with the
- * ratio of the largest cost of an edge there to the smallest cost of any direction. Section
+ * \f$\varepsilon\f$. And progressions start at the same cost from the vertex, on all of its edges.
+ * This is in proportion to \f$\varepsilon\f$ and to the smallest cost of a way from the opposite
+ * side of a face, and larger if the gauges are nearly linear in the corners there. Section
  * \ref AG_directional_bound of the manual states the theorem, and the report \cgalCite{ag-report}
  * proves it.
  *
@@ -120,8 +123,9 @@ public:
     const double rest = (std::max)((1 + m_epsilon) / (1 + sampling_error) - 1, 0.5 * m_epsilon);
     const double of_crossings = SHARE_OF_CROSSINGS * rest;
     m_bound = m_epsilon;
-    compute_steps(triangulation, of_crossings);
-    compute_starts(triangulation, (rest - of_crossings) / (1 + of_crossings));
+    internal::Gauge_vicinities vicinities(triangulation);
+    compute_steps(triangulation, of_crossings, vicinities);
+    compute_starts(triangulation, (rest - of_crossings) / (1 + of_crossings), vicinities);
     if((1 + rest) * (1 + sampling_error) > (1 + m_epsilon) * (1 + ROUNDING))
       give_up(
           "the cost function was sampled in too few directions, so that costs may be too high by " +
@@ -175,13 +179,14 @@ public:
   bool accepts_weaker_bound() const { return m_limit.is_soft; }
 
   /// returns the number of bytes that are stored per element of the mesh.
-  std::size_t memory() const { return internal::memory_of(m_start, m_step, m_smallest_cost); }
+  std::size_t memory() const { return internal::memory_of(m_start, m_step); }
 
 private:
   static constexpr double SHARE_OF_CROSSINGS =
-      0.75; // of epsilon; the rest is for passing near vertices
+      0.8; // of epsilon; the rest is for passing near vertices
   static constexpr double SHARE_OF_SAMPLING = 0.05; // of the error of crossings
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double LARGEST_START = internal::Gauge_vicinities::LARGEST_PART;
   static constexpr double ROUNDING = 1e-9;
   static constexpr double ROUNDING_OF_LOGARITHM = 2.5e-7; // as in `Measured_progressions`
 
@@ -193,13 +198,14 @@ private:
     m_bound = infinity;
   }
 
-  // Computes, per corner, the largest logarithm of the ratio of distances of neighbors, and per
-  // face, the smallest cost.
-  void compute_steps(const Intrinsic_triangulation& triangulation, const double epsilon)
+  // Computes, per corner, the largest logarithm of the ratio of distances of neighbors, and looks
+  // at the vicinities of vertices.
+  void compute_steps(const Intrinsic_triangulation& triangulation,
+                     const double epsilon,
+                     internal::Gauge_vicinities& vicinities)
   {
     const auto& gauges = triangulation.gauges();
     m_step.assign(triangulation.number_of_halfedges(), internal::Gauge_polygon::LARGEST_STEP);
-    m_smallest_cost.assign(gauges.number_of_faces(), infinity);
     internal::Gauge_samples samples; // their memory is reused
     internal::Gauge_polygon polygon;
     for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
@@ -207,11 +213,14 @@ private:
       {
         internal::check_for_interruption();
         const double error = polygon.assign(triangulation, h, SHARE_OF_SAMPLING * epsilon, samples);
-        const double smallest = polygon.smallest() / (1 + error);
-        m_smallest_cost[gauges.face(h)] = smallest > 0 ? smallest : infinity;
         if(polygon.is_free())
+        {
+          vicinities.add_free(h);
           continue;
-        if(!polygon.is_bounded())
+        }
+        if(polygon.is_bounded())
+          vicinities.add(h, polygon, error);
+        else
           give_up(triangulation.name_of_face(h) +
                   " has directions that are free or forbidden, and others that are not");
         for(const Index g : triangulation.halfedges_of_face(h))
@@ -228,70 +237,64 @@ private:
     return triangulation.halfedges_of_face(h)[2];
   }
 
-  void compute_starts(const Intrinsic_triangulation& triangulation, const double epsilon)
+  // Computes, per halfedge, where the points on its edge start, relative to its length.
+  void compute_starts(const Intrinsic_triangulation& triangulation,
+                      const double epsilon,
+                      const internal::Gauge_vicinities& vicinities)
   {
-    const Index number_of_vertices = triangulation.number_of_vertices();
-    m_start.assign(number_of_vertices, 0);
-    for(Index v = 0; v < number_of_vertices; ++v)
+    m_start.assign(triangulation.number_of_halfedges(), LARGEST_START);
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
     {
-      double radius = infinity, smallest = infinity, largest = 0;
-      for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
-        if(triangulation.is_open(h))
-        {
-          radius = (std::min)(radius,
-                              internal::Face_shape(triangulation, h).distance_to_opposite_edge());
-          add_costs(triangulation, h, smallest, largest);
-        }
-      if(radius == 0)
-        give_up("a face at vertex " + std::to_string(triangulation.index(v)) + " has no area");
-      const double ratio = largest > 0 ? largest / smallest : 1;
-      m_start[v] = radius < infinity ? radius * (epsilon / (2 * (ratio + epsilon))) : 0;
+      const Index first = triangulation.first_halfedge(v),
+                  beyond = triangulation.beyond_halfedge(v);
+      // seen from the other end of an edge, the vertex and the first point are neighbors, too
+      double largest = infinity;
+      for(Index h = first; h < beyond; ++h)
+      {
+        if(triangulation.is_open(h) &&
+           internal::Face_shape(triangulation, h).distance_to_opposite_edge() == 0)
+          give_up("a face at vertex " + std::to_string(triangulation.index(v)) + " has no area");
+        if(triangulation.is_crossable(h))
+          largest =
+              (std::min)(largest, vicinities.cost(h) * -std::expm1(-steps(triangulation, h)[1]));
+      }
+      const double radius = vicinities.radius(v, epsilon, largest), height = vicinities.height(v);
+      if(height < infinity)
+        for(Index h = first; h < beyond; ++h)
+          m_start[h] = radius / (std::max)(vicinities.cost(h), height);
     }
   }
 
-  // Updates the smallest cost in the face to the left of `h` that is not zero, and the largest cost
-  // along its two sides at the source of `h`.
-  void add_costs(const Intrinsic_triangulation& triangulation,
-                 const Index h,
-                 double& smallest,
-                 double& largest) const
+  // Returns the largest logarithms of ratios of distances from the source and the target of `h`.
+  std::array<double, 2> steps(const Intrinsic_triangulation& triangulation, const Index h) const
   {
-    const auto& gauges = triangulation.gauges();
-    const Index face = gauges.face(h);
-    smallest = (std::min)(smallest, m_smallest_cost[face]);
-    for(const Index side : {h, previous(triangulation, h)})
-      for(const double sign : {1., -1.})
+    std::array<double, 2> result;
+    result.fill(internal::Gauge_polygon::LARGEST_STEP);
+    const Index opposite = triangulation.opposite(h);
+    for(const Index side : {h, opposite})
+      if(triangulation.is_open(side))
       {
-        const double cost = gauges.cost(face, sign * gauges.side(side));
-        largest = cost < infinity ? (std::max)(largest, cost) : largest;
+        double &first = result[side == h ? 0 : 1], &second = result[side == h ? 1 : 0];
+        first = (std::min)(first, m_step[side]);
+        second = (std::min)(second, m_step[triangulation.next(side)]);
       }
+    return result;
   }
 
   // \pre The edge of `h` is not at the border, and longer than zero.
   internal::Geometric_progressions progressions(const Intrinsic_triangulation& triangulation,
                                                 const Index h) const
   {
-    const Index opposite = triangulation.opposite(h);
-    double step_at_source = internal::Gauge_polygon::LARGEST_STEP, step_at_target = step_at_source;
-    for(const Index side : {h, opposite})
-      if(triangulation.is_open(side))
-      {
-        double& first = side == h ? step_at_source : step_at_target;
-        double& second = side == h ? step_at_target : step_at_source;
-        first = (std::min)(first, m_step[side]);
-        second = (std::min)(second, m_step[triangulation.next(side)]);
-      }
-    const double length = triangulation.length(h);
-    return {end(m_start[triangulation.target(opposite)] / length, step_at_source),
-            end(m_start[triangulation.target(h)] / length, step_at_target)};
+    const std::array<double, 2> steps = this->steps(triangulation, h);
+    return {end(m_start[h], steps[0]), end(m_start[triangulation.opposite(h)], steps[1])};
   }
 
   // The progressions meet where the last steps of both are small enough for both.
   static internal::Geometric_progressions::End end(const double start, const double step)
   {
-    constexpr double largest_start = 0.49, smallest = 1e-12; // neither is zero
+    constexpr double smallest = 1e-12; // not zero
     internal::Geometric_progressions::End result;
-    result.start = (std::clamp)(start, SMALLEST_START, largest_start);
+    result.start = start > SMALLEST_START ? (std::min)(start, LARGEST_START) : SMALLEST_START;
     result.log_of_ratio = (std::max)({step - ROUNDING_OF_LOGARITHM, step / 2, smallest});
     result.sine = std::sinh(result.log_of_ratio / 2);
     return result;
@@ -301,9 +304,8 @@ private:
   internal::Limit_of_points m_limit{MAXIMUM_NUMBER_OF_POINTS_PER_EDGE, false};
   std::size_t m_largest_number = 0; // of points on an edge: the limit, or less because of the total
   double m_bound = 0;
-  std::vector<double> m_start;         // of the progressions at a vertex: the distance from it
-  std::vector<double> m_step;          // per halfedge: the logarithm of the ratio, for its source
-  std::vector<double> m_smallest_cost; // per face, of directions that are not free
+  std::vector<double> m_start; // per halfedge: where points start, relative to its length
+  std::vector<double> m_step;  // per halfedge: the logarithm of the ratio, for its source
 };
 
 } // namespace CGAL::Approximate_geodesics

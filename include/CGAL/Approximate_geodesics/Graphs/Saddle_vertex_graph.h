@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Saddle_run.h>
@@ -56,6 +57,9 @@ class Saddle_vertex_graph
 public:
   /// the number of a node; that of the vertex it stands for.
   using Node = Intrinsic_triangulation::Index;
+
+  /// a graph that gives bounds for searches for pairs: see `Exact_landmarks`.
+  using Approximation = Discrete_geodesic_graph;
 
   /// \name Creation
   /// @{
@@ -123,12 +127,10 @@ public:
   /// returns a summary of the lengths of the mesh's edges. Arcs can be longer.
   const Arc_lengths& arc_lengths() const { return m_edges.arc_lengths(); }
 
-  /// what a search keeps: upper bounds of distances, and how paths arrive.
-#ifdef DOXYGEN_RUNNING
-  using Run = unspecified_type;
-#else
+  /// \cond SKIP_IN_MANUAL
+  // What a search keeps: upper bounds of distances, and how paths arrive.
   using Run = internal::Saddle_run<Saddle_vertex_graph>;
-#endif
+  /// \endcond
 
   /// returns whether several threads take part in each search.
   bool is_parallel() const { return m_loop.is_parallel(); }

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -194,20 +196,38 @@ public:
   void repair(std::vector<Source_point> sources);
 
   /// guides runs to a single target from now on, and those for pairs, by the landmarks of the same
-  /// graph, as long as its arcs do not change. \warning `landmarks` are referred to, not copied.
-  /// \throws std::invalid_argument if they are those of another graph.
-  void use_landmarks(const Landmarks<Graph>& landmarks)
+  /// graph, as long as its arcs do not change. Those of an exact graph are `Exact_landmarks`; they
+  /// guide runs from a single source, by two searches of another graph. \warning `landmarks` are
+  /// referred to, not copied. \throws std::invalid_argument if they are those of another graph.
+  void use_landmarks(const internal::Landmarks_of<Graph>& landmarks)
   {
     if(&landmarks.graph() != m_graph)
       internal::reject("the landmarks are those of another graph");
-    m_landmarks = &landmarks;
+    if constexpr(internal::can_stay_in_corridor<Graph>)
+      m_corridors = landmarks.make_finder();
+    else
+      m_landmarks = &landmarks;
   }
 
   /// temporary landmarks would not live long enough.
-  void use_landmarks(const Landmarks<Graph>&& landmarks) = delete;
+  void use_landmarks(const internal::Landmarks_of<Graph>&& landmarks) = delete;
+
+  /// \cond SKIP_IN_MANUAL
+
+  // For `Exact_landmarks`: see where it is defined.
+  template <typename AStarHeuristic>
+  double run_beyond(const Intrinsic_point& target,
+                    const Intrinsic_point& source,
+                    const AStarHeuristic& to_target,
+                    double beyond);
+
+  /// \endcond
 
   /// returns whether runs to a single target are guided by landmarks.
-  bool uses_landmarks() const { return m_landmarks != nullptr && m_landmarks->are_valid(); }
+  bool uses_landmarks() const
+  {
+    return m_corridors || (m_landmarks != nullptr && m_landmarks->are_valid());
+  }
 
   /// must be called after all weights of the graph have been exchanged. Results are forgotten. Run
   /// time is \cgalBigO{n} for `n` nodes.
@@ -402,6 +422,10 @@ private:
     m_maximum_distance = maximum_distance;
   }
 
+  bool run_in_corridor(const Intrinsic_point& target,
+                       const Intrinsic_point& source,
+                       double maximum_distance);
+
   void forget()
   {
     m_sources.clear();
@@ -514,6 +538,7 @@ private:
 
   const Graph* m_graph;
   const Landmarks<Graph>* m_landmarks = nullptr;
+  std::shared_ptr<internal::Corridor_finder> m_corridors; // if there are exact landmarks
   Search m_search;
   std::vector<Source_point> m_sources;
   Points_by_face m_points;          // of the sources
@@ -563,6 +588,9 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
 {
   check(target);
   Points_by_face points = sorted(sources);
+  if(m_corridors && sources.size() == 1 && sources.front().distance == 0 &&
+     run_in_corridor(target, sources.front().point, maximum_distance))
+    return;
   const double limit =
       (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
   // Lines to a point that is not a vertex may be found from labels. All labels below its distance
@@ -646,6 +674,7 @@ Path Surface_search<SurfaceGraph, PriorityQueue>::find_path(const Intrinsic_poin
 
 } // namespace CGAL::Approximate_geodesics
 
+#include <CGAL/Approximate_geodesics/Paths/internal/find_corridors.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/search_from_curves.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/search_pairs.h>
 

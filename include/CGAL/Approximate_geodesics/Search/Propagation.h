@@ -235,6 +235,24 @@ public:
     }
   }
 
+  /// \cond SKIP_IN_MANUAL
+
+  // Runs as `run()` does, in a part of the surface that the graph's `Run` knows how to stay in.
+  // Nodes outside, and those on no path to the goal that is short enough, may not be reached.
+  template <typename Corridor>
+  void run_within(Corridor corridor,
+                  const std::vector<Seed>& seeds,
+                  const Stop_rule& stop,
+                  const Find_entries& find_entries)
+  {
+    check(seeds, stop);
+    forget();
+    m_run.limit_to(std::move(corridor));
+    search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_entries);
+  }
+
+  /// \endcond
+
   /*!
    * adds seeds to those of the last run, and lowers the distances of the nodes that are nearer to
    * the new ones. Results are those of a run from all seeds; but only nodes whose distances fall

@@ -145,6 +145,14 @@ template <typename Graph>
 constexpr bool
     has_asymmetry = is_valid<const Graph&, double>([](auto& g) -> decltype(g.asymmetry()) {});
 
+template <typename Graph>
+using Approximation_of = typename Graph::Approximation;
+
+// Whether searches of a graph can be limited to a corridor.
+template <typename Graph>
+constexpr bool can_stay_in_corridor =
+    !std::is_void_v<boost::detected_or_t<void, Approximation_of, Graph>>;
+
 // Returns the error bound of a graph; infinity if it has none.
 template <typename Graph>
 double error_bound([[maybe_unused]] const Graph& graph)

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Corridor.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Deferred_sights.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_from_curve.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
@@ -102,12 +103,25 @@ public:
   {
   }
 
+  // Limits the next search to a corridor.
+  void limit_to(Corridor corridor) { m_corridor = std::move(corridor); }
+
   template <typename Search>
   void start(Search& search)
   {
-    m_distance_to_goal = search.heuristic();
+    m_distance_to_goal = has_corridor() ? m_corridor.distance_to_goal : search.heuristic();
     m_bounds.start(spreads_bounds());
     m_last_spread = 0;
+    if(has_corridor())
+      m_limit = search.limit(); // the bounds are those of the corridor
+    else
+      find_bounds(search);
+    m_sights.start(distance_of_horizon());
+  }
+
+  template <typename Search>
+  void find_bounds(Search& search)
+  {
     const double largest = LARGEST_LABEL * graph().arc_lengths().longest;
     search.find_upper_bounds(graph().m_edges, [&](const Node node, const double label) {
       check_label(label, largest);
@@ -115,7 +129,6 @@ public:
       m_bounds.start_with(node, (std::min)(label, largest_label(node)));
     });
     m_limit = search.limit();
-    m_sights.start(distance_of_horizon());
   }
 
   // Continues the sights that the search has reached, and starts those of the nodes. Several
@@ -156,6 +169,8 @@ public:
   template <typename Search>
   void finish(Search& search)
   {
+    if(has_corridor())
+      return;
     constexpr double factor = 1 + 1e-12; // for rounding
     for(const Node node : m_bounds.known_before())
     {
@@ -172,9 +187,17 @@ public:
 
   void discard(const Node node) { m_bounds.discard(node); }
 
-  void forget(const std::vector<Node>& nodes) { m_bounds.forget(nodes); }
+  void forget(const std::vector<Node>& nodes)
+  {
+    m_bounds.forget(nodes);
+    m_corridor = Corridor();
+  }
 
-  void forget_all() { m_bounds.forget_all(); }
+  void forget_all()
+  {
+    m_bounds.forget_all();
+    m_corridor = Corridor();
+  }
 
   std::size_t largest_batch() const
   {
@@ -310,7 +333,7 @@ private:
     const Bends& bends = graph().m_tables.bends;
     const bool gains = bends.mean_excess() > smooth || (graph().number_of_nodes() > smallest_size &&
                                                         bends.share_of_bends() > fewest_bends);
-    if(m_distance_to_goal || !(gains || graph().is_parallel()))
+    if(has_heuristic() || !(gains || graph().is_parallel()))
       return infinity;
     return graph().arc_lengths().mean * (is_rough() ? 4 : 16);
   }
@@ -322,7 +345,26 @@ private:
     return graph().m_tables.bends.mean_excess() > rough;
   }
 
-  bool spreads_bounds() const { return is_rough() && !m_distance_to_goal; }
+  bool spreads_bounds() const { return is_rough() && !has_heuristic(); }
+
+  bool has_corridor() const { return m_corridor.is_known(); }
+
+  // Whether nodes are not expanded in the order of their labels.
+  bool has_heuristic() const { return m_distance_to_goal && !has_corridor(); }
+
+  bool is_in_corridor(const Node node, const double label) const
+  {
+    return label <= bound(node) * (1 + Sight::ROUNDING);
+  }
+
+  // A lower bound on the distance of a node. A corridor has none of the shorter paths to nodes
+  // outside.
+  template <typename Labels>
+  double smallest_distance(const Node node, const Labels& labels) const
+  {
+    const double label = labels.distance(node);
+    return has_corridor() ? (std::min)(label, largest_label(node)) : label;
+  }
 
   // Spreads bounds at intervals of the horizon, as far as sights are followed until the next time.
   void spread_bounds()
@@ -406,7 +448,10 @@ private:
     Vertex_sights(t, graph().m_tables)
         .for_each(
             node, m_arrival[node],
-            [&](const Node h) { visitor.append(t.target(h), t.length(h), Arrival::along(h)); },
+            [&](const Node h) {
+              if(!has_corridor() || is_in_corridor(t.target(h), visitor.label_of_tip + t.length(h)))
+                visitor.append(t.target(h), t.length(h), Arrival::along(h));
+            },
             [&](const Sight& sight, const Node left_end, const Node right_end) {
               sights.look(sight, left_end, right_end);
             });
@@ -462,10 +507,10 @@ private:
   // A bound on the length of a line from each node, on paths over the node that are not longer than
   // `distance`. Nodes that were not reached are farther away.
   template <typename Labels>
-  static auto bound_before(const double distance, const double rounding, const Labels& labels)
+  auto bound_before(const double distance, const double rounding, const Labels& labels) const
   {
-    return [&labels, largest = distance * (1 + 1e-12), rounding](const Node node) {
-      return largest - (std::min)(largest, labels.distance(node)) + rounding;
+    return [this, &labels, largest = distance * (1 + 1e-12), rounding](const Node node) {
+      return largest - (std::min)(largest, smallest_distance(node, labels)) + rounding;
     };
   }
 
@@ -474,6 +519,7 @@ private:
   std::vector<Arrival> m_arrival;                 // meaningful where there is a label
   double m_limit = 0;                             // of labels
   std::function<double(Node)> m_distance_to_goal; // during a search; empty without a heuristic
+  Corridor m_corridor;                            // of the search, if it has one
   Deferred_sights m_sights;
 };
 

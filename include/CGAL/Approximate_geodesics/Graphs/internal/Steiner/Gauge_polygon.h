@@ -20,7 +20,8 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * A gauge whose unit ball is a polygon: how far apart directions may be in the corners of a face.
+ * A gauge whose unit ball is a polygon: how far apart directions may be in the corners of a face,
+ * and what is lost where points are rounded to a vertex.
  *
  * In a corner with the sides `a` and `b`, where a path goes from the point `z a` to `w b` or back,
  * its direction is a function of the logarithm of `w / z`. Between any two directions whose
@@ -43,7 +44,8 @@ public:
   {
     const Face_gauges& gauges = triangulation.gauges();
     const Index face = gauges.face(h);
-    if(!gauges.has_formula(face))
+    m_is_sampled = gauges.has_formula(face);
+    if(!m_is_sampled)
     {
       assign(gauges, face);
       return 0; // the graph has the costs of the polygon
@@ -86,14 +88,15 @@ public:
     });
   }
 
-  // Returns the smallest cost per unit of length; infinity if all directions are forbidden.
-  double smallest() const
+  // Returns the smallest cost of a vector from the line through the ends of `a` and `b` to their
+  // common origin, or back. It is that of a corner of the polygon.
+  // \pre The gauge is bounded, and `b` is to the left of `a`.
+  double height(const Plane_vector a, const Plane_vector b) const
   {
     double result = infinity;
-    for(std::size_t i = 0; i < m_sectors.size(); ++i)
-      if(m_sectors[i].is_finite())
-        for(const Plane_vector d : {m_sectors[i].direction, cyclic_sector(i + 1).direction})
-          result = (std::min)(result, (std::max)(dot(m_sectors[i].functional, d), 0.));
+    for(const Sector& s : m_sectors)
+      if(const double part = std::abs(cross(s.direction, b - a)) / cross(a, b); part > 0)
+        result = (std::min)(result, dot(s.functional, s.direction) / part);
     return result;
   }
 
@@ -104,6 +107,34 @@ public:
     if(!(cross(a, b) > 0))
       return 0;
     return (std::min)(step(a, b, b, error), step(a, b, -1 * b, error));
+  }
+
+  // How far the gauge is from being linear between the directions of the sides of a corner and that
+  // from the end of one to the end of the other, for `a` and `b` of any lengths.
+  struct Bend
+  {
+    double turn;   // the largest change of its slope along one side
+    double excess; // by how much, relatively, its chords are too high at most
+  };
+
+  // \pre The gauge is bounded.
+  Bend bend(const Plane_vector a, const Plane_vector b) const
+  {
+    Bend result{0, 0};
+    for(const double sign : {1., -1.})
+    {
+      const Plane_vector start = sign * b, middle = sign * (b - a), end = -sign * a;
+      const std::size_t i = sector(start), j = sector(middle), k = sector(end);
+      const std::size_t margin = m_is_sampled ? 1 : 0; // the slope of what is sampled is not known
+      const auto turn = [&](const std::size_t from, const std::size_t to, const Plane_vector way) {
+        return dot(functional(to) - functional(from), way);
+      };
+      result.turn = (std::max)({result.turn, turn(before(i, margin), j + margin, middle - start),
+                                turn(k + margin, before(j, margin), middle - end)});
+      result.excess =
+          (std::max)({result.excess, excess(start, i, middle, j), excess(middle, j, end, k)});
+    }
+    return result;
   }
 
 private:
@@ -123,7 +154,7 @@ private:
   step(const Plane_vector a, const Plane_vector b, const Plane_vector start, const double error)
   {
     constexpr std::size_t first_number = 32, largest_number = 8192;
-    constexpr double parts_of_interval = 12;
+    constexpr double parts_of_interval = 24;
     const double angle = std::atan2(cross(a, b), -dot(a, b)); // beside that of the corner
     double result = 0;
     for(std::size_t number = first_number; number <= largest_number;)
@@ -187,36 +218,56 @@ private:
     return {std::log((std::max)(ratio, 1.)), smallest_sine};
   }
 
-  // Returns whether the gauge is close to its chord between two knots. The chord is highest above
-  // it, relatively, at the corner where the functional of the sector passes that of the chord.
+  // Returns whether the gauge is close to its chord between two knots.
   bool is_flat(const std::size_t first, const std::size_t last, const double error) const
   {
     const Knot &a = m_knots[first], &b = m_knots[last];
-    const double sine = cross(a.direction, b.direction);
-    if(!(sine > 0)) // rounded
+    if(!(cross(a.direction, b.direction) > 0)) // rounded
       return last == first + 1;
-    const double at_a = dot(cyclic_sector(a.sector).functional, a.direction);
-    const double at_b = dot(cyclic_sector(b.sector).functional, b.direction);
-    const Plane_vector chord{(at_a * b.direction.y - at_b * a.direction.y) / sine,
-                             (at_b * a.direction.x - at_a * b.direction.x) / sine};
-    std::size_t low = a.sector, high = b.sector;
+    return excess(a.direction, a.sector, b.direction, b.sector) <= error;
+  }
+
+  // Returns by how much, relatively, the chord of the gauge is too high between two directions `a`
+  // and `b` in given sectors. It is highest above the gauge at the corner where the functional of
+  // the sector passes that of the chord.
+  double excess(const Plane_vector a,
+                const std::size_t sector_of_a,
+                const Plane_vector b,
+                const std::size_t sector_of_b) const
+  {
+    const double sine = cross(a, b);
+    if(!(sine > 0))
+      return infinity;
+    const double at_a = dot(functional(sector_of_a), a), at_b = dot(functional(sector_of_b), b);
+    const Plane_vector chord{(at_a * b.y - at_b * a.y) / sine, (at_b * a.x - at_a * b.x) / sine};
+    std::size_t low = sector_of_a,
+                high = sector_of_b < low ? sector_of_b + m_sectors.size() : sector_of_b;
     while(low < high)
     {
       const std::size_t middle = (low + high) / 2;
-      if(cross(cyclic_sector(middle).functional, chord) > 0)
+      if(cross(functional(middle), chord) > 0)
         low = middle + 1;
       else
         high = middle;
     }
     const Sector& corner = cyclic_sector(low);
-    return low == a.sector ||
-           dot(chord, corner.direction) <= (1 + error) * dot(corner.functional, corner.direction);
+    return low == sector_of_a
+               ? 0
+               : dot(chord, corner.direction) / dot(corner.functional, corner.direction) - 1;
   }
 
   // Returns a sector, counted from the first one and around at most twice.
   const Sector& cyclic_sector(const std::size_t i) const
   {
     return m_sectors[i < m_sectors.size() ? i : i - m_sectors.size()];
+  }
+
+  Plane_vector functional(const std::size_t i) const { return cyclic_sector(i).functional; }
+
+  // Returns a sector that is `number` sectors before another one.
+  std::size_t before(const std::size_t i, const std::size_t number) const
+  {
+    return i < number ? i + m_sectors.size() - number : i - number;
   }
 
   std::size_t sector(const Plane_vector d) const
@@ -230,6 +281,7 @@ private:
 
   std::vector<Sector> m_sectors;
   std::vector<Knot> m_knots;
+  bool m_is_sampled = false; // whether the gauge is not the polygon, but below it between corners
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
@@ -19,7 +20,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
+#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -38,11 +39,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <istream>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <ostream>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -128,16 +127,11 @@ public:
     change([&](auto& graph) { graph.set_barriers(changes); });
   }
 
-  void prepare_pairs([[maybe_unused]] const std::size_t number_of_landmarks) override
+  void prepare_pairs(const std::size_t number_of_landmarks) override
   {
-    if constexpr(has_asymmetry<Graph>)
-    {
-      auto landmarks = std::make_unique<const Landmarks<Graph>>(m_graph, number_of_landmarks);
-      m_workspaces.set_up([l = landmarks.get()](Search& search) { search.use_landmarks(*l); });
-      m_landmarks = std::move(landmarks);
-    }
-    else
-      reject("pairs cannot be prepared where distances are exact");
+    auto landmarks = std::make_unique<const Landmarks_of<Graph>>(m_graph, number_of_landmarks);
+    m_workspaces.set_up([l = landmarks.get()](Search& search) { search.use_landmarks(*l); });
+    m_landmarks = std::move(landmarks);
   }
 
   void find_distances(std::vector<Source_point> sources,
@@ -249,10 +243,10 @@ public:
     return result;
   }
 
-  void save([[maybe_unused]] std::ostream& out) const override
+  void save([[maybe_unused]] const Put_bytes& put) const override
   {
     if constexpr(std::is_same_v<Graph, Discrete_geodesic_graph>)
-      m_graph.save(out);
+      m_graph.save(put);
   }
 
 private:
@@ -317,7 +311,7 @@ private:
 
   Graph m_graph;
   bool m_has_changed = false;
-  std::unique_ptr<const Landmarks<Graph>> m_landmarks; // if pairs are prepared
+  std::unique_ptr<const Landmarks_of<Graph>> m_landmarks; // if pairs are prepared
   mutable Workspaces<Search> m_workspaces;
 };
 
@@ -352,7 +346,7 @@ Optional_points<Placement> optional_points(const Bound_of_graph& bound, const Op
 // Returns the graph for a bound, or the edge graph if there is no bound. A saved graph is read.
 inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation triangulation,
                                                        const Bound_of_graph& bound,
-                                                       std::istream* const saved)
+                                                       const Get_bytes* const saved)
 {
   if(triangulation.has_directional_costs())
   {

@@ -1,0 +1,166 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_FIND_CORRIDORS_H
+#define CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_FIND_CORRIDORS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
+#include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Approximate_geodesics {
+namespace internal {
+
+/*
+ * Finds corridors by a search of a graph with a small error bound, from the target to the source.
+ * It is guided by landmarks, and continues until it has labeled all nodes of the corridor. The path
+ * that it finds is straightened.
+ *
+ * With the error bound e, let r be the distance of a node from the target in this graph, k a key
+ * up to which all are final, and h the lower bound of the distance to the source that guides the
+ * search. Then min(r, k - h) / (1 + e) is a consistent lower bound of the exact distance to the
+ * target: the report has the proof.
+ */
+template <typename Landmarks>
+class Corridors_by_approximation : public Corridor_finder
+{
+  using Graph = typename Landmarks::Approximation;
+  using Node = typename Graph::Node;
+
+  // All bounds are moved apart by this part of the length: much more than rounding, and than what
+  // single precision adds to arcs.
+  static constexpr double SLACK = 1e-6;
+
+  // The same for faces so thin that rounding makes distances too short: as a multiple of the
+  // rounding of landmarks, which is a part of the largest distance.
+  static constexpr double SLACK_OF_ROUNDING = 100;
+
+public:
+  explicit Corridors_by_approximation(const Landmarks& landmarks)
+    : m_landmarks(landmarks.landmarks()), m_search(landmarks.approximation())
+  {
+  }
+
+  Corridor find(const Intrinsic_point& source, const Intrinsic_point& target) override
+  {
+    const auto to_source = m_landmarks.to(source);
+    const double final_key =
+        m_search.run_beyond(source, target, to_source, distance_beyond(target, to_source));
+    const double unit = graph().unit(), distance = m_search.distance(source) / unit;
+    if(!(distance < infinity))
+      return final_key < infinity ? Corridor() : unreachable(); // too large a number, or none
+    const Path path = m_search.find_path(source);
+    const Path_straightener straightener(graph().triangulation());
+    const double length = (std::min)(distance, straightener.shortened(path).length / unit);
+    const double slack = SLACK * length + SLACK_OF_ROUNDING * to_source.rounding();
+    return {length + slack, [this, to_source, final_key, slack](const Node node) {
+              const double r = (std::min)(labels().distance(node), final_key - to_source(node));
+              return (std::max)(r * m_exact_part - slack, 0.);
+            }};
+  }
+
+private:
+  const Graph& graph() const { return m_search.graph(); }
+  const auto& labels() const { return m_search.search().labels(); }
+
+  static Corridor unreachable()
+  {
+    return {0, [](Node) { return 0.; }};
+  }
+
+  // How much farther than to the source the search has to go, estimated from the lower bounds: they
+  // are a few percent too small.
+  template <typename Heuristic>
+  double distance_beyond(const Intrinsic_point& target, const Heuristic& to_source) const
+  {
+    constexpr double usual_error = 1.1;
+    double distance = infinity;
+    attach_target(graph(), target).for_each_node([&](const Node node, const double length) {
+      if(length < infinity)
+        distance = (std::min)(distance, to_source(node));
+    });
+    return distance < infinity ? usual_error * graph().epsilon() * distance : 0;
+  }
+
+  const Approximate_geodesics::Landmarks<Graph>& m_landmarks;
+  Surface_search<Graph> m_search;
+  double m_exact_part = 1 / (1 + graph().epsilon()); // of distances
+};
+
+} // namespace internal
+
+template <typename SurfaceGraph>
+std::unique_ptr<internal::Corridor_finder> Exact_landmarks<SurfaceGraph>::make_finder() const
+{
+  return std::make_unique<internal::Corridors_by_approximation<Exact_landmarks>>(*this);
+}
+
+// Runs to the target from a source, guided by lower bounds, until all nodes are final whose keys
+// exceed the distance by up to `beyond`. Returns a key up to which all are final; in units of the
+// graph.
+template <typename SurfaceGraph, typename PriorityQueue>
+template <typename AStarHeuristic>
+double Surface_search<SurfaceGraph, PriorityQueue>::run_beyond(const Intrinsic_point& target,
+                                                               const Intrinsic_point& source,
+                                                               const AStarHeuristic& to_target,
+                                                               const double beyond)
+{
+  double result = internal::infinity;
+  const double unit = m_graph->unit();
+  run_and_adopt({{source}}, sorted({{source}}), {internal::infinity, {target}}, internal::infinity,
+                [&](const auto& seeds, auto rule, const auto& entries) {
+                  for(const Node node : rule.targets)
+                    rule.points.push_back({{node, 0}});
+                  rule.targets.clear();
+                  std::vector<Last_arc>& arcs = rule.points.front();
+                  for(Last_arc& arc : arcs)
+                    arc.length += beyond * unit;
+                  m_search.run_toward(seeds, rule, to_target, entries);
+                  for(const Last_arc& arc : arcs)
+                    result = (std::min)(result,
+                                        m_search.labels().distance(arc.node) + arc.length / unit);
+                });
+  return result;
+}
+
+// Runs to the target within its corridor. Returns whether the result is final: where faces are
+// numerically degenerate, all paths in the corridor may be too long.
+template <typename SurfaceGraph, typename PriorityQueue>
+bool Surface_search<SurfaceGraph, PriorityQueue>::run_in_corridor(const Intrinsic_point& target,
+                                                                  const Intrinsic_point& source,
+                                                                  const double maximum_distance)
+{
+  if constexpr(internal::can_stay_in_corridor<Graph>)
+  {
+    if(!(maximum_distance >= 0)) // it is rejected elsewhere
+      return false;
+    m_search.run({}); // the last corridor is no longer valid
+    forget();
+    internal::Corridor corridor = m_corridors->find(source, target);
+    if(!corridor.is_known())
+      return false;
+    const double limit = (std::min)(maximum_distance, corridor.length * m_graph->unit());
+    const bool is_reachable = corridor.length > 0;
+    run_and_adopt({{source}}, sorted({{source}}), {limit, {target}}, maximum_distance,
+                  [&](const auto& seeds, const auto& rule, const auto& entries) {
+                    m_search.run_within(std::move(corridor), seeds, rule, entries);
+                  });
+    return !is_reachable || nearest(target).is_reached();
+  }
+  else
+    return false;
+}
+
+} // namespace CGAL::Approximate_geodesics
+
+#endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_FIND_CORRIDORS_H
