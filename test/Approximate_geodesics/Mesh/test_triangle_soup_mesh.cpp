@@ -222,11 +222,11 @@ TEST(Triangle_soup_mesh, takes_iterators_that_return_values)
 TEST(Triangle_soup_mesh, does_not_take_vectors_that_end_before_it)
 {
   using Points = std::vector<Point>;
-  using Triangles = std::vector<std::array<std::size_t, 3>>;
-  static_assert(std::is_constructible_v<Soup_mesh, const Points&, Triangles&>);
-  static_assert(!std::is_constructible_v<Soup_mesh, Points, Triangles&>);
-  static_assert(!std::is_constructible_v<Soup_mesh, Points&, Triangles>);
-  static_assert(!std::is_constructible_v<Soup_mesh, Points, Triangles>);
+  using Triples = std::vector<std::array<std::size_t, 3>>;
+  static_assert(std::is_constructible_v<Soup_mesh, const Points&, Triples&>);
+  static_assert(!std::is_constructible_v<Soup_mesh, Points, Triples&>);
+  static_assert(!std::is_constructible_v<Soup_mesh, Points&, Triples>);
+  static_assert(!std::is_constructible_v<Soup_mesh, Points, Triples>);
 }
 
 TEST(Triangle_soup_mesh, is_read_by_functions_of_cgal)

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_file.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_run.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_triangulation.h>
@@ -129,12 +130,10 @@ public:
   /// arcs that are left out in the two directions can differ: `epsilon()`.
   double asymmetry() const { return epsilon(); }
 
-  /// the data that a search needs for paths.
-#ifdef DOXYGEN_RUNNING
-  using Run = unspecified_type;
-#else
+  /// \cond SKIP_IN_MANUAL
+  // The data that a search needs for paths.
   using Run = internal::Arc_run<Discrete_geodesic_graph>;
-#endif
+  /// \endcond
 
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return m_triangulation.get().number_of_vertices(); }
@@ -213,10 +212,7 @@ public:
    * header `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h`.
    * \throws std::runtime_error if writing fails.
    */
-  void save(std::ostream& out) const
-  {
-    internal::Arc_file::save(out, triangulation(), m_triangulation.get(), m_rules.epsilon, m_rows);
-  }
+  void save(std::ostream& out) const { save(internal::bytes_to(out)); }
 
   /*!
    * reads a graph from `in`, a binary stream, that was written for the same triangulation. If there
@@ -227,15 +223,30 @@ public:
    */
   static Discrete_geodesic_graph load(std::istream& in, Intrinsic_triangulation triangulation)
   {
+    return load(internal::bytes_from(in), std::move(triangulation));
+  }
+
+  /// \cond SKIP_IN_MANUAL
+
+  void save(const internal::Put_bytes& put) const
+  {
+    internal::Arc_file::save(put, triangulation(), m_triangulation.get(), m_rules.epsilon, m_rows);
+  }
+
+  static Discrete_geodesic_graph load(const internal::Get_bytes& get,
+                                      Intrinsic_triangulation triangulation)
+  {
     Discrete_geodesic_graph result;
     result.m_triangulation = internal::Cone_triangulation(std::move(triangulation));
     double epsilon = 0;
-    internal::Arc_file::load(in, result.triangulation(), result.m_triangulation.get(), epsilon,
+    internal::Arc_file::load(get, result.triangulation(), result.m_triangulation.get(), epsilon,
                              result.m_rows);
     result.m_rules = internal::Cone_rules(epsilon);
     result.m_rows.shrink_to_fit();
     return result;
   }
+
+  /// \endcond
 
   /// @}
 

@@ -129,12 +129,10 @@ public:
   /// returns the bound that holds in the graph.
   double epsilon() const { return m_rules.epsilon; }
 
-  /// what a search keeps: which nodes were expanded before.
-#ifdef DOXYGEN_RUNNING
-  using Run = unspecified_type;
-#else
+  /// \cond SKIP_IN_MANUAL
+  // What a search keeps: which nodes were expanded before.
   using Run = internal::Cone_run<Lazy_discrete_geodesic_graph>;
-#endif
+  /// \endcond
 
   /// returns whether several threads take part in each search.
   bool is_parallel() const { return m_loop.is_parallel(); }

@@ -127,12 +127,10 @@ public:
   /// returns a summary of the lengths of the mesh's edges. Arcs can be longer.
   const Arc_lengths& arc_lengths() const { return m_edges.arc_lengths(); }
 
-  /// what a search keeps: upper bounds of distances, and how paths arrive.
-#ifdef DOXYGEN_RUNNING
-  using Run = unspecified_type;
-#else
+  /// \cond SKIP_IN_MANUAL
+  // What a search keeps: upper bounds of distances, and how paths arrive.
   using Run = internal::Saddle_run<Saddle_vertex_graph>;
-#endif
+  /// \endcond
 
   /// returns whether several threads take part in each search.
   bool is_parallel() const { return m_loop.is_parallel(); }

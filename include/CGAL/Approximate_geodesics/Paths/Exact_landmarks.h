@@ -72,9 +72,9 @@ public:
    *
    * \throws std::invalid_argument if `number` is `0`.
    *
-   * Run time is that of building the graph, and of `number + 1` searches of it. Several threads
-   * take part in building if they do in each search of `graph`. Memory is that of the graph, about
-   * 720 bytes per vertex, and 8 bytes per vertex and landmark.
+   * Run time is that of building the graph, and of two searches of it for each landmark. Several
+   * threads take part in building if they do in each search of `graph`. Memory is that of the
+   * graph, about 720 bytes per vertex, and 8 bytes per vertex and landmark.
    */
   explicit Exact_landmarks(const SurfaceGraph& graph,
                            const std::size_t number = Landmarks<Approximation>::DEFAULT_NUMBER)

@@ -215,7 +215,11 @@ public:
   /// \cond SKIP_IN_MANUAL
 
   // For `Exact_landmarks`: see where it is defined.
-  double run_beyond(const Intrinsic_point& target, const Intrinsic_point& source, double beyond);
+  template <typename AStarHeuristic>
+  double run_beyond(const Intrinsic_point& target,
+                    const Intrinsic_point& source,
+                    const AStarHeuristic& to_target,
+                    double beyond);
 
   /// \endcond
 

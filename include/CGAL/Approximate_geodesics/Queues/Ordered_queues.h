@@ -179,10 +179,7 @@ inline std::size_t bit_width(const std::uint64_t i)
  *
  * \cgalModels{GeodesicPriorityQueue}
  */
-class Array_queue
-#ifndef DOXYGEN_RUNNING
-  : public internal::Ordered_queue_base
-#endif
+class Array_queue : public internal::Ordered_queue_base
 {
 public:
   /// constructs an empty queue for a graph with `number_of_nodes` nodes.
@@ -308,10 +305,7 @@ using Fibonacci_heap_queue = internal::Queue_of_heap<boost::heap::fibonacci_heap
  *
  * \cgalModels{GeodesicPriorityQueue}
  */
-class Radix_heap_queue
-#ifndef DOXYGEN_RUNNING
-  : public internal::Ordered_queue_base
-#endif
+class Radix_heap_queue : public internal::Ordered_queue_base
 {
 public:
   /// constructs an empty queue.

@@ -49,14 +49,13 @@ public:
   explicit Corridors_by_approximation(const Landmarks& landmarks)
     : m_landmarks(landmarks.landmarks()), m_search(landmarks.approximation())
   {
-    m_search.use_landmarks(m_landmarks);
   }
 
   Corridor find(const Intrinsic_point& source, const Intrinsic_point& target) override
   {
     const auto to_source = m_landmarks.to(source);
     const double final_key =
-        m_search.run_beyond(source, target, distance_beyond(target, to_source));
+        m_search.run_beyond(source, target, to_source, distance_beyond(target, to_source));
     const double unit = graph().unit(), distance = m_search.distance(source) / unit;
     if(!(distance < infinity))
       return final_key < infinity ? Corridor() : unreachable(); // too large a number, or none
@@ -106,12 +105,14 @@ std::unique_ptr<internal::Corridor_finder> Exact_landmarks<SurfaceGraph>::make_f
   return std::make_unique<internal::Corridors_by_approximation<Exact_landmarks>>(*this);
 }
 
-// Runs to the target from a source, guided by landmarks, until all nodes are final whose keys
+// Runs to the target from a source, guided by lower bounds, until all nodes are final whose keys
 // exceed the distance by up to `beyond`. Returns a key up to which all are final; in units of the
 // graph.
 template <typename SurfaceGraph, typename PriorityQueue>
+template <typename AStarHeuristic>
 double Surface_search<SurfaceGraph, PriorityQueue>::run_beyond(const Intrinsic_point& target,
                                                                const Intrinsic_point& source,
+                                                               const AStarHeuristic& to_target,
                                                                const double beyond)
 {
   double result = internal::infinity;
@@ -124,8 +125,7 @@ double Surface_search<SurfaceGraph, PriorityQueue>::run_beyond(const Intrinsic_p
                   std::vector<Last_arc>& arcs = rule.points.front();
                   for(Last_arc& arc : arcs)
                     arc.length += beyond * unit;
-                  if constexpr(internal::has_asymmetry<Graph>)
-                    m_search.run_toward(seeds, rule, m_landmarks->to(target), entries);
+                  m_search.run_toward(seeds, rule, to_target, entries);
                   for(const Last_arc& arc : arcs)
                     result = (std::min)(result,
                                         m_search.labels().distance(arc.node) + arc.length / unit);

@@ -21,7 +21,8 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// Checks that report a missing member of a graph or a queue in one line.
+// Checks that report a missing member of a graph or a queue in one line. Conditions have names, as
+// compilers quote what they assert.
 
 // Arguments that convert only to integers, or only to floating-point numbers: a node is not a
 // distance.
