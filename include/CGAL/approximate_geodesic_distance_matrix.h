@@ -122,7 +122,7 @@ bool compute_mesh_distances(const TriangleMesh& tmesh,
  *
  * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does, if a
  *         source or a target is not a point of the triangulation of a given graph, and if
- *         `symmetric` is `true` and targets differ from sources. In these cases, `rows` is not used.
+ *         `symmetric` is `true` and targets differ from sources. Then `rows` is not used.
  * \throws any exception of `rows` or the visitor, which stops the computation.
  *
  * The run time of a row is that of a search. Each thread needs a workspace of 40 bytes per node of

@@ -251,9 +251,9 @@ TEST(Mesh_file, that_ends_too_early_is_refused_with_the_reason)
   const Soup_faces faces{{0, 1, 2}, {0, 2, 3}};
   const Temporary_folder folder;
   using Case = std::pair<std::string, void (*)(const std::string&)>;
-  for(const auto& [ending, read] : {Case("off", read_mesh_file), Case("obj", read_mesh_file),
-                                    Case("ply", read_mesh_file), Case("stl", read_mesh_file),
-                                    Case("ply", read_triangles_of_file)})
+  for(const auto& [ending, read] :
+      {Case("off", read_mesh_file), Case("obj", read_mesh_file), Case("ply", read_mesh_file),
+       Case("stl", read_mesh_file), Case("ply", read_triangles_of_file)})
     for(const bool is_binary : {false, true})
     {
       const std::string file = folder.file("mesh." + ending);

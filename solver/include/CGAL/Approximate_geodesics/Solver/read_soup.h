@@ -108,6 +108,18 @@ bool read_soup_file(const std::string& file,
     return IO::read_polygon_soup(file, points, faces, parameters::verbose(false));
 }
 
+// Returns an empty string if all vertices of faces exist.
+template <typename Face>
+std::string error_in_corners(const std::vector<Face>& faces, const std::size_t number_of_vertices)
+{
+  using Signed = std::make_signed_t<typename Face::value_type>; // files may have negative numbers
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    for(const auto v : faces[f])
+      if(v >= number_of_vertices)
+        return text_of_wrong_corner(f, std::to_string(static_cast<Signed>(v)), number_of_vertices);
+  return "";
+}
+
 } // namespace internal
 
 /*!
@@ -161,12 +173,9 @@ void read_soup(const std::string& file, std::vector<Point>& points, std::vector<
     internal::fits_memory([&] { reason = internal::error_in_mesh_file(in, ending); });
     fail(reason);
   }
-  using Signed = std::make_signed_t<typename Face::value_type>;
-  for(std::size_t f = 0; f < faces.size(); ++f)
-    for(const auto v : faces[f])
-      if(v >= points.size())
-        fail(internal::text_of_wrong_corner(f, std::to_string(static_cast<Signed>(v)),
-                                            points.size()));
+  const std::string error = internal::error_in_corners(faces, points.size());
+  if(!error.empty())
+    fail(error);
 }
 
 } // namespace CGAL::Approximate_geodesics
