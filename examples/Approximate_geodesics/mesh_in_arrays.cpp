@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
-#include <string>
 #include <vector>
 
 using Points = std::vector<std::array<float, 3>>;
@@ -31,7 +30,12 @@ void make_terrain(const std::uint32_t side, Points& points, Triangles& triangles
 
 int main(int argc, char* argv[])
 {
-  const double number_of_points = argc > 1 ? std::stod(argv[1]) : 1e6;
+  const double number_of_points = argc > 1 ? std::strtod(argv[1], nullptr) : 1e6;
+  if(!(number_of_points >= 1 && number_of_points <= 3e8))
+  {
+    std::cerr << "The number of points must be from 1 to 300000000, not " << argv[1] << ".\n";
+    return EXIT_FAILURE;
+  }
   Points points;
   Triangles triangles;
   make_terrain(static_cast<std::uint32_t>(std::sqrt(number_of_points)), points, triangles);

@@ -54,18 +54,20 @@ bool compute_mesh_distances(const TriangleMesh& tmesh,
  * both is determined from the source, and the same bound holds. Distances do not depend on the
  * number of threads.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or of `SurfaceGraph`
  * \tparam Rows a model of `DistanceRowSink`, or of `Callable` with arguments of types
  *         `std::size_t` and `const Approximate_geodesics::Distance_row&`
  * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
  *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`, or a
- *         model of `ConstRange` with one of these as value type
+ *         model of `ConstRange` with one of these as value type; for a graph, a model of
+ *         `ConstRange` with value type `Approximate_geodesics::Intrinsic_point` or an integer type
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed. Instead, a model of `SurfaceGraph` can be
  *        given, with sources and targets of type `Approximate_geodesics::Intrinsic_point`, or of an
  *        integer type, the indices of vertices. Other named parameters than those listed below are
- *        then for the graph, and all vertices have the order of their indices.
+ *        then for the graph, and all vertices have the order of their indices. Several threads may
+ *        share a graph.
  * \param rows receives the rows. A function object is called once per row, in order, by any thread,
  *        but never concurrently.
  * \param sources the points of the surface for the rows; duplicates are allowed
@@ -118,9 +120,9 @@ bool compute_mesh_distances(const TriangleMesh& tmesh,
  *
  * \return whether all rows are complete: `false` if the visitor has stopped the computation.
  *
- * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does, and
- *         if `symmetric` is `true` and targets differ from sources. In this case, `rows` is not
- *         used.
+ * \throws std::invalid_argument, std::length_error as `approximate_geodesic_distances()` does, if a
+ *         source or a target is not a point of the triangulation of a given graph, and if
+ *         `symmetric` is `true` and targets differ from sources. Then `rows` is not used.
  * \throws any exception of `rows` or the visitor, which stops the computation.
  *
  * The run time of a row is that of a search. Each thread needs a workspace of 40 bytes per node of

@@ -7,27 +7,39 @@
 // converts and validates arguments. An array is a pair of a pointer, which is null if there is
 // none, and a size; results are given to JavaScript before a function returns.
 
-#include "calls.h"
+// Searches and graphs are compiled for speed.
+#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
+#include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
-#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
-#include <CGAL/Approximate_geodesics/Solver/Solver.h>
-#include <CGAL/Approximate_geodesics/Solver/Solver_locator.h>
-
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <istream>
 #include <iterator>
 #include <limits>
 #include <memory>
 #include <new>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
-#include <streambuf>
 #include <string>
 #include <utility>
 #include <vector>
+
+// All that follows takes little time, and is compiled for size.
+#pragma clang attribute push(__attribute__((minsize)), apply_to = function)
+
+#include "calls.h"
+
+#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_locator.h>
 
 namespace javascript {
 
@@ -41,12 +53,6 @@ struct Handle
 
   const AG::Solver solver;
   std::optional<AG::Solver_locator> locator = std::nullopt;
-};
-
-class Input_bytes : public std::streambuf
-{
-public:
-  Input_bytes(char* const bytes, const std::size_t size) { setg(bytes, bytes, bytes + size); }
 };
 
 template <typename Rows>
@@ -131,13 +137,18 @@ Handle* js_make_solver(const double* const vertices,
   });
 }
 
-JS_EXPORT(solver_of_bytes) Handle* js_solver_of_bytes(char* const bytes, const std::size_t size)
+JS_EXPORT(solver_of_bytes) Handle* js_solver_of_bytes(const char* bytes, std::size_t size)
 {
   return call([&] {
-    Input_bytes buffer(bytes, size);
-    std::istream in(&buffer);
-    auto result = std::make_unique<Handle>(in);
-    if(in.peek() != std::istream::traits_type::eof())
+    auto result = std::make_unique<Handle>([&](char* const part, const std::size_t number) {
+      if(number > size)
+        return false;
+      std::copy_n(bytes, number, part);
+      bytes += number;
+      size -= number;
+      return true;
+    });
+    if(size > 0)
       throw std::invalid_argument("there are extra bytes after the solver");
     return result.release();
   });
@@ -146,9 +157,12 @@ JS_EXPORT(solver_of_bytes) Handle* js_solver_of_bytes(char* const bytes, const s
 JS_EXPORT(bytes) void js_bytes(const Handle& handle)
 {
   call([&] {
-    std::ostringstream out(std::ios::binary);
-    handle.solver.save(out);
-    give(out.str());
+    std::string bytes;
+    handle.solver.save([&](const char* const part, const std::size_t size) {
+      bytes.append(part, size);
+      return true;
+    });
+    give(bytes);
   });
 }
 
@@ -341,3 +355,5 @@ void js_locate(Handle& handle, const double* const places, const std::size_t siz
     give(numbers);
   });
 }
+
+#pragma clang attribute pop

@@ -20,6 +20,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -139,7 +140,7 @@ private:
   std::vector<AG::Point_pair> m_pairs;
 };
 
-// Exact pairs, which straight-line distances lead to their targets.
+// Exact pairs, which straight-line distances lead to their targets, and which are prepared.
 static void
 measure_exact_pairs(const Mesh& mesh, const std::size_t number_of_pairs, const Report& report)
 {
@@ -149,17 +150,26 @@ measure_exact_pairs(const Mesh& mesh, const std::size_t number_of_pairs, const R
   const auto points = mesh.points();
   const AG::Vertex_positions positions(graph.triangulation(),
                                        translation.position_of_vertex(points));
-  AG::Surface_search<AG::Saddle_vertex_graph> search(graph);
-  Pair_times times;
+  const AG::Exact_landmarks<AG::Saddle_vertex_graph> landmarks(graph);
+  AG::Surface_search<AG::Saddle_vertex_graph> search(graph), prepared(graph);
+  prepared.use_landmarks(landmarks);
+  Pair_times times, times_if_prepared;
   for(const auto& [source, target] : random_pairs(graph.triangulation(), number_of_pairs))
-    times.seconds.push_back(
-        seconds_of([&, from = source, to = target] { search.run_to(to, {{from}}, positions); }));
-  Table table({"mesh", "faces", "exact pair ms, median", "p95"});
+  {
+    const auto run = [&, from = source, to = target](auto& any) {
+      return seconds_of([&] { any.run_to(to, {{from}}, positions); });
+    };
+    times.seconds.push_back(run(search));
+    times_if_prepared.seconds.push_back(run(prepared));
+  }
+  Table table({"mesh", "faces", "exact pair ms, median", "p95", "prepared, median", "p95"});
   table.add_row()
       .add("navigation")
       .add(std::to_string(mesh.number_of_faces()))
       .add(times.percentile(50) * 1e3, 3)
-      .add(times.percentile(95) * 1e3, 3);
+      .add(times.percentile(95) * 1e3, 3)
+      .add(times_if_prepared.percentile(50) * 1e3, 3)
+      .add(times_if_prepared.percentile(95) * 1e3, 3);
   report.print("exact_pairs",
                "Exact distances of random pairs of vertices on a mesh without weights (" +
                    std::to_string(number_of_pairs) + " pairs)",

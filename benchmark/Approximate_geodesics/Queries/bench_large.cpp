@@ -31,6 +31,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -189,32 +190,43 @@ private:
 
 // ----- a file
 
+// A file that is removed in the end.
+struct Removed_file
+{
+  ~Removed_file()
+  {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+  }
+
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("bench_large_" + std::to_string(getpid()) + ".ply");
+};
+
 // Reads a binary PLY file into arrays.
 void measure_file(const std::string& name, const Make_arrays& make_arrays, Table& table)
 {
   std::cerr << name << ", from a file ...\n";
-  namespace fs = std::filesystem;
-  const fs::path file =
-      fs::temp_directory_path() / ("bench_large_" + std::to_string(getpid()) + ".ply");
+  const Removed_file temporary;
+  const std::string file = temporary.path.string();
   const auto write = [&](double*) {
     const Mesh_arrays arrays = make_arrays();
-    if(!CGAL::IO::write_PLY(file.string(), arrays.points, arrays.triangles,
+    if(!CGAL::IO::write_PLY(file, arrays.points, arrays.triangles,
                             parameters::use_binary_mode(true)))
-      throw std::runtime_error("cannot write " + file.string());
+      throw std::runtime_error("cannot write " + file);
   };
   const auto read = [&](double* const result) {
     release_free_memory();
     const double before = resident_memory();
     Mesh_arrays arrays;
-    result[0] = seconds_of([&] { AG::read_soup(file.string(), arrays.points, arrays.triangles); });
+    result[0] = seconds_of([&] { AG::read_soup(file, arrays.points, arrays.triangles); });
     result[1] = double(arrays.points.size());
     result[2] = arrays.memory();
     result[3] = peak_memory() - before;
   };
   numbers_from_child(1, SECONDS_AT_MOST, write);
-  const double bytes_of_file = double(fs::file_size(file));
+  const double bytes_of_file = double(std::filesystem::file_size(temporary.path));
   const std::vector<double> numbers = numbers_from_child(4, SECONDS_AT_MOST, read);
-  fs::remove(file);
   const double vertices = numbers[1];
   table.add_row()
       .add(name)

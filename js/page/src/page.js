@@ -1,6 +1,5 @@
 import { Surface } from './view/surface.js';
 import { COLOR_MAPS, ERROR_MAP, textureOf } from './view/color_maps.js';
-import { toPicture } from './mesh/frame.js';
 import { METHODS } from './types.js';
 import { Engine } from './search/engine.js';
 import { Store } from './state.js';
@@ -38,7 +37,12 @@ class Page {
     this.summary = { mean: 1, largest: 1, unreached: 0 };
     /** @type {string[] | undefined} */
     this.stops = undefined;
-    this.viewer = new Viewer(/** @type {HTMLCanvasElement} */ (byId('canvas')), () => this.handles?.place());
+    /** Whether what is shown is not of the present state. */
+    this.isOld = false;
+    this.viewer = new Viewer(/** @type {HTMLCanvasElement} */ (byId('canvas')), {
+      beforeFrame: () => this.refresh(),
+      afterFrame: () => this.handles?.place(),
+    });
     this.handles = new Handles(byId('handles'), this.viewer, {
       onMove: (name, point, isDragging) => this.movePoint(name, point, isDragging),
       onRemove: name => this.removePoint(name),
@@ -50,7 +54,7 @@ class Page {
     this.engine = new Engine(() => startWorker(searchSource), this.store.state, {
       onLoaded: prepared => this.showMesh(prepared),
       onDistances: distances => this.showDistances(distances),
-      onOutcome: () => this.showOutcomes(),
+      onOutcome: () => this.refreshSoon(),
       onBusy: activity => this.messages.busy(activity),
       onProblem: message => this.messages.alert(message),
     });
@@ -221,8 +225,7 @@ class Page {
     if (changed.has('costs') || changed.has('prepared')) this.barriers.set(state.costs.barriers, surface.prepared.positions);
     if (changed.has('wireframe')) surface.showWireframe(state.wireframe, '#000000');
     if (changed.has('isDragging')) this.rate.show(state.isDragging);
-    this.showColors();
-    this.showOutcomes();
+    this.refreshSoon();
     this.engine.update();
   }
 
@@ -233,9 +236,22 @@ class Page {
     this.summary = distances;
     const previous = surface.setDistances(distances);
     this.rate.count();
-    this.showColors();
+    this.refreshSoon();
     document.dispatchEvent(new CustomEvent('distances', { detail: { milliseconds: distances.milliseconds, largest: distances.largest } }));
     return previous;
+  }
+
+  /** Between two frames, points may move, and answers arrive, several times. */
+  refreshSoon() {
+    this.isOld = true;
+    this.viewer.draw();
+  }
+
+  refresh() {
+    if (!this.isOld) return;
+    this.isOld = false;
+    this.showColors();
+    this.showOutcomes();
   }
 
   showColors() {
@@ -254,7 +270,6 @@ class Page {
     uniforms.spacing.value = state.isolines && !isError ? scale.spacing : 0;
     surface.showCells(state.show === 'cells');
     this.legend.show(state, scale, unreached);
-    this.viewer.draw();
   }
 
   showOutcomes() {
@@ -263,12 +278,8 @@ class Page {
     this.table.show(outcomes, this.engine);
     METHODS.forEach((method, i) => {
       const path = this.engine.hasPath(method) ? outcomes[method].path : undefined;
-      const isShown = path && state.paths[method] && state.target && state.prepared;
-      const points = isShown ? new Float32Array(path.points.length) : undefined;
-      if (isShown && points && state.prepared) toPicture(state.prepared.frame, path.points, points);
-      this.paths[i].set(points);
+      this.paths[i].show(state.paths[method] && state.target ? path : undefined, state.prepared?.frame);
     });
-    this.viewer.draw();
   }
 }
 

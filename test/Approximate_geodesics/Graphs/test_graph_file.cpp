@@ -210,7 +210,7 @@ TEST_F(Graph_file, is_refused_with_two_arcs_to_one_target)
     for(AG::Intrinsic_triangulation::Index v = 0; v < t.number_of_vertices(); ++v)
       arcs.append_row({{v == 5 ? 4u : 5u, 1}, {v == 5 ? 7u : v == 6 ? 8u : second, 2}});
     std::ostringstream out(std::ios::binary);
-    AG::internal::Arc_file::save(out, t, t, 0.1, arcs);
+    AG::internal::Arc_file::save(AG::internal::bytes_to(out), t, t, 0.1, arcs);
     if(second == 5)
       expect_refused(out.str(), m_mesh, "damaged");
     else

@@ -325,12 +325,12 @@ TEST(Needles, have_a_file_that_is_refused_for_other_nodes)
                         none(mesh, false, 0);
   const AG::internal::Compressed_arcs no_arcs(AG::internal::unit_of_arcs(mesh));
   std::stringstream file;
-  AG::internal::Arc_file::save(file, mesh, needles.triangulation(), 0.1, no_arcs);
+  AG::internal::Arc_file::save(AG::internal::bytes_to(file), mesh, needles.triangulation(), 0.1, no_arcs);
   const auto load = [&](const Triangulation& nodes) {
     std::stringstream copy(file.str());
     double e;
     AG::internal::Compressed_arcs arcs;
-    AG::internal::Arc_file::load(copy, mesh, nodes, e, arcs);
+    AG::internal::Arc_file::load(AG::internal::bytes_from(copy), mesh, nodes, e, arcs);
   };
   expect_message<std::invalid_argument>([&] { load(none.triangulation()); }, "this version makes");
   expect_message<std::invalid_argument>([&] { load(others.triangulation()); },

@@ -12,7 +12,12 @@
 #include "meshes/test_weights.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
+
+#include <boost/iterator/transform_iterator.hpp>
 
 #include <gtest/gtest.h>
 
@@ -22,6 +27,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -183,6 +189,76 @@ TEST(Triangle_soup_mesh, takes_arrays_of_many_types)
       have_same_bits(distances_from(Triangle_soup_mesh(pointers, faces), 3, epsilon), expected));
 }
 
+// Iterators that make points and triangles from other arrays.
+TEST(Triangle_soup_mesh, takes_iterators_that_return_values)
+{
+  const Soup soup = sphere(7, 6);
+  std::vector<double> coordinates;
+  std::vector<std::size_t> corners;
+  for(const Point& p : soup.points)
+    coordinates.insert(coordinates.end(), p.cartesian_begin(), p.cartesian_end());
+  for(const auto& t : soup.triangles)
+    corners.insert(corners.end(), t.begin(), t.end());
+  const auto range = [](const std::size_t size, const auto f) {
+    using Counter = boost::counting_iterator<std::size_t>;
+    return CGAL::make_range(boost::make_transform_iterator(Counter(0), f),
+                            boost::make_transform_iterator(Counter(size), f));
+  };
+  const double* const c = coordinates.data();
+  const std::size_t* const t = corners.data();
+  const Triangle_soup_mesh mesh(
+      range(soup.points.size(),
+            [c](const std::size_t i) { return Point(c[3 * i], c[3 * i + 1], c[3 * i + 2]); }),
+      range(soup.triangles.size(), [t](const std::size_t i) {
+        return std::array<std::size_t, 3>{t[3 * i], t[3 * i + 1], t[3 * i + 2]};
+      }));
+  static_assert(std::is_same_v<decltype(mesh.point(mesh.vertex(0))), Point>);
+  static_assert(std::is_same_v<decltype(on_arrays(soup).point(mesh.vertex(0))), const Point&>);
+  const auto epsilon = CGAL::parameters::epsilon(0.1);
+  EXPECT_TRUE(
+      have_same_bits(distances_from(mesh, 3, epsilon), distances_from(to_mesh(soup), 3, epsilon)));
+}
+
+TEST(Triangle_soup_mesh, does_not_take_vectors_that_end_before_it)
+{
+  using Points = std::vector<Point>;
+  using Triples = std::vector<std::array<std::size_t, 3>>;
+  static_assert(std::is_constructible_v<Soup_mesh, const Points&, Triples&>);
+  static_assert(!std::is_constructible_v<Soup_mesh, Points, Triples&>);
+  static_assert(!std::is_constructible_v<Soup_mesh, Points&, Triples>);
+  static_assert(!std::is_constructible_v<Soup_mesh, Points, Triples>);
+}
+
+TEST(Triangle_soup_mesh, is_read_by_functions_of_cgal)
+{
+  for(const std::uint64_t seed : seeds_of_small_soups())
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Soup soup = random_small_soup(seed);
+    const Soup_mesh mesh = on_arrays(soup);
+    const Mesh expected = to_mesh(soup);
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+    EXPECT_EQ(CGAL::is_closed(mesh), CGAL::is_closed(expected));
+    EXPECT_EQ(num_edges(mesh), num_edges(expected));
+    EXPECT_EQ(edges(mesh).size(), num_edges(mesh));
+    for(const auto e : edges(mesh))
+      EXPECT_EQ(edge(opposite(halfedge(e, mesh), mesh), mesh), e);
+    Mesh copy;
+    CGAL::copy_face_graph(mesh, copy);
+    EXPECT_TRUE(copy.is_valid());
+    EXPECT_EQ(soup_of(copy).points, soup.points);
+    EXPECT_EQ(soup_of(copy).triangles, soup.triangles);
+    namespace PMP = CGAL::Polygon_mesh_processing;
+    EXPECT_NEAR(PMP::area(mesh), PMP::area(expected), 1e-12 * PMP::area(expected));
+    std::vector<std::size_t> components(num_faces(mesh));
+    const auto number_of_components = [&](const auto& m) {
+      return PMP::connected_components(
+          m, boost::make_iterator_property_map(components.begin(), get(boost::face_index, m)));
+    };
+    EXPECT_EQ(number_of_components(mesh), number_of_components(expected));
+  }
+}
+
 TEST(Triangle_soup_mesh, gives_vertices_by_their_numbers)
 {
   const Soup soup = flat_grid(6, 5);
@@ -237,6 +313,12 @@ TEST(Triangle_soup_mesh, names_what_is_wrong)
   soup = right;
   soup.triangles.push_back(soup.triangles[5]);
   expect_refused(soup, {"face 5 and face 8 have the same vertices"});
+  for(std::size_t f = 0; f < right.triangles.size(); ++f) // with neighbors before or after it
+  {
+    soup = right;
+    soup.triangles.push_back(soup.triangles[f]);
+    expect_refused(soup, {"face " + std::to_string(f) + " and face 8 have the same vertices"});
+  }
   soup = right;
   soup.triangles.push_back({0, 4, 8});
   expect_refused(soup, {"vertices 0 and 4 is not manifold: face 0, face 1 and face 8"});

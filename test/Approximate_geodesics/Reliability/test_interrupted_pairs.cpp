@@ -5,7 +5,9 @@
 
 #include "checks/distance_matrices.h"
 #include "checks/failing_allocation.h"
+#include "checks/graphs_of_all_kinds.h"
 
+#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_pair_distances.h>
 #include <CGAL/tags.h>
@@ -38,6 +40,17 @@ protected:
             {points[0], Vertex(9)},
             {points[2], points[3]},
             {Vertex(3), Vertex(3)}};
+  }
+
+  std::vector<AG::Point_pair> pairs_of(const Triangulation& triangulation) const
+  {
+    std::vector<AG::Point_pair> result;
+    for(const auto& [source, target] : m_pairs)
+    {
+      const auto ends = intrinsic_points(m_mesh, triangulation, {source, target});
+      result.emplace_back(ends[0], ends[1]);
+    }
+    return result;
   }
 
   template <typename NamedParameters>
@@ -84,13 +97,26 @@ TEST_F(Interrupted_pairs, with_paths)
 TEST_F(Interrupted_pairs, of_a_search)
 {
   const Graph graph{Triangulation(m_mesh)};
-  std::vector<AG::Point_pair> pairs;
-  for(const auto& [source, target] : m_pairs)
-  {
-    const auto ends = intrinsic_points(m_mesh, graph.triangulation(), {source, target});
-    pairs.emplace_back(ends[0], ends[1]);
-  }
+  const auto pairs = pairs_of(graph.triangulation());
   AG::Surface_search<Graph> search(graph);
+  expect_survival([&] { return search.distances(pairs); });
+}
+
+// So can landmarks, and the workspaces of two graphs.
+TEST_F(Interrupted_pairs, that_are_exact_and_prepared)
+{
+  using Search = AG::Surface_search<Saddle_vertex_graph>;
+  const Saddle_vertex_graph graph{Triangulation(m_mesh)};
+  const auto pairs = pairs_of(graph.triangulation());
+  expect_survival([&] {
+    const AG::Exact_landmarks<Saddle_vertex_graph> landmarks(graph, 2);
+    Search search(graph);
+    search.use_landmarks(landmarks);
+    return search.distances(pairs);
+  });
+  const AG::Exact_landmarks<Saddle_vertex_graph> landmarks(graph, 2);
+  Search search(graph);
+  search.use_landmarks(landmarks);
   expect_survival([&] { return search.distances(pairs); });
 }
 

@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 // Files that hold no mesh: the message says why, with the line, the vertex or the face.
@@ -28,7 +29,9 @@ using namespace geodesics_test;
 
 namespace AG = CGAL::Approximate_geodesics;
 using Soup_point = CGAL::Simple_cartesian<double>::Point_3;
+using Float_point = CGAL::Simple_cartesian<float>::Point_3;
 using Soup_faces = std::vector<std::vector<std::size_t>>;
+using Soup_triangles = std::vector<AG::Soup_triangle>;
 
 const std::string vertices_of_off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 const std::string vertices_of_obj = "# a comment\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -54,6 +57,16 @@ struct Wrong_file
   std::string contents;
   std::string reason;
 };
+
+// A mesh of two triangles, whose coordinates have this type.
+std::string ply_with(const std::string& type, const std::string& last_face)
+{
+  std::string result = "ply\nformat ascii 1.0\nelement vertex 4\n";
+  for(const std::string coordinate : {"x", "y", "z"})
+    result += "property " + type + ' ' + coordinate + '\n';
+  return result + "element face 2\nproperty list uchar int vertex_indices\nend_header\n" +
+         "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n" + last_face + '\n';
+}
 
 const std::vector<Wrong_file>& wrong_files()
 {
@@ -85,6 +98,9 @@ const std::vector<Wrong_file>& wrong_files()
       {".obj", vertices_of_obj + "f 1 2 4\n", "face 0 has vertex 3; the vertices are"},
       {".obj", vertices_of_obj + "f 1 2 3\nmesh 1\n", "line 6: \"mesh\" is an unknown keyword"},
       {".ply", "plain text", "it does not begin with ply"},
+      {".ply", ply_with("int", "3 0 2 3"), "its vertices have coordinates of type int; they must"},
+      {".ply", ply_with("uint8", "3 0 2 3"), "its vertices have coordinates of type uint8; they"},
+      {".ply", ply_with("list uchar float", "3 0 2 3"), "coordinates of type list; they must"},
       {".ply", header_of_ply.substr(0, 80), "its header does not end"},
       {".ply", "ply\nformat ascii 1.0\nelement face 1\nproperty int a\nend_header\n1\n", "no list"},
       {".ply",
@@ -114,11 +130,19 @@ const std::vector<Wrong_file>& wrong_files()
   return result;
 }
 
-void read_mesh_file(const std::string& file)
+template <typename Faces, typename Point>
+void read_mesh_file_into(const std::string& file)
 {
-  std::vector<Soup_point> points;
-  Soup_faces faces;
+  std::vector<Point> points;
+  Faces faces;
   AG::read_soup(file, points, faces);
+}
+
+void read_mesh_file(const std::string& file) { read_mesh_file_into<Soup_faces, Soup_point>(file); }
+
+void read_triangles_of_file(const std::string& file)
+{
+  read_mesh_file_into<Soup_triangles, Float_point>(file);
 }
 
 TEST(Mesh_file, that_is_none_is_refused_with_the_reason)
@@ -131,7 +155,53 @@ TEST(Mesh_file, that_is_none_is_refused_with_the_reason)
     SCOPED_TRACE(wrong.contents);
     expect_texts<std::invalid_argument>([&] { read_mesh_file(folder.file(name)); },
                                         {folder.file(name) + ": ", wrong.reason});
+    if(wrong.ending == ".ply")
+      expect_texts<std::invalid_argument>([&] { read_triangles_of_file(folder.file(name)); },
+                                          {folder.file(name) + ": ", wrong.reason});
   }
+}
+
+template <typename Point, typename Faces>
+void expect_square(const std::string& file)
+{
+  std::vector<Point> points;
+  Faces faces;
+  AG::read_soup(file, points, faces);
+  EXPECT_EQ(points, std::vector<Point>({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+  ASSERT_EQ(faces.size(), 2u);
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(faces[0][i], i);
+    EXPECT_EQ(faces[1][i], i == 0 ? 0 : i + 1);
+  }
+}
+
+TEST(Mesh_file, with_coordinates_of_one_precision_is_read_into_the_other)
+{
+  const Temporary_folder folder;
+  for(const std::string type : {"float", "float32", "double", "float64"})
+  {
+    SCOPED_TRACE(type);
+    folder.fill({{"mesh.ply", ply_with(type, "3 0 2 3")}});
+    const std::string file = folder.file("mesh.ply");
+    expect_square<Soup_point, Soup_faces>(file);
+    expect_square<Float_point, Soup_faces>(file);
+    expect_square<Soup_point, Soup_triangles>(file);
+    expect_square<Float_point, Soup_triangles>(file);
+  }
+}
+
+TEST(Mesh_file, with_other_faces_is_not_read_into_triangles)
+{
+  const Temporary_folder folder;
+  const std::string file = folder.file("mesh.ply");
+  folder.fill({{"mesh.ply", ply_with("float", "4 0 1 2 3")}, {"mesh.off", vertices_of_off}});
+  EXPECT_NO_THROW(read_mesh_file(file));
+  expect_texts<std::invalid_argument>(
+      [&] { read_triangles_of_file(file); },
+      {"cannot read a mesh from " + file + ": face 1 has 4 vertices; it must have three"});
+  expect_texts<std::invalid_argument>([&] { read_triangles_of_file(folder.file("mesh.off")); },
+                                      {"mesh.off: triangles of 12 bytes are read from PLY files"});
 }
 
 TEST(Mesh_file, with_sizes_of_32_bits_is_read)
@@ -180,20 +250,23 @@ TEST(Mesh_file, that_ends_too_early_is_refused_with_the_reason)
   const std::vector<Soup_point> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const Soup_faces faces{{0, 1, 2}, {0, 2, 3}};
   const Temporary_folder folder;
-  for(const std::string ending : {"off", "obj", "ply", "stl"})
+  using Case = std::pair<std::string, void (*)(const std::string&)>;
+  for(const auto& [ending, read] :
+      {Case("off", read_mesh_file), Case("obj", read_mesh_file), Case("ply", read_mesh_file),
+       Case("stl", read_mesh_file), Case("ply", read_triangles_of_file)})
     for(const bool is_binary : {false, true})
     {
       const std::string file = folder.file("mesh." + ending);
       const auto np = CGAL::parameters::use_binary_mode(is_binary).stream_precision(17);
       ASSERT_TRUE(CGAL::IO::write_polygon_soup(file, points, faces, np));
-      EXPECT_NO_THROW(read_mesh_file(file));
+      EXPECT_NO_THROW(read(file));
       const std::string bytes = folder.bytes("mesh." + ending);
       std::size_t number_of_errors = 0;
       for(std::size_t length = 0; length < bytes.size(); ++length)
         try
         {
           folder.fill({{"mesh." + ending, bytes.substr(0, length)}});
-          read_mesh_file(file);
+          read(file);
         }
         catch(const std::invalid_argument& e)
         {

@@ -397,6 +397,36 @@ TEST(Solver, saves_how_many_points_there_may_be)
   EXPECT_EQ(weak.error_bound(), Solver(file).error_bound());
 }
 
+// What the module for WebAssembly does.
+TEST(Solver, is_written_and_read_by_functions)
+{
+  const Solver_of solver(Soup_arrays(sphere(20, 10)), bound(0.1));
+  std::stringstream file;
+  solver.save(file);
+  std::string bytes;
+  solver.save([&](const char* const part, const std::size_t size) {
+    bytes.append(part, size);
+    return true;
+  });
+  EXPECT_EQ(bytes, file.str());
+  for(const std::size_t size : {bytes.size(), bytes.size() - 1})
+  {
+    std::size_t position = 0;
+    const auto get = [&](char* const part, const std::size_t number) {
+      if(number > size - position)
+        return false;
+      bytes.copy(part, number, position);
+      position += number;
+      return true;
+    };
+    if(size == bytes.size())
+      EXPECT_EQ(solver_distances(Solver(get)), solver_distances(solver));
+    else
+      EXPECT_THROW(Solver{get}, std::invalid_argument);
+  }
+  EXPECT_THROW(solver.save([](const char*, std::size_t) { return false; }), std::runtime_error);
+}
+
 TEST(Solver, can_be_interrupted_and_used_again)
 {
   const Solver_of solver(Soup_arrays(sphere(100, 50)), bound(0.1));

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Arc_file.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_run.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone_triangulation.h>
@@ -211,10 +212,7 @@ public:
    * header `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h`.
    * \throws std::runtime_error if writing fails.
    */
-  void save(std::ostream& out) const
-  {
-    internal::Arc_file::save(out, triangulation(), m_triangulation.get(), m_rules.epsilon, m_rows);
-  }
+  void save(std::ostream& out) const { save(internal::bytes_to(out)); }
 
   /*!
    * reads a graph from `in`, a binary stream, that was written for the same triangulation. If there
@@ -225,15 +223,30 @@ public:
    */
   static Discrete_geodesic_graph load(std::istream& in, Intrinsic_triangulation triangulation)
   {
+    return load(internal::bytes_from(in), std::move(triangulation));
+  }
+
+  /// \cond SKIP_IN_MANUAL
+
+  void save(const internal::Put_bytes& put) const
+  {
+    internal::Arc_file::save(put, triangulation(), m_triangulation.get(), m_rules.epsilon, m_rows);
+  }
+
+  static Discrete_geodesic_graph load(const internal::Get_bytes& get,
+                                      Intrinsic_triangulation triangulation)
+  {
     Discrete_geodesic_graph result;
     result.m_triangulation = internal::Cone_triangulation(std::move(triangulation));
     double epsilon = 0;
-    internal::Arc_file::load(in, result.triangulation(), result.m_triangulation.get(), epsilon,
+    internal::Arc_file::load(get, result.triangulation(), result.m_triangulation.get(), epsilon,
                              result.m_rows);
     result.m_rules = internal::Cone_rules(epsilon);
     result.m_rows.shrink_to_fit();
     return result;
   }
+
+  /// \endcond
 
   /// @}
 

@@ -18,6 +18,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/filter_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 #include <boost/type_traits/is_detected.hpp>
 
@@ -30,6 +31,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics {
 namespace internal {
@@ -171,7 +173,8 @@ struct Soup_property_map<Mesh, vertex_point_t>
  * It refers to the arrays, and adds 28 bytes per vertex; a `CGAL::Surface_mesh` takes about 130.
  * Elements have the numbers of the arrays. All functions and classes of this package take it as a
  * mesh, with the same results as for a `CGAL::Surface_mesh` that has the same faces and the same
- * `halfedge(v)` for each vertex. So do functions of \cgal that take a `FaceListGraph`.
+ * `halfedge(v)` for each vertex. So do functions of \cgal that read such a graph, as
+ * `CGAL::copy_face_graph()`.
  *
  * \code
  * std::vector<std::array<float, 3>> points;
@@ -192,7 +195,7 @@ struct Soup_property_map<Mesh, vertex_point_t>
  * \tparam TriangleRange a model of `ConstRange` with random access iterators, whose value type has
  *         an `operator[]`, which returns an integer for `0`, `1` and `2`
  *
- * \cgalModels{FaceListGraph,HalfedgeListGraph}
+ * \cgalModels{FaceListGraph,HalfedgeListGraph,EdgeListGraph}
  */
 template <typename PointRange, typename TriangleRange>
 class Triangle_soup_mesh
@@ -232,7 +235,8 @@ public:
    * \param points the points of the vertices
    * \param triangles the vertices of the faces, counterclockwise seen from one side of the surface
    *
-   * \warning Both are referred to, not copied: they must not change while the mesh is used.
+   * \warning Both are referred to, not copied: arrays must outlive the mesh, and must not change
+   *          while it is used.
    *
    * \throws std::invalid_argument if a face has a vertex that does not exist, or twice, or does not
    *         have three, if two faces have the same vertices in the same order, if an edge or a
@@ -254,6 +258,14 @@ public:
   {
   }
 
+#ifndef DOXYGEN_RUNNING
+  // A temporary vector would not outlive the mesh. A temporary view may.
+  template <typename T>
+  Triangle_soup_mesh(std::vector<T>&& points, const TriangleRange& triangles) = delete;
+  template <typename T>
+  Triangle_soup_mesh(const PointRange& points, std::vector<T>&& triangles) = delete;
+#endif
+
   /// returns the number of vertices.
   std::size_t number_of_vertices() const { return m_sides.number_of_vertices(); }
 
@@ -269,7 +281,11 @@ public:
   /// returns the point of a vertex.
   decltype(auto) point(const Vertex_index v) const
   {
-    return Entry::point(m_points[static_cast<std::ptrdiff_t>(Index(v))]);
+    const Point_iterator entry = m_points + static_cast<std::ptrdiff_t>(Index(v));
+    if constexpr(std::is_lvalue_reference_v<decltype(*entry)>)
+      return Entry::point(*entry);
+    else
+      return Point(Entry::point(*entry)); // the iterator returns a value, which ends here
   }
 
   /// returns the size in bytes, without the arrays.
@@ -286,10 +302,18 @@ public:
   {
     return all<Halfedge_index>(m.number_of_halfedges());
   }
+  friend auto edges(const Triangle_soup_mesh& m)
+  {
+    const auto sides = all<Edge_index>(m.m_sides.number_of_sides());
+    const Is_edge is_edge{&m.m_sides};
+    return make_range(Edge_iterator(is_edge, sides.begin(), sides.end()),
+                      Edge_iterator(is_edge, sides.end(), sides.end()));
+  }
   friend auto faces(const Triangle_soup_mesh& m) { return all<Face_index>(m.number_of_faces()); }
 
   friend std::size_t num_vertices(const Triangle_soup_mesh& m) { return m.number_of_vertices(); }
   friend std::size_t num_halfedges(const Triangle_soup_mesh& m) { return m.number_of_halfedges(); }
+  friend std::size_t num_edges(const Triangle_soup_mesh& m) { return m.number_of_halfedges() / 2; }
   friend std::size_t num_faces(const Triangle_soup_mesh& m) { return m.number_of_faces(); }
 
   friend Vertex_index source(const Halfedge_index h, const Triangle_soup_mesh& m)
@@ -392,6 +416,16 @@ private:
   using Iterator =
       boost::counting_iterator<Element, boost::random_access_traversal_tag, std::ptrdiff_t>;
 
+  // Whether a side has the number of its edge.
+  struct Is_edge
+  {
+    bool operator()(const Index side) const { return side < sides->opposite(side); }
+
+    const internal::Paired_sides* sides = nullptr;
+  };
+
+  using Edge_iterator = boost::filter_iterator<Is_edge, Iterator<Edge_index>>;
+
   friend struct boost::graph_traits<Triangle_soup_mesh>;
 
   template <typename Element>
@@ -408,7 +442,7 @@ private:
   {
     decltype(auto) operator()(const std::size_t f) const
     {
-      decltype(auto) triangle = triangles[static_cast<std::ptrdiff_t>(f)];
+      decltype(auto) triangle = *(triangles + static_cast<std::ptrdiff_t>(f));
       if constexpr(boost::is_detected_v<Size_of, Triangle>)
         if(triangle.size() != 3)
           internal::reject("face " + std::to_string(f) + " has " + std::to_string(triangle.size()) +
@@ -421,7 +455,7 @@ private:
 
   Vertex_index corner(const Index side) const
   {
-    return Vertex_index(m_triangles[static_cast<std::ptrdiff_t>(side / 3)][side % 3]);
+    return Vertex_index((*(m_triangles + static_cast<std::ptrdiff_t>(side / 3)))[side % 3]);
   }
 
   Point_iterator m_points;
@@ -447,6 +481,7 @@ public:
   using face_descriptor = typename Mesh::Face_index;
   using vertex_iterator = typename Mesh::template Iterator<vertex_descriptor>;
   using halfedge_iterator = typename Mesh::template Iterator<halfedge_descriptor>;
+  using edge_iterator = typename Mesh::Edge_iterator;
   using face_iterator = typename Mesh::template Iterator<face_descriptor>;
   using vertices_size_type = std::size_t;
   using halfedges_size_type = std::size_t;
@@ -455,7 +490,7 @@ public:
   using degree_size_type = std::size_t;
   using directed_category = boost::undirected_tag;
   using edge_parallel_category = boost::allow_parallel_edge_tag;
-  struct traversal_category : boost::vertex_list_graph_tag
+  struct traversal_category : boost::vertex_list_graph_tag, boost::edge_list_graph_tag
   {
   };
 

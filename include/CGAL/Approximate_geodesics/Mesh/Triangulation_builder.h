@@ -235,8 +235,8 @@ private:
   // The builder may outlive the search.
   void free_memory()
   {
-    m_vertices = {};
-    m_halfedges = {};
+    m_vertices = decltype(m_vertices)(); // unlike {}, which keeps the memory
+    m_halfedges = decltype(m_halfedges)();
   }
 
   // Reads the adjacency of vertices, in the order of the mesh. Returns false if the mesh is

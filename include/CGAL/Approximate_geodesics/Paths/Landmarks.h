@@ -17,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -250,11 +249,11 @@ void Landmarks<SurfaceGraph>::find_distances(Search& search, const Node first)
   const std::size_t number = m_nodes.size();
   add(search, first, 0);
   const std::vector<Node> nodes = search.reached_nodes(); // of the largest part
-  std::minstd_rand random(1);
+  constexpr std::size_t stride = 1000003;                 // a prime: roots lie apart
   for(std::size_t i = 1; i < number; ++i)
   {
     internal::check_for_interruption(i, number);
-    add(search, next_landmark(search, nodes[random() % nodes.size()], i), i);
+    add(search, next_landmark(search, nodes[i * stride % nodes.size()], i), i);
   }
 }
 

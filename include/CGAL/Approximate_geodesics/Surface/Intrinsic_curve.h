@@ -73,6 +73,15 @@ struct Curve_segment
   }
 };
 
+// A point of a curve, and the directions between which lines from there are needed. They lead into
+// the face to the left of a halfedge, in its layout.
+struct Curve_sample
+{
+  Intrinsic_point point;
+  Index halfedge;
+  Plane_vector right, left;
+};
+
 // Whether both points are on the edge of the halfedge that they are seen from.
 inline bool is_along_halfedge(const Face_point& p, const Face_point& q)
 {
@@ -140,6 +149,9 @@ public:
   {
     return turned_right(m_layout.edge(i, j), m_direction);
   }
+
+  // A vector in the layout of the face by the halfedge of the ends.
+  Plane_vector in_face_layout(const Plane_vector v) const { return turned_left(v, m_direction); }
 
   // The position of another point of the face.
   Plane_vector position(const Face_point& p) const { return p.position(m_corners); }

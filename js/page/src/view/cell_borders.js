@@ -62,11 +62,17 @@ class Slopes {
     this.gradients = new Map();
     /** @type {Map<number, number>} */
     const areas = new Map();
-    for (const f of cut) for (let k = 0; k < 3; ++k) this.gradients.set(faces[3 * f + k], new Vector3());
+    const isCorner = new Uint8Array(cell.array.length); // most faces have none
+    for (const f of cut)
+      for (const v of faces.subarray(3 * f, 3 * f + 3)) {
+        this.gradients.set(v, new Vector3());
+        isCorner[v] = 1;
+      }
     for (let i = 0; i < faces.length; i += 3) {
+      if (!(isCorner[faces[i]] || isCorner[faces[i + 1]] || isCorner[faces[i + 2]])) continue;
       const vertices = [faces[i], faces[i + 1], faces[i + 2]];
       const cells = vertices.map(v => cell.array[v]);
-      if (!vertices.some(v => this.gradients.has(v)) || cells.some(other => other !== cells[0])) continue;
+      if (cells.some(other => other !== cells[0])) continue;
       const { gradient, area } = gradientTimesArea(surface.triangle(i / 3), vertices.map(v => value.array[v]));
       for (const v of vertices) {
         this.gradients.get(v)?.add(gradient);

@@ -4,6 +4,7 @@ import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import { toPicture } from '../mesh/frame.js';
 
 // A line is flat to the camera, and half of it would be below a slope: it is drawn nearer to the camera.
 const NEARER = { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -250 };
@@ -29,12 +30,21 @@ export class PathLine {
     });
     this.object = new Group().add(...this.lines);
     this.object.visible = false;
+    /** @type {import('../search/protocol.js').PathOnly | undefined} */
+    this.path = undefined;
   }
 
-  /** @param {Float32Array | undefined} points in the picture */
-  set(points) {
-    this.object.visible = points !== undefined && points.length >= 6;
-    if (!this.object.visible || !points) return;
+  /**
+   * @param {import('../search/protocol.js').PathOnly | undefined} path
+   * @param {import('../types.js').Frame | undefined} frame
+   */
+  show(path, frame) {
+    if (path === this.path) return;
+    this.path = path;
+    this.object.visible = path !== undefined && path.points.length >= 6;
+    if (!this.object.visible || !path || !frame) return;
+    const points = new Float32Array(path.points.length);
+    toPicture(frame, path.points, points);
     // a geometry cannot take more points than it had first
     this.geometry.dispose();
     this.geometry = new LineGeometry();

@@ -8,11 +8,13 @@ const ANGLE = 35; // degrees that are seen
 export class Viewer {
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {() => void} onFrame is called after each frame
+   * @param {object} events
+   * @param {() => void} events.beforeFrame
+   * @param {() => void} events.afterFrame
    */
-  constructor(canvas, onFrame) {
+  constructor(canvas, events) {
     this.canvas = canvas;
-    this.onFrame = onFrame;
+    this.events = events;
     this.renderer = new WebGLRenderer({ canvas, antialias: hasGraphicsCard(), alpha: true });
     this.resolution = new Resolution(this.renderer, () => this.draw());
     this.scene = new Scene();
@@ -80,9 +82,10 @@ export class Viewer {
     requestAnimationFrame(() => {
       this.isWaiting = false;
       this.resolution.choose(asked, performance.now());
+      this.events.beforeFrame();
       this.controls.update(); // goes on if it still moves
       this.renderer.render(this.scene, this.camera);
-      this.onFrame();
+      this.events.afterFrame();
     });
   }
 

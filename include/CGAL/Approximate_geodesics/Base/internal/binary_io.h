@@ -16,14 +16,38 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <ios>
 #include <istream>
 #include <ostream>
 #include <stdexcept>
 #include <string>
 
-// Portable binary streams: numbers are little-endian, followed by a checksum.
+// Portable binary files: numbers are little-endian, followed by a checksum.
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// Takes bytes; if `size` is 0, hands on all that it has taken. Returns whether that was possible.
+// Files are written and read by functions, as streams would bring their locales, a tenth of a
+// WebAssembly module.
+using Put_bytes = std::function<bool(const char* bytes, std::size_t size)>;
+
+// Gives the next bytes, and returns whether there are so many.
+using Get_bytes = std::function<bool(char* bytes, std::size_t size)>;
+
+inline Put_bytes bytes_to(std::ostream& out)
+{
+  return [&out](const char* const bytes, const std::size_t size) {
+    return bool(size > 0 ? out.write(bytes, static_cast<std::streamsize>(size)) : out.flush());
+  };
+}
+
+inline Get_bytes bytes_from(std::istream& in)
+{
+  return [&in](char* const bytes, const std::size_t size) {
+    return bool(size > 0 ? in.read(bytes, static_cast<std::streamsize>(size)) : in);
+  };
+}
 
 template <typename T>
 using Bytes_of = std::array<unsigned char, sizeof(T)>;
@@ -62,7 +86,8 @@ private:
 class Binary_writer
 {
 public:
-  Binary_writer(std::ostream& out, const std::string& contents) : m_out(out), m_contents(contents)
+  Binary_writer(const Put_bytes& put, const std::string& contents)
+    : m_put(put), m_contents(contents)
   {
   }
 
@@ -71,30 +96,37 @@ public:
   {
     const Bytes_of<T> bytes = to_bytes(value);
     m_checksum.add(bytes);
-    m_out.write(reinterpret_cast<const char*>(bytes.data()), sizeof(T));
+    put(reinterpret_cast<const char*>(bytes.data()), sizeof(T));
   }
 
   // Writes the checksum of all preceding data. Throws if any write failed.
   void finish()
   {
     write(m_checksum.value());
-    m_out.flush();
-    if(!m_out)
+    put(nullptr, 0);
+    if(!m_succeeds)
       throw std::runtime_error("Approximate_geodesics: " + m_contents + " could not be written");
   }
 
 private:
-  std::ostream& m_out;
+  void put(const char* const bytes, const std::size_t size)
+  {
+    m_succeeds = m_succeeds && m_put(bytes, size);
+  }
+
+  const Put_bytes& m_put;
   std::string m_contents;
   Checksum m_checksum;
+  bool m_succeeds = true;
 };
 
 class Binary_reader
 {
 public:
-  Binary_reader(std::istream& in, const std::string& contents) : m_in(in), m_contents(contents)
+  Binary_reader(const Get_bytes& get, const std::string& contents)
+    : m_get(get), m_contents(contents)
   {
-    if(!m_in)
+    if(!m_get(nullptr, 0))
       reject("the stream of " + m_contents + " cannot be read: its file may not exist");
   }
 
@@ -102,7 +134,7 @@ public:
   T read()
   {
     Bytes_of<T> bytes;
-    if(!m_in.read(reinterpret_cast<char*>(bytes.data()), sizeof(T)))
+    if(!m_get(reinterpret_cast<char*>(bytes.data()), sizeof(T)))
       reject("the file of " + m_contents + " is truncated");
     m_checksum.add(bytes);
     return boost::endian::endian_load<T, sizeof(T), boost::endian::order::little>(bytes.data());
@@ -117,7 +149,7 @@ public:
   }
 
 private:
-  std::istream& m_in;
+  const Get_bytes& m_get;
   std::string m_contents;
   Checksum m_checksum;
 };

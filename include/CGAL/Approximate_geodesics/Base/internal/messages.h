@@ -8,10 +8,11 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -20,10 +21,9 @@ namespace CGAL::Approximate_geodesics::internal {
 // Returns a number as text, with all significant digits.
 inline std::string text_of(const double number)
 {
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::digits10);
-  text << number;
-  return text.str();
+  std::array<char, 32> text; // at most a sign, digits, a point, and an exponent of five characters
+  std::snprintf(text.data(), text.size(), "%.*g", std::numeric_limits<double>::digits10, number);
+  return text.data();
 }
 
 // The prefix of all messages.

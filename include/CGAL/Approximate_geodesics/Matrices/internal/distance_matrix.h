@@ -17,7 +17,6 @@
 #include <numeric>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -59,6 +58,8 @@ inline std::vector<Intrinsic_point> all_vertices(const Intrinsic_triangulation& 
   for(std::size_t i = 0; result.size() < triangulation.number_of_vertices(); ++i)
     if(const auto v = triangulation.vertex(i); v != Intrinsic_triangulation::null_index)
       result.push_back(Intrinsic_point::at_vertex(v));
+    else
+      CGAL_assertion(i < Intrinsic_triangulation::null_index); // every vertex has an index
   return result;
 }
 
@@ -70,14 +71,13 @@ Matrix_points matrix_points(const Surface& surface,
                             [[maybe_unused]] const All& all,
                             const NamedParameters& np)
 {
-  std::vector<Intrinsic_point> rows = intrinsic_points(surface, sources, "source");
   if constexpr(is_given<NamedParameters, internal_np::targets_t>)
     return {
-        std::move(rows),
+        intrinsic_points(surface, sources, "source"),
         intrinsic_points(surface, parameters::get_parameter(np, internal_np::targets), "target"),
         true};
   else
-    return {std::move(rows), all(), false};
+    return {intrinsic_points(surface, sources, "source"), all(), false};
 }
 
 // Orders rows by the indices of their sources, so that nearby sources are consecutive.

@@ -242,6 +242,7 @@ private:
       sides.push_back({to, side / 3, true, from});
       sides.push_back({from, side / 3, false, to});
     }
+    reject_equal_faces(sides);
     std::sort(sides.begin(), sides.end(), [](const Side_at_vertex& a, const Side_at_vertex& b) {
       return std::tie(a.other_end, a.face) < std::tie(b.other_end, b.face);
     });
@@ -250,6 +251,24 @@ private:
         check_edge(sides, i - 1, v);
     reject("vertex " + std::to_string(v) +
            " is not manifold: its faces form several groups that share no edge");
+  }
+
+  // Changes the order of `sides`.
+  static void reject_equal_faces(std::vector<Side_at_vertex>& sides)
+  {
+    const auto corners = [](const Side_at_vertex& s) {
+      return std::tie(s.other_end, s.third, s.starts_here);
+    };
+    std::sort(sides.begin(), sides.end(), [&](const Side_at_vertex& a, const Side_at_vertex& b) {
+      return std::tuple_cat(corners(a), std::tie(a.face)) <
+             std::tuple_cat(corners(b), std::tie(b.face));
+    });
+    const auto equal = std::adjacent_find(
+        sides.begin(), sides.end(),
+        [&](const Side_at_vertex& a, const Side_at_vertex& b) { return corners(a) == corners(b); });
+    if(equal != sides.end())
+      reject("face " + std::to_string(equal->face) + " and face " + std::to_string(equal[1].face) +
+             " have the same vertices in the same order");
   }
 
   // Checks the sides of an edge, of which there are two or more.
@@ -262,8 +281,6 @@ private:
     const std::string edge = "the edge between vertices " +
                              std::to_string((std::min)(v, a.other_end)) + " and " +
                              std::to_string((std::max)(v, a.other_end));
-    if(a.starts_here == b.starts_here && a.third == b.third)
-      reject(face_a + " and " + face_b + " have the same vertices in the same order");
     if(i + 2 < sides.size() && sides[i + 2].other_end == a.other_end)
       reject(edge + " is not manifold: " + face_a + ", " + face_b + " and face " +
              std::to_string(sides[i + 2].face) + " share it");

@@ -32,7 +32,7 @@ template <typename Graph>
 using Nodes_beside = decltype(std::declval<Attachment_of<Graph>>().for_each_node_beside(
     std::declval<Intrinsic_point>(),
     std::declval<void (*)(Index, double, Intrinsic_point)>(),
-    std::declval<void (*)(Intrinsic_point)>()));
+    std::declval<void (*)(Curve_sample)>()));
 
 template <typename Run>
 using Starts_from_curve = decltype(std::declval<const Run&>().for_each_line_from_curve(
@@ -202,31 +202,33 @@ private:
   template <typename Graph, typename F>
   static void for_each_line(const Graph& graph, const Intrinsic_curve& curve, F f)
   {
-    std::vector<Intrinsic_point> points = curve_points(graph, curve);
     Known_labels labels(graph.number_of_nodes());
     const auto report = [&](const Index node, const double length, const Intrinsic_point& foot) {
       labels.lower(node, length);
       f(node, length, foot);
     };
+    std::vector<Curve_sample> samples;
     for(const auto& polyline : curve.polylines)
       for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
         graph.attach(polyline[i])
             .for_each_node_beside(polyline[i + 1], report,
-                                  [&](const Intrinsic_point& p) { points.push_back(p); });
+                                  [&](const Curve_sample& s) { samples.push_back(s); });
+    std::vector<Intrinsic_point> points = curve_points(graph, curve);
     remove_duplicates(points);
     for(const Intrinsic_point& p : points)
       if(p.is_vertex())
         labels.lower(p.vertex, 0);
+    const auto report_from = [&](const Intrinsic_point& p) {
+      return [&](const Index node, const double length) { report(node, length, p); };
+    };
     for(const Intrinsic_point& p : points)
-    {
-      const auto report_from = [&](const Index node, const double length) {
-        report(node, length, p);
-      };
       if constexpr(boost::is_detected_v<Looks_across_edges, Graph>)
-        graph.attach(p).for_each_node(labels, 0., report_from);
+        graph.attach(p).for_each_node(labels, 0., report_from(p));
       else
-        graph.attach(p).for_each_node(report_from);
-    }
+        graph.attach(p).for_each_node(report_from(p));
+    if constexpr(boost::is_detected_v<Looks_across_edges, Graph>)
+      for(const Curve_sample& s : samples)
+        graph.attach(s.point).for_each_node(labels, s, report_from(s.point));
   }
 
   // Upper bounds of distances from a curve.

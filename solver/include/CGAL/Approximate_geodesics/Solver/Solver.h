@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
@@ -37,6 +38,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <istream>
 #include <iterator>
 #include <limits>
@@ -143,11 +145,20 @@ public:
   explicit Solver(std::istream& in,
                   const std::size_t number_of_threads = 0,
                   const Solver_watch& watch = Solver_watch())
+    : Solver(internal::bytes_from(in), number_of_threads, watch)
+  {
+  }
+
+  /// does the same for bytes that `get(bytes, size)` writes to an array: the next ones, `size` of
+  /// them. It returns whether there are so many.
+  explicit Solver(const std::function<bool(char*, std::size_t)>& get,
+                  const std::size_t number_of_threads = 0,
+                  const Solver_watch& watch = Solver_watch())
     : m_costs(m_mesh)
   {
     internal::Solver_visitor visitor(watch);
     internal::Solver_file file;
-    file.read(in);
+    file.read(get);
     Solver_options options;
     options.epsilon = file.epsilon;
     options.directional_cost = std::move(file.cost);
@@ -165,7 +176,7 @@ public:
        (file.weights && file.weights->size() != file.corners.size() / 3))
       internal::reject("the file of the solver has arrays of inconsistent sizes");
     build(file.coordinates.data(), file.coordinates.size() / 3, file.corners.data(),
-          file.corners.size() / 3, options, &in);
+          file.corners.size() / 3, options, &get);
     visitor.finish();
   }
 
@@ -175,10 +186,14 @@ public:
   /// writes the mesh, the parameters, and the graph if it is expensive to build, to a binary
   /// stream.
   /// \throws std::runtime_error if writing fails.
-  void save(std::ostream& out) const
+  void save(std::ostream& out) const { save(internal::bytes_to(out)); }
+
+  /// does the same by `put(bytes, size)`, which takes an array, and returns whether that was
+  /// possible. If `size` is 0, it is to hand on all that it has taken.
+  void save(const std::function<bool(const char*, std::size_t)>& put) const
   {
-    internal::Solver_file(m_mesh, m_costs, m_bound).write(out);
-    m_graph->save(out);
+    internal::Solver_file(m_mesh, m_costs, m_bound).write(put);
+    m_graph->save(put);
   }
 
   /// @}
@@ -549,7 +564,7 @@ private:
              const Integer* const corners,
              const std::size_t number_of_faces,
              const Solver_options& options,
-             std::istream* const saved_graph)
+             const internal::Get_bytes* const saved_graph)
   {
     m_bound = {options.epsilon, options.accept_weaker_bound, options.maximum_number_of_points,
                options.may_change};

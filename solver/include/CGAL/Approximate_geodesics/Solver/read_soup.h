@@ -8,10 +8,11 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/mesh_file_error.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <array>
@@ -41,35 +42,82 @@ struct Soup_triangle : std::array<std::uint32_t, 3>
   static void resize(const std::size_t number)
   {
     if(number != 3)
-      internal::reject("a face has " + std::to_string(number) + " vertices; it must have three");
+      throw std::invalid_argument("has " + std::to_string(number) +
+                                  " vertices; it must have three");
   }
 };
 
 namespace internal {
 
+/*
+ * Appends points with coordinates in double precision to points of another type. CGAL's reader of
+ * PLY files would read points in single precision from files in single precision only.
+ */
 template <typename Point>
-bool read_soup_file(const std::string& file,
-                    std::istream& /* in */,
-                    std::vector<Point>& points,
-                    std::vector<std::vector<std::size_t>>& faces)
+struct Appender_of_points
 {
-  return IO::read_polygon_soup(file, points, faces, parameters::verbose(false));
-}
+  using value_type = Simple_cartesian<double>::Point_3;
+  using iterator = const value_type*;
+  using const_iterator = iterator;
+
+  void push_back(const value_type& p)
+  {
+    using FT = typename Kernel_traits<Point>::Kernel::FT;
+    points.emplace_back(FT(p.x()), FT(p.y()), FT(p.z()));
+  }
+
+  std::vector<Point>& points;
+};
 
 // Reserves memory first, so that no array is copied to a larger one.
-template <typename Point>
-bool read_soup_file(const std::string& file,
-                    std::istream& in,
-                    std::vector<Point>& points,
-                    std::vector<Soup_triangle>& faces)
+template <typename Point, typename Face>
+bool read_ply_file(const std::string& file,
+                   std::istream& in,
+                   std::vector<Point>& points,
+                   std::vector<Face>& faces)
 {
+  in.clear();
   in.seekg(0, std::ios::end);
   const std::size_t size = static_cast<std::size_t>(in.tellg());
   in.seekg(0);
   Ply_header header(in);
   points.reserve(points.size() + (std::min)(header.number_of["vertex"], size));
   faces.reserve(faces.size() + (std::min)(header.number_of["face"], size));
-  return IO::read_PLY(file, points, faces, parameters::verbose(false));
+  Appender_of_points<Point> appender{points};
+  try
+  {
+    return IO::read_PLY(file, appender, faces, parameters::verbose(false));
+  }
+  catch(const std::invalid_argument& e) // of the last face
+  {
+    throw std::invalid_argument("face " + std::to_string(faces.size() - 1) + ' ' + e.what());
+  }
+}
+
+template <typename Point, typename Face>
+bool read_soup_file(const std::string& file,
+                    std::istream& in,
+                    std::vector<Point>& points,
+                    std::vector<Face>& faces)
+{
+  if(ending_of(file) == "ply")
+    return read_ply_file(file, in, points, faces);
+  if constexpr(std::is_same_v<Face, Soup_triangle>)
+    return false;
+  else
+    return IO::read_polygon_soup(file, points, faces, parameters::verbose(false));
+}
+
+// Returns an empty string if all vertices of faces exist.
+template <typename Face>
+std::string error_in_corners(const std::vector<Face>& faces, const std::size_t number_of_vertices)
+{
+  using Signed = std::make_signed_t<typename Face::value_type>; // files may have negative numbers
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    for(const auto v : faces[f])
+      if(v >= number_of_vertices)
+        return text_of_wrong_corner(f, std::to_string(static_cast<Signed>(v)), number_of_vertices);
+  return "";
 }
 
 } // namespace internal
@@ -80,13 +128,14 @@ bool read_soup_file(const std::string& file,
  * reads a polygon soup in the format of the file name extension: OFF, OBJ, PLY, STL or GOCAD (ts).
  * It wraps `CGAL::IO::read_polygon_soup()`, and adds the reason of a failure.
  *
- * \tparam Point a `%Point_3`
+ * \tparam Point a `%Point_3`; coordinates in a PLY file are `float` or `double`, and are rounded to
+ *         those of points
  * \tparam Face `std::vector<std::size_t>`; or `Soup_triangle`, for PLY files with many triangles,
  *         which then take no more memory than the arrays
  *
- * \throws std::invalid_argument if reading fails, or a face has a vertex that does not exist. The
- *         message names the line, the vertex or the face, if it is known, or says why the file
- *         cannot be opened.
+ * \throws std::invalid_argument if reading fails, or a face has a vertex that does not exist, or
+ *         does not fit `Face`. The message names the line, the vertex or the face, if it is known,
+ *         or says why the file cannot be opened.
  */
 template <typename Point, typename Face>
 void read_soup(const std::string& file, std::vector<Point>& points, std::vector<Face>& faces)
@@ -105,10 +154,16 @@ void read_soup(const std::string& file, std::vector<Point>& points, std::vector<
   const std::string ending = internal::ending_of(file);
   if(std::is_same_v<Face, Soup_triangle> && ending != "ply")
     fail("triangles of 12 bytes are read from PLY files only");
-  if(internal::is_long_enough(in, ending))
+  try
   {
-    in.clear();
-    internal::fits_memory([&] { is_read = internal::read_soup_file(file, in, points, faces); });
+    internal::fits_memory([&] {
+      is_read = internal::is_safe_to_read(in, ending) &&
+                internal::read_soup_file(file, in, points, faces);
+    });
+  }
+  catch(const std::invalid_argument& e)
+  {
+    fail(e.what());
   }
   if(!is_read)
   {
@@ -118,11 +173,9 @@ void read_soup(const std::string& file, std::vector<Point>& points, std::vector<
     internal::fits_memory([&] { reason = internal::error_in_mesh_file(in, ending); });
     fail(reason);
   }
-  for(std::size_t f = 0; f < faces.size(); ++f)
-    for(const auto v : faces[f])
-      if(v >= points.size())
-        fail(internal::text_of_wrong_corner(f, std::to_string(static_cast<std::ptrdiff_t>(v)),
-                                            points.size()));
+  const std::string error = internal::error_in_corners(faces, points.size());
+  if(!error.empty())
+    fail(error);
 }
 
 } // namespace CGAL::Approximate_geodesics

@@ -14,8 +14,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <istream>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -36,13 +34,13 @@ class Arc_file
 
 public:
   // The nodes are the vertices of `nodes`, which is `triangulation` or a retriangulation of it.
-  static void save(std::ostream& out,
+  static void save(const Put_bytes& put,
                    const Intrinsic_triangulation& triangulation,
                    const Intrinsic_triangulation& nodes,
                    const double epsilon,
                    const Compressed_arcs& rows)
   {
-    Binary_writer writer(out, CONTENTS);
+    Binary_writer writer(put, CONTENTS);
     writer.write(SIGNATURE);
     writer.write(VERSION);
     writer.write(triangulation.number_of_vertices());
@@ -67,13 +65,13 @@ public:
   }
 
   // Reads what was written for the same triangulations.
-  static void load(std::istream& in,
+  static void load(const Get_bytes& get,
                    const Intrinsic_triangulation& triangulation,
                    const Intrinsic_triangulation& nodes,
                    double& epsilon,
                    Compressed_arcs& rows)
   {
-    Binary_reader reader(in, CONTENTS);
+    Binary_reader reader(get, CONTENTS);
     const std::uint32_t mark = fingerprint(triangulation);
     check_header(reader, triangulation, mark);
     epsilon = reader.read<double>();

@@ -43,9 +43,9 @@ inline double slope_of_strips(const Cone_rules& rules)
  * Follows strips of parallel rays from a segment of a curve until they are far higher than wide.
  *
  * `f(v, length, foot)` is called for vertices that are nearest to a point `foot` inside the
- * segment, along these rays, and `on_sample(p)` for points of the segment whose lines are needed,
- * too: those where a strip ends. The way from `p` to all that lies behind is longer than the rays
- * by a factor of at most `1 + largest_error_of_samples()`.
+ * segment, along these rays, and `on_sample(sample)` for points of the segment whose lines are
+ * needed, too, as strips end: those to what lies behind. From the point, the way there is longer
+ * than the rays by a factor of at most `1 + largest_error_of_samples()`.
  */
 template <typename F, typename OnSample>
 struct Strips_of_curve
@@ -61,21 +61,27 @@ struct Strips_of_curve
                    const Plane_vector /* apex */,
                    const Plane_vector /* left_edge */)
     {
-      strips.f(v, length, segment.point(strips.triangulation, x / width));
+      strips.f(v, length, segment.point(strips.triangulation, x / layout.length()));
     }
 
     bool ends(const Strip& strip)
     {
-      const double height = strip.height(), begin = strip.begin / width, end = strip.end / width;
+      const double height = strip.height(), width = layout.length();
+      const double begin = strip.begin / width, end = strip.end / width;
       const double t = simplest_part(begin, end);
       if(!(height > 0 && width * (std::max)(t - begin, end - t) <= strips.slope * height))
         return false;
-      strips.on_sample(segment.point(strips.triangulation, t));
+      const auto direction = [&](const double x) {
+        const Plane_vector crossing =
+            strip.left + Strip::part(strip.left, strip.right, x) * strip.edge;
+        return layout.in_face_layout({x - t * width, crossing.y});
+      };
+      strips.on_sample(Curve_sample{segment.point(strips.triangulation, t), segment.from.halfedge,
+                                    direction(strip.end), direction(strip.begin)});
       return true;
     }
 
-    // Samples are at few places, so that strips share them: at the ends of the segment, its middle,
-    // and so on.
+    // At an end of the segment, which may be a vertex, its middle, and so on.
     static double simplest_part(const double begin, const double end)
     {
       for(double step = 1; step > 1e-6; step /= 2)
@@ -86,7 +92,7 @@ struct Strips_of_curve
 
     const Strips_of_curve& strips;
     const Curve_segment& segment;
-    double width;
+    const Segment_layout& layout;
   };
 
   // Follows those from the segment between two points, to both sides.
@@ -98,7 +104,7 @@ struct Strips_of_curve
         const Segment_layout layout(triangulation, s);
         if(!(layout.length() > 0))
           continue;
-        Visitor visitor{*this, s, layout.length()};
+        Visitor visitor{*this, s, layout};
         const Face_steps_on_demand steps(triangulation);
         Strip_expansion<Face_steps_on_demand, Visitor>(triangulation, steps, 0, visitor)
             .look(layout, is_along_halfedge(s.from, s.to));

@@ -17,9 +17,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <istream>
 #include <optional>
-#include <ostream>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -66,9 +64,9 @@ struct Solver_file
             some(barriers).push_back(mesh.vertex(e, i));
   }
 
-  void write(std::ostream& out) const
+  void write(const Put_bytes& put) const
   {
-    Binary_writer writer(out, CONTENTS);
+    Binary_writer writer(put, CONTENTS);
     writer.write(SIGNATURE);
     writer.write(VERSION);
     write(writer, coordinates);
@@ -83,9 +81,9 @@ struct Solver_file
     writer.finish();
   }
 
-  void read(std::istream& in)
+  void read(const Get_bytes& get)
   {
-    Binary_reader reader(in, CONTENTS);
+    Binary_reader reader(get, CONTENTS);
     if(reader.read<std::uint64_t>() != SIGNATURE)
       reject("the file does not contain a solver");
     const auto version = reader.read<std::uint32_t>();

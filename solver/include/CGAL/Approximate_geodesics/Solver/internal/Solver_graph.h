@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
@@ -24,7 +25,6 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <ostream>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -175,7 +175,7 @@ public:
                                         Solver_visitor& visitor) const = 0;
 
   // Writes the graph if it is expensive to build.
-  virtual void save(std::ostream& out) const = 0;
+  virtual void save(const Put_bytes& put) const = 0;
 
 private:
   virtual std::size_t own_memory() const = 0;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
@@ -38,11 +39,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <istream>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <ostream>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -244,10 +243,10 @@ public:
     return result;
   }
 
-  void save([[maybe_unused]] std::ostream& out) const override
+  void save([[maybe_unused]] const Put_bytes& put) const override
   {
     if constexpr(std::is_same_v<Graph, Discrete_geodesic_graph>)
-      m_graph.save(out);
+      m_graph.save(put);
   }
 
 private:
@@ -347,7 +346,7 @@ Optional_points<Placement> optional_points(const Bound_of_graph& bound, const Op
 // Returns the graph for a bound, or the edge graph if there is no bound. A saved graph is read.
 inline std::unique_ptr<Solver_graph> make_solver_graph(Intrinsic_triangulation triangulation,
                                                        const Bound_of_graph& bound,
-                                                       std::istream* const saved)
+                                                       const Get_bytes* const saved)
 {
   if(triangulation.has_directional_costs())
   {

@@ -253,6 +253,7 @@ struct Ply_header
 {
   struct Property
   {
+    std::string type, name;
     std::size_t bytes;         // of a number
     std::size_t bytes_of_size; // of the size of a list, or 0 for a single number
   };
@@ -270,21 +271,34 @@ struct Ply_header
     for(std::string first; first != "end_header" && std::getline(in, text);)
     {
       std::istringstream words(text);
-      std::string second, type;
+      std::string second, type, name;
       words >> first >> second;
       if(first == "format")
         format = second;
       if(first == "element" && words >> number_of[second])
         elements.push_back({second, number_of[second], {}});
-      if(first == "property" && second == "list" && words >> second >> type)
-        add_property({bytes_of(type), bytes_of(second)});
-      else if(first == "property")
-        add_property({bytes_of(second), 0});
-      while(words >> type)
-        lists_corners = lists_corners || type == "vertex_indices" || type == "vertex_index";
+      if(first == "property" && second == "list" && words >> second >> type >> name)
+        add_property({"list", name, bytes_of(type), bytes_of(second)});
+      else if(first == "property" && words >> name)
+        add_property({second, name, bytes_of(second), 0});
+      lists_corners = lists_corners || name == "vertex_indices" || name == "vertex_index";
       begins = begins || first == "ply";
       ends = first == "end_header";
     }
+  }
+
+  // Returns the error in the types of coordinates, or an empty string.
+  std::string error_in_coordinates() const
+  {
+    const std::set<std::string> types{"float", "float32", "double", "float64"};
+    const std::set<std::string> coordinates{"x", "y", "z"};
+    for(const Element& element : elements)
+      if(element.name == "vertex" || element.name == "vertices")
+        for(const Property& property : element.properties)
+          if(coordinates.count(property.name) > 0 && types.count(property.type) == 0)
+            return "its vertices have coordinates of type " + property.type +
+                   "; they must be float or double";
+    return "";
   }
 
   // Lists whose sizes have fewer bytes are short.
@@ -350,9 +364,8 @@ private:
 
 // Returns the error in a list that is longer than the file, or an empty string. CGAL's reader
 // allocates lists before it reads them.
-inline std::string error_in_ply_lists(std::istream& in)
+inline std::string error_in_ply_lists(const Ply_header& header, std::istream& in)
 {
-  const Ply_header header(in);
   if(!header.may_have_long_lists())
     return "";
   const auto start = in.tellg();
@@ -374,6 +387,14 @@ inline std::string error_in_ply_lists(std::istream& in)
   return "";
 }
 
+// Returns an error that crashes CGAL's reader, or an empty string.
+inline std::string fatal_error_in_ply(std::istream& in)
+{
+  const Ply_header header(in);
+  const std::string result = header.error_in_coordinates();
+  return result.empty() ? error_in_ply_lists(header, in) : result;
+}
+
 // Returns why a PLY file cannot be read, or an empty string if the reason is unknown. After a
 // failure, CGAL's reader keeps the elements before the error, which locates it.
 inline std::string error_in_ply(std::istream& in)
@@ -387,7 +408,7 @@ inline std::string error_in_ply(std::istream& in)
     return "its faces have no list vertex_indices";
   in.clear();
   in.seekg(0);
-  const std::string error = error_in_ply_lists(in);
+  const std::string error = fatal_error_in_ply(in);
   if(!error.empty())
     return error;
   in.clear();
@@ -456,13 +477,13 @@ inline std::string ending_of(const std::string& file)
   return result;
 }
 
-// Whether a file announces no more elements than it has bytes, where CGAL's reader would allocate
-// all of them before it reads the first one.
-inline bool is_long_enough(std::istream& in, const std::string& ending)
+// Whether CGAL's reader, which checks less, neither crashes nor allocates more elements than a file
+// can have.
+inline bool is_safe_to_read(std::istream& in, const std::string& ending)
 {
   if(ending == "off")
     return is_long_enough_for_off(in);
-  return ending != "ply" || error_in_ply_lists(in).empty();
+  return ending != "ply" || fatal_error_in_ply(in).empty();
 }
 
 // Returns why CGAL could not read a file. CGAL itself reports no reason.
