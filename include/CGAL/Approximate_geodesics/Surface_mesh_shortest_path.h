@@ -84,12 +84,6 @@ class Surface_mesh_shortest_path : public Surface_locations<TriangleMesh>
     typename Locations::Face_location location;
     Source_point source; // a point of the curve if there is one
     std::optional<Intrinsic_curve> curve = std::nullopt;
-
-    // Converts a point to a curve that consists of it.
-    Intrinsic_curve as_curve() const
-    {
-      return curve ? *curve : Intrinsic_curve{{{source.point}}, {}, source.distance};
-    }
   };
 
   struct Location_of_source
@@ -737,15 +731,13 @@ private:
   template <typename Curve>
   Source_point_iterator add_curve(const Curve& curve, const FT initial_distance)
   {
-    internal::check_initial_distance(initial_distance, m_sources.size());
     Intrinsic_curve read = internal::Curve_reader(m_graph, m_translation).read(curve);
     read.distance = initial_distance;
     const Intrinsic_point first = internal::first_point(m_graph.triangulation(), read);
-    m_has_changed = true;
-    return Source_point_iterator(m_sources.insert(
-        m_sources.end(), Listed_source{this->face_location(m_translation.surface_point(first)),
-                                       {first, initial_distance},
-                                       std::move(read)}));
+    const auto result = add_source(first, initial_distance,
+                                   this->face_location(m_translation.surface_point(first)));
+    m_sources.back().curve = std::move(read);
+    return result;
   }
 
   Shortest_path_result shortest_distance(const Intrinsic_point& p)
@@ -832,8 +824,8 @@ private:
     else
     {
       std::vector<Intrinsic_curve> curves;
-      for(const Listed_source& source : m_sources)
-        curves.push_back(source.as_curve());
+      for(const auto& [location, source, curve] : m_sources) // a point is a curve, too
+        curves.push_back(curve ? *curve : Intrinsic_curve{{{source.point}}, {}, source.distance});
       m_search.run(std::move(curves), np);
     }
     m_has_changed = false;

@@ -199,15 +199,7 @@ public:
   /// graph, as long as its arcs do not change. Those of an exact graph are `Exact_landmarks`; they
   /// guide runs from a single source, by two searches of another graph. \warning `landmarks` are
   /// referred to, not copied. \throws std::invalid_argument if they are those of another graph.
-  void use_landmarks(const internal::Landmarks_of<Graph>& landmarks)
-  {
-    if(&landmarks.graph() != m_graph)
-      internal::reject("the landmarks are those of another graph");
-    if constexpr(internal::can_stay_in_corridor<Graph>)
-      m_corridors = landmarks.make_finder();
-    else
-      m_landmarks = &landmarks;
-  }
+  void use_landmarks(const internal::Landmarks_of<Graph>& landmarks);
 
   /// temporary landmarks would not live long enough.
   void use_landmarks(const internal::Landmarks_of<Graph>&& landmarks) = delete;

@@ -153,30 +153,23 @@ template <typename NamedParameters>
 using Concurrency_tag = typename internal_np::
     Lookup_named_param_def<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>::type;
 
-// What is known about a number at compile time: nothing, unless it is a `std::ratio`.
+// Whether a number is known at compile time to be zero, or not to be: only if it is a `std::ratio`.
 template <typename Number>
-struct Known_number
-{
-  static constexpr bool is_zero = false, is_not_zero = false;
-
-  static double value(const Number& number) { return CGAL::to_double(number); }
-};
-
+constexpr bool is_zero = false;
+template <typename Number>
+constexpr bool is_nonzero = false;
 template <std::intmax_t NUMERATOR, std::intmax_t DENOMINATOR>
-struct Known_number<std::ratio<NUMERATOR, DENOMINATOR>>
-{
-  static constexpr bool is_zero = NUMERATOR == 0, is_not_zero = !is_zero;
-
-  static double value(const std::ratio<NUMERATOR, DENOMINATOR>& /* number */)
-  {
-    return static_cast<double>(NUMERATOR) / static_cast<double>(DENOMINATOR);
-  }
-};
+constexpr bool is_zero<std::ratio<NUMERATOR, DENOMINATOR>> = NUMERATOR == 0;
+template <std::intmax_t NUMERATOR, std::intmax_t DENOMINATOR>
+constexpr bool is_nonzero<std::ratio<NUMERATOR, DENOMINATOR>> = NUMERATOR != 0;
 
 template <typename Number>
-double value_of_number(const Number& number)
+double value_of_number([[maybe_unused]] const Number& number)
 {
-  return Known_number<Number>::value(number);
+  if constexpr(is_zero<Number> || is_nonzero<Number>)
+    return static_cast<double>(Number::num) / static_cast<double>(Number::den);
+  else
+    return CGAL::to_double(number);
 }
 
 // The distance beyond which nothing is reached: infinity by default.

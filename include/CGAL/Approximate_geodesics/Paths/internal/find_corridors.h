@@ -105,6 +105,18 @@ private:
 
 } // namespace internal
 
+template <typename SurfaceGraph, typename PriorityQueue>
+void Surface_search<SurfaceGraph, PriorityQueue>::use_landmarks(
+    const internal::Landmarks_of<SurfaceGraph>& landmarks)
+{
+  if(&landmarks.graph() != m_graph)
+    internal::reject("the landmarks are those of another graph");
+  if constexpr(internal::can_stay_in_corridor<SurfaceGraph>)
+    m_corridors = landmarks.make_finder();
+  else
+    m_landmarks = &landmarks;
+}
+
 template <typename SurfaceGraph>
 std::unique_ptr<internal::Corridor_finder> Exact_landmarks<SurfaceGraph>::make_finder() const
 {

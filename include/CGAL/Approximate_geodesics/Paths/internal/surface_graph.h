@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <boost/type_traits/detected_or.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -37,15 +38,12 @@ template <typename SurfaceGraph>
 constexpr bool has_positions =
     is_valid<const SurfaceGraph&, Intrinsic_point>([](auto& g) -> decltype(g.position(0)) {});
 
-template <typename SurfaceGraph>
-constexpr bool attaches_targets = is_valid<const SurfaceGraph&>(
-    [](auto& g) -> decltype(g.attach_target(std::declval<Intrinsic_point>())) {});
-
 // Attaches a target, which differs from attaching a source if arcs are directed.
 template <typename SurfaceGraph>
 auto attach_target(const SurfaceGraph& graph, const Intrinsic_point& point)
 {
-  if constexpr(attaches_targets<SurfaceGraph>)
+  if constexpr(is_valid<const SurfaceGraph&>(
+                   [](auto& g) -> decltype(g.attach_target(std::declval<Intrinsic_point>())) {}))
     return graph.attach_target(point);
   else
     return graph.attach(point);
@@ -136,10 +134,6 @@ constexpr double rounding_of_distances = 1e-12;
 template <typename Graph>
 constexpr bool has_epsilon = is_valid<const Graph&>([](auto& g) -> decltype(g.epsilon()) {});
 
-template <typename Graph>
-constexpr bool has_cost_to_corner = is_valid<const Graph&>(
-    [](auto& g) -> decltype(g.cost_to_corner(std::declval<Intrinsic_point>())) {});
-
 // Whether a graph can have landmarks.
 template <typename Graph>
 constexpr bool
@@ -150,8 +144,7 @@ using Approximation_of = typename Graph::Approximation;
 
 // Whether searches of a graph can be limited to a corridor.
 template <typename Graph>
-constexpr bool can_stay_in_corridor =
-    !std::is_void_v<boost::detected_or_t<void, Approximation_of, Graph>>;
+constexpr bool can_stay_in_corridor = boost::is_detected_v<Approximation_of, Graph>;
 
 // Returns the error bound of a graph; infinity if it has none.
 template <typename Graph>
@@ -170,7 +163,8 @@ double cost_to_corner([[maybe_unused]] const Graph& graph,
                       [[maybe_unused]] const Intrinsic_point& point)
 {
   double result = 0;
-  if constexpr(has_cost_to_corner<Graph>)
+  if constexpr(is_valid<const Graph&>(
+                   [](auto& g) -> decltype(g.cost_to_corner(std::declval<Intrinsic_point>())) {}))
     result = graph.unit() * graph.cost_to_corner(point);
   return std::isinf(result) ? 0 : result;
 }

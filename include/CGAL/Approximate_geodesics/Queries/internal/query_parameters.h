@@ -128,13 +128,13 @@ auto with_epsilon(Intrinsic_triangulation triangulation, const NamedParameters& 
                 "Directional_graph");
   using Tag = Concurrency_tag<NamedParameters>;
   const auto number = parameters::get_parameter(np, internal_np::epsilon);
-  using Known = Known_number<std::decay_t<decltype(number)>>;
-  if constexpr(Known::is_zero)
+  using Number = std::decay_t<decltype(number)>;
+  if constexpr(is_zero<Number>)
     return f(graph_with_epsilon<Saddle_vertex_graph, ExactTag>(std::move(triangulation), 0));
   else
   {
-    const double epsilon = Known::value(number);
-    if constexpr(!Known::is_not_zero)
+    const double epsilon = value_of_number(number);
+    if constexpr(!is_nonzero<Number>)
       if(epsilon == 0)
         return f(
             graph_with_epsilon<Saddle_vertex_graph, ExactTag>(std::move(triangulation), epsilon));

@@ -352,20 +352,6 @@ private:
   // Whether nodes are not expanded in the order of their labels.
   bool has_heuristic() const { return m_distance_to_goal && !has_corridor(); }
 
-  bool is_in_corridor(const Node node, const double label) const
-  {
-    return label <= bound(node) * (1 + Sight::ROUNDING);
-  }
-
-  // A lower bound on the distance of a node. A corridor has none of the shorter paths to nodes
-  // outside.
-  template <typename Labels>
-  double smallest_distance(const Node node, const Labels& labels) const
-  {
-    const double label = labels.distance(node);
-    return has_corridor() ? (std::min)(label, largest_label(node)) : label;
-  }
-
   // Spreads bounds at intervals of the horizon, as far as sights are followed until the next time.
   void spread_bounds()
   {
@@ -449,7 +435,8 @@ private:
         .for_each(
             node, m_arrival[node],
             [&](const Node h) {
-              if(!has_corridor() || is_in_corridor(t.target(h), visitor.label_of_tip + t.length(h)))
+              const double label = visitor.label_of_tip + t.length(h);
+              if(!has_corridor() || label <= bound(t.target(h)) * (1 + Sight::ROUNDING))
                 visitor.append(t.target(h), t.length(h), Arrival::along(h));
             },
             [&](const Sight& sight, const Node left_end, const Node right_end) {
@@ -510,7 +497,10 @@ private:
   auto bound_before(const double distance, const double rounding, const Labels& labels) const
   {
     return [this, &labels, largest = distance * (1 + 1e-12), rounding](const Node node) {
-      return largest - (std::min)(largest, smallest_distance(node, labels)) + rounding;
+      double smallest = (std::min)(largest, labels.distance(node));
+      if(has_corridor()) // there may be shorter paths outside
+        smallest = (std::min)(smallest, largest_label(node));
+      return largest - smallest + rounding;
     };
   }
 
