@@ -129,6 +129,15 @@ TEST_F(Offset_curves, are_near_a_curve_at_very_small_distances)
       EXPECT_LT(distance(p), 1e-3);
 }
 
+TEST_F(Offset_curves, are_near_a_region_at_very_small_distances)
+{
+  std::vector<Offset> curves;
+  const AG::Source_region<Mesh> region{{Face(100), Face(101)}};
+  AG::offset_curves(m_mesh, region, 0.01, std::back_inserter(curves));
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_TRUE(curves[0].is_closed);
+}
+
 TEST_F(Offset_curves, repeat_no_point)
 {
   std::vector<Offset> curves;

@@ -29,7 +29,8 @@ public:
   virtual ~Corridor_finder() = default;
 
   // Returns the corridor of the paths from a source to a target, which refers to this object, and
-  // is valid until the next call. Where the target cannot be reached, its length is 0.
+  // is valid until the next call. It is not known if it is not worth it. Where the target cannot be
+  // reached, its length is 0.
   virtual Corridor find(const Intrinsic_point& source, const Intrinsic_point& target) = 0;
 };
 
@@ -73,8 +74,8 @@ public:
    * \throws std::invalid_argument if `number` is `0`.
    *
    * Run time is that of building the graph, and of two searches of it for each landmark. Several
-   * threads take part in building if they do in each search of `graph`. Memory is that of the
-   * graph, about 720 bytes per vertex, and 8 bytes per vertex and landmark.
+   * threads take part in building if they do in each search of `graph`. Memory is that of both:
+   * about 800 bytes per vertex, and 8 bytes per vertex and landmark.
    */
   explicit Exact_landmarks(const SurfaceGraph& graph,
                            const std::size_t number = Landmarks<Approximation>::DEFAULT_NUMBER)

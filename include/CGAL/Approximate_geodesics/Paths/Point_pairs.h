@@ -76,7 +76,7 @@ public:
             std::vector<Result>& results) const
   {
     const Intrinsic_point& start = this->start(m_order[m_first[group]]);
-    const bool is_guided = search.uses_landmarks();
+    const bool is_guided = search.guides(m_first[group + 1] - m_first[group]);
     if(!is_guided)
     {
       typename SurfaceSearch::Stop_rule stop{maximum_distance};

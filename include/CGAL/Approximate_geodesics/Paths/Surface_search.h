@@ -214,6 +214,15 @@ public:
 
   /// \cond SKIP_IN_MANUAL
 
+  // Whether pairs with so many targets from one source are found by a guided run to each target.
+  // Exact distances are the same, to the last bit, and one run to all targets takes as long as
+  // about ten that are guided.
+  bool guides(const std::size_t number_of_targets) const
+  {
+    constexpr std::size_t most = 8;
+    return uses_landmarks() && (!m_corridors || number_of_targets <= most);
+  }
+
   // For `Exact_landmarks`: see where it is defined.
   template <typename AStarHeuristic>
   double run_beyond(const Intrinsic_point& target,

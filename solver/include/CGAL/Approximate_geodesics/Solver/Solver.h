@@ -188,8 +188,8 @@ public:
   /// \throws std::runtime_error if writing fails.
   void save(std::ostream& out) const { save(internal::bytes_to(out)); }
 
-  /// does the same by `put(bytes, size)`, which takes an array, and returns whether that was possible.
-  /// If `size` is 0, it is to hand on all that it has taken.
+  /// does the same by `put(bytes, size)`, which takes an array, and returns whether that was
+  /// possible. If `size` is 0, it is to hand on all that it has taken.
   void save(const std::function<bool(const char*, std::size_t)>& put) const
   {
     internal::Solver_file(m_mesh, m_costs, m_bound).write(put);

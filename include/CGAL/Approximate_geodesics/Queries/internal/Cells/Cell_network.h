@@ -207,7 +207,7 @@ private:
         follow(end);
     };
     for(const bool is_closed : {false, true})
-      for(const std::size_t first : {0, 1})
+      for(const std::size_t first : {0u, 1u})
         for(std::size_t end = first; end < m_ends.size(); end += 2)
           follow_from(end, is_closed);
   }

@@ -53,8 +53,9 @@ public:
   {
     for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
       m_values.push_back(m_search.distance(Intrinsic_point::at_vertex(v)));
+    const std::vector<bool> is_source = faces_of_sources();
     for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
-      if(!m_triangulation.is_border(h) && m_triangulation.first_of_face(h) == h)
+      if(!m_triangulation.is_border(h) && m_triangulation.first_of_face(h) == h && !is_source[h])
         add_face(h);
     return m_lines.lines(m_triangulation);
   }
@@ -82,6 +83,16 @@ private:
     Side second_half() const { return {length / 2, halfedge, middle(), end}; }
   };
   using Sides = std::array<Side, 3>;
+
+  // By the first halfedge of each face.
+  std::vector<bool> faces_of_sources() const
+  {
+    std::vector<bool> result(m_triangulation.number_of_halfedges());
+    for(const Intrinsic_curve& curve : m_search.curves())
+      for(const Index h : curve.faces)
+        result[m_triangulation.first_of_face(h)] = true;
+    return result;
+  }
 
   // In steps: of distances found from slopes, and of those that have to be equal to another.
   static constexpr double LARGEST_ERROR = 1e-2, LARGEST_DIFFERENCE = 2e-3;
@@ -188,12 +199,13 @@ private:
     return std::sqrt((std::max)(0., (second * second + third * third) / 2 - side * side / 4));
   }
 
-  // Whether chords are far from isolines there, or could miss them.
+  // Whether chords are farther from isolines there than 1 % of a step, or could miss them: a chord
+  // of length l of a circle of radius r is up to l * l / (8 r) away.
   bool is_long(const Corner& a, const Corner& b, const double length) const
   {
     const double nearest = (std::min)(m_values[a.number], m_values[b.number]);
     const double smallest = m_step / 4;
-    return length > smallest && (nearest < length || length * length > 0.16 * m_step * nearest);
+    return length > smallest && (nearest < length || length * length > 0.08 * m_step * nearest);
   }
 
   Corner between(const Corner& a, const Corner& b, const double t, const std::uint32_t number) const
