@@ -174,7 +174,8 @@ struct Soup_property_map<Mesh, vertex_point_t>
  * Elements have the numbers of the arrays. All functions and classes of this package take it as a
  * mesh, with the same results as for a `CGAL::Surface_mesh` that has the same faces and the same
  * `halfedge(v)` for each vertex. So do functions of \cgal that read such a graph, as
- * `CGAL::copy_face_graph()`.
+ * `CGAL::copy_face_graph()`, but for `CGAL::is_valid_polygon_mesh()`: it asks for edges that know
+ * from which of their halfedges they were made, and returns `false`.
  *
  * \code
  * std::vector<std::array<float, 3>> points;
