@@ -8,14 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Sample_sector.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Strips_of_curve.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <optional>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -67,19 +66,10 @@ public:
     if(m_point.is_vertex()) // a node
       return f(m_point.vertex, 0.);
     for_each_view([&](const View& view) {
-      const Window& w = view.window;
-      const Plane_vector side = -1 / length(w.edge) * w.edge;
-      const bool has_area = cross(w.right_position, w.left_position) > 0;
-      const std::optional<Plane_vector> other = direction(sample, view.start);
-      if(!has_area || !other)
-        return expand_through(view, pruning(labels, 0), f);
-      const auto in_view = [&](const Plane_vector v) {
-        return turned_left(turned_right(v, *other), side);
-      };
-      expand_through(view,
-                     In_sector<Pruning<Labels>>{pruning(labels, 0), in_view(sample.right),
-                                                in_view(sample.left)},
-                     f);
+      if(const auto sector = sector_of_sample(m_triangulation, m_point, sample, view))
+        expand_through(view, In_sector<Pruning<Labels>>{pruning(labels, 0), *sector}, f);
+      else
+        expand_through(view, pruning(labels, 0), f);
     });
   }
 
@@ -201,54 +191,6 @@ private:
   {
     return {{}, m_triangulation, labels, label, 1 + epsilon_from_samples(m_rules)};
   }
-
-  // The direction of a side of a face that contains the point, in the layout of the sample's face.
-  // The latter may be on the other side of an edge that the point lies on; none if that is the same
-  // face.
-  std::optional<Plane_vector> direction(const Curve_sample& sample, const Index side) const
-  {
-    const auto unit_vector = [](const Face_layout& layout, const Index h) {
-      std::size_t i = 0;
-      while(layout.halfedge(i) != h)
-        ++i;
-      const Plane_vector edge = layout.edge(i, (i + 1) % 3);
-      return 1 / length(edge) * edge;
-    };
-    const auto face_of = [&](const Index h) { return m_triangulation.first_of_face(h); };
-    if(m_point.is_on_edge() &&
-       face_of(m_point.halfedge) == face_of(m_triangulation.opposite(m_point.halfedge)))
-      return std::nullopt;
-    const Face_layout own(m_triangulation, sample.halfedge);
-    if(face_of(side) == face_of(sample.halfedge))
-      return unit_vector(own, side);
-    Index h = m_point.halfedge;
-    if(face_of(h) != face_of(sample.halfedge))
-      h = m_triangulation.opposite(h);
-    const Face_layout beyond(m_triangulation, side);
-    const Plane_vector edge = unit_vector(beyond, m_triangulation.opposite(h));
-    return turned_left(turned_right(unit_vector(beyond, side), -1. * edge), unit_vector(own, h));
-  }
-
-  // Prunes windows that are not between two rays, too.
-  template <typename Visitor>
-  struct In_sector : Visitor
-  {
-    bool prune(const Window& w) const
-    {
-      return is_beyond(w.right_position, left) || is_beyond(right, w.left_position) ||
-             Visitor::prune(w);
-    }
-
-    // Whether a ray is to the left of another one, by more than rounding errors.
-    static bool is_beyond(const Plane_vector a, const Plane_vector b)
-    {
-      constexpr double rounding = 1e-6;
-      return cross(a, b) <
-             -rounding * (std::abs(a.x) + std::abs(a.y)) * (std::abs(b.x) + std::abs(b.y));
-    }
-
-    Plane_vector right, left;
-  };
 
   template <typename Visitor, typename F>
   void for_each_node_in_cones(const Visitor& visitor, F& f) const
