@@ -303,6 +303,29 @@ TEST(Curve, sources_have_distances_within_the_bound)
   }
 }
 
+// Samples there have a face on one side only.
+TEST(Curve, sources_at_the_border_have_distances_within_the_bound)
+{
+  const Triangulation t(to_mesh(flat_grid(4, 3)));
+  const Saddle_vertex_graph exact(t);
+  const Discrete_geodesic_graph graph(t, parameters::epsilon(0.1));
+  for(unsigned h = 0; h < t.number_of_halfedges(); ++h)
+    if(!t.is_border(h) && t.is_border(t.opposite(h)))
+      for(const Intrinsic_point& end :
+          {Intrinsic_point::on_edge(h, 0.8), Intrinsic_point::on_edge(t.next(h), 0.4)})
+      {
+        const Polyline_on_surface polyline{Intrinsic_point::on_edge(h, 0.1), end};
+        const auto wanted = search_from(exact, polyline);
+        const auto found = search_from(graph, polyline);
+        for(unsigned v = 0; v < t.number_of_vertices(); ++v)
+        {
+          const Intrinsic_point vertex = Intrinsic_point::at_vertex(v);
+          EXPECT_GE(found.distance(vertex), wanted.distance(vertex) * (1 - ROUNDING));
+          EXPECT_LE(found.distance(vertex), wanted.distance(vertex) * 1.1);
+        }
+      }
+}
+
 // Along edges and with weights, no point of the curve is nearer, and a path has the distance.
 TEST(Curve, sources_are_no_farther_than_their_points_in_all_graphs)
 {

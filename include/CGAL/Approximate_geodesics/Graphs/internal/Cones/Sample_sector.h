@@ -66,7 +66,8 @@ inline std::optional<Plane_vector> direction_of_side(const Intrinsic_triangulati
                                                      const Index side)
 {
   const auto face_of = [&](const Index h) { return t.first_of_face(h); };
-  if(point.is_on_edge() && face_of(point.halfedge) == face_of(t.opposite(point.halfedge)))
+  if(point.is_on_edge() && !t.is_border(t.opposite(point.halfedge)) &&
+     face_of(point.halfedge) == face_of(t.opposite(point.halfedge)))
     return std::nullopt;
   const Face_layout own(t, sample.halfedge);
   if(face_of(side) == face_of(sample.halfedge))
