@@ -306,9 +306,9 @@ TEST(Curve, sources_have_distances_within_the_bound)
 // Samples there have a face on one side only.
 TEST(Curve, sources_at_the_border_have_distances_within_the_bound)
 {
-  const Triangulation t(to_mesh(flat_grid(4, 3)));
+  const Triangulation t(to_mesh(flat_grid(8, 6)));
   const Saddle_vertex_graph exact(t);
-  const Discrete_geodesic_graph graph(t, parameters::epsilon(0.1));
+  const Discrete_geodesic_graph graph(t, parameters::epsilon(0.5));
   for(unsigned h = 0; h < t.number_of_halfedges(); ++h)
     if(!t.is_border(h) && t.is_border(t.opposite(h)))
       for(const Intrinsic_point& end :
@@ -321,7 +321,7 @@ TEST(Curve, sources_at_the_border_have_distances_within_the_bound)
         {
           const Intrinsic_point vertex = Intrinsic_point::at_vertex(v);
           EXPECT_GE(found.distance(vertex), wanted.distance(vertex) * (1 - ROUNDING));
-          EXPECT_LE(found.distance(vertex), wanted.distance(vertex) * 1.1);
+          EXPECT_LE(found.distance(vertex), wanted.distance(vertex) * 1.5);
         }
       }
 }

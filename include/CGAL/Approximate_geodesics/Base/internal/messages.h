@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -18,12 +19,14 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// Returns a number as text, with all significant digits.
+// Returns a number as text, with all significant digits, whatever the locale.
 inline std::string text_of(const double number)
 {
   std::array<char, 32> text; // at most a sign, digits, a point, and an exponent of five characters
   std::snprintf(text.data(), text.size(), "%.*g", std::numeric_limits<double>::digits10, number);
-  return text.data();
+  std::string result = text.data();
+  std::replace(result.begin(), result.end(), ',', '.');
+  return result;
 }
 
 // The prefix of all messages.

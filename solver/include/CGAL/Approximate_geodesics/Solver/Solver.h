@@ -150,7 +150,7 @@ public:
   }
 
   /// does the same for bytes that `get(bytes, size)` writes to an array: the next ones, `size` of
-  /// them. It returns whether there are so many.
+  /// them, which may be `0`. It returns whether there are so many.
   explicit Solver(const std::function<bool(char*, std::size_t)>& get,
                   const std::size_t number_of_threads = 0,
                   const Solver_watch& watch = Solver_watch())
