@@ -74,7 +74,7 @@ public:
     for(std::size_t i = 0; !is_point(result) && shorten(result); ++i)
       if(i == m_largest_number_of_steps)
         throw std::runtime_error(internal::name_of_package() +
-                                 "the loop is not locally shortest after " + std::to_string(i + 1) +
+                                 "the loop is not locally shortest after " + std::to_string(i) +
                                  " steps; its length is " +
                                  internal::text_of(result.length * m_triangulation.unit()));
     return finished(std::move(result));
