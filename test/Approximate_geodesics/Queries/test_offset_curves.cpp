@@ -18,10 +18,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 // Curves and regions of a mesh as sources, and curves at constant distance from them.
@@ -34,6 +36,7 @@ using namespace geodesics_test;
 
 using Curve = AG::Source_curve<Mesh>;
 using Offset = AG::Offset_curve<Point>;
+using Segment = Kernel::Segment_3;
 
 // A plane, where the points of the segment from (5, 5) to (14, 8) are the source.
 class Offset_curves : public testing::Test
@@ -109,6 +112,136 @@ TEST(Offset_curves_on_terrain, have_the_distance_nearly_everywhere)
       }
     EXPECT_GT(double(number_within), 0.97 * double(number)) << number;
   }
+}
+
+// A plane with random straight sources, whose distances are known.
+class Offset_curves_of_several_sources : public testing::Test
+{
+protected:
+  static constexpr double SIZE = 11, STEP = 0.1;
+
+  void compute_from_points(const std::size_t number)
+  {
+    std::vector<AG::Surface_point<Mesh>> sources;
+    for(const Segment& s : add_segments(number, 0))
+      sources.push_back(location_at(m_mesh, s.source()));
+    compute(sources);
+  }
+
+  void compute_from_segments(const std::size_t number)
+  {
+    std::vector<Curve> sources;
+    for(const Segment& s : add_segments(number, 1.5))
+      sources.push_back({{location_at(m_mesh, s.source()), location_at(m_mesh, s.target())}});
+    compute(sources);
+  }
+
+  const std::vector<Segment>& add_segments(const std::size_t number, const double length)
+  {
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      const auto coordinate = [&] { return m_random.between(length, SIZE - length); };
+      const auto shift = [&] { return m_random.between(-length, length); };
+      const Point p(coordinate(), coordinate(), 0);
+      m_segments.emplace_back(p, Point(p.x() + shift(), p.y() + shift(), 0));
+    }
+    return m_segments;
+  }
+
+  template <typename Sources>
+  void compute(const Sources& sources)
+  {
+    std::vector<double> distances;
+    for(int i = 1; i <= 30; ++i)
+      distances.push_back(i * STEP);
+    AG::offset_curves(m_mesh, sources, distances, std::back_inserter(m_curves));
+  }
+
+  static double distance(const Point& p, const Segment& s)
+  {
+    return std::sqrt(CGAL::squared_distance(p, s));
+  }
+
+  // To the nearest source, and to the second nearest.
+  std::pair<double, double> distances(const Point& p) const
+  {
+    std::vector<double> all{infinity, infinity};
+    for(const Segment& s : m_segments)
+      all.push_back(distance(p, s));
+    std::partial_sort(all.begin(), all.begin() + 2, all.end());
+    return {all[0], all[1]};
+  }
+
+  void expect_distances_off_medial_axis() const
+  {
+    for(const Offset& c : m_curves)
+      for(const Point& p : c.points)
+      {
+        const auto [first, second] = distances(p);
+        if(second > first + 0.1 * STEP)
+        {
+          EXPECT_NEAR(first, c.distance, 0.01 * STEP) << p;
+        }
+      }
+  }
+
+  double distance_from_curves(const Point& p, const double level) const
+  {
+    double result = infinity;
+    for(const Offset& c : m_curves)
+      if(c.distance == level)
+        for(std::size_t j = c.is_closed ? 0 : 1; j < c.points.size(); ++j)
+          result = (std::min)(
+              result,
+              distance(p, Segment(c.points[j == 0 ? c.points.size() - 1 : j - 1], c.points[j])));
+    return result;
+  }
+
+  // Points on circles around the ends of sources, as far as these are nearest.
+  void expect_complete_circles() const
+  {
+    constexpr int number_of_angles = 12;
+    for(const Segment& s : m_segments)
+      for(int i = 1; i <= 30; i += 3)
+        for(int k = 0; k < number_of_angles; ++k)
+        {
+          const double level = i * STEP, angle = 2 * std::acos(-1.) * k / number_of_angles;
+          const Point p =
+              s.source() + level * Kernel::Vector_3(std::cos(angle), std::sin(angle), 0);
+          const bool is_inside = (std::min)({p.x(), p.y(), SIZE - p.x(), SIZE - p.y()}) > STEP;
+          const auto [first, second] = distances(p);
+          if(is_inside && first > level - 1e-9 && second > level + 5 * STEP)
+          {
+            EXPECT_LT(distance_from_curves(p, level), 0.1 * STEP) << p << ", at " << level;
+          }
+        }
+  }
+
+  Random m_random{test_seed()};
+  Mesh m_mesh = to_mesh(flat_grid(12, 12));
+  std::vector<Segment> m_segments;
+  std::vector<Offset> m_curves;
+};
+
+TEST_F(Offset_curves_of_several_sources, have_the_distance_between_few_points)
+{
+  compute_from_points(10);
+  expect_distances_off_medial_axis();
+  expect_complete_circles();
+}
+
+TEST_F(Offset_curves_of_several_sources, have_the_distance_between_many_points)
+{
+  compute_from_points(40);
+  expect_distances_off_medial_axis();
+  expect_complete_circles();
+}
+
+TEST_F(Offset_curves_of_several_sources, have_the_distance_between_segments)
+{
+  compute_from_segments(12);
+  expect_distances_off_medial_axis();
+  expect_complete_circles();
 }
 
 TEST_F(Offset_curves, are_found_at_distances_that_differ_by_rounding)

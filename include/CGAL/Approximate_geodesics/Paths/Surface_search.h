@@ -246,7 +246,7 @@ public:
   /// \throws std::invalid_argument if `point` is not a point of the surface.
   /// Run time is \cgalBigO{1} for a vertex, amortized over the nodes that were reached, and that of
   /// attaching the point to the graph otherwise.
-  Answer nearest(const Intrinsic_point& point) const;
+  Answer nearest(const Intrinsic_point& point) const { return nearest(point, internal::infinity); }
 
   /// returns the index of the source nearest to a node, or `null_source` if it was not reached.
   /// Like `Propagation::source()`, it fills a cache.
@@ -259,6 +259,16 @@ public:
   /// returns the distance from the nearest source to `point`, in the unit of the mesh; infinity if
   /// unreachable.
   double distance(const Intrinsic_point& point) const { return nearest(point).distance; }
+
+  /// \cond SKIP_IN_MANUAL
+
+  // Takes less time if the distance is hardly below `largest`. If it is larger, so is the result.
+  double distance(const Intrinsic_point& point, const double largest) const
+  {
+    return nearest(point, largest).distance;
+  }
+
+  /// \endcond
 
   /*!
    * returns a shortest path from `point` to the nearest source; it has no points if there is none.
@@ -370,13 +380,17 @@ private:
       };
   }
 
-  // Considers lines from nodes and sources in other faces.
+  // As above. Paths that are longer than `longest` need not be shortest.
+  Answer nearest(const Intrinsic_point& point, double longest) const;
+
+  // Considers lines from nodes and sources in other faces, on paths not longer than `longest`.
   void consider_lines([[maybe_unused]] const Intrinsic_point& point,
+                      [[maybe_unused]] const double longest,
                       [[maybe_unused]] Answer& best) const
   {
     if constexpr(Run::attaches_by_labels)
     {
-      const double largest = (std::min)(best.distance, m_maximum_distance);
+      const double largest = (std::min)({best.distance, m_maximum_distance, longest});
       if(point.is_vertex() || std::isinf(largest))
         return;
       const auto look = [&](const auto& points, const auto& on_point) {
@@ -623,8 +637,8 @@ void Surface_search<SurfaceGraph, PriorityQueue>::restart()
 }
 
 template <typename SurfaceGraph, typename PriorityQueue>
-auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point& point) const
-    -> Answer
+auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point& point,
+                                                          const double longest) const -> Answer
 {
   check(point);
   Answer result = nearest_by_line(point, m_sources, m_points);
@@ -635,7 +649,7 @@ auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point&
   else
     for(const auto& [node, length] : lines(internal::attach_target(*m_graph, point)))
       consider(node, length, result);
-  consider_lines(point, result);
+  consider_lines(point, longest, result);
   if(result.node != Search::null_node)
   {
     result.source = source(result.node);

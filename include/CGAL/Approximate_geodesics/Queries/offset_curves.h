@@ -105,7 +105,8 @@ inline double smallest_step(const std::vector<double>& distances, const double m
  *
  * Run time is that of an exact search up to the largest distance, linear in the number of vertices
  * and points after it, and that of a query of the search for each point whose distance does not
- * follow from the vertices around it, as in faces that contain sources.
+ * follow from the vertices around it, as in faces that contain sources, and on edges that the
+ * medial axis crosses.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `isolines()`

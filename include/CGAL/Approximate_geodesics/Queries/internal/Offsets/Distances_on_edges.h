@@ -11,11 +11,15 @@
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/angles_at_vertex.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -39,8 +43,8 @@ public:
       if(!(straight < infinity))
         return distance + slope * x;
       const double difference = x * (2 * straight * slope + x); // of squares
-      const double length = std::sqrt((std::max)(0., straight * straight + difference));
-      return length + straight > 0 ? distance + difference / (straight + length) : distance;
+      const double length = std::sqrt((std::max)(straight * straight + difference, 0.)); // or NaN
+      return length + straight == 0 ? distance : distance + difference / (straight + length);
     }
   };
 
@@ -51,9 +55,29 @@ public:
       choose_model();
   }
 
-  // An estimate of the largest error of `at()`, and no bound: paths may come from a third
-  // direction. Infinity where nothing is known.
+  // An estimate of the largest error of `at()`, and no bound. Infinity where nothing is known.
   double estimated_error() const { return m_estimated_error; }
+
+  // For an estimate that is better than those from the ends.
+  void set_estimated_error(const double error) { m_estimated_error = error; }
+
+  // The same at a part of the way. Where paths meet, those from a third point may be shorter. The
+  // squares of distances from points of a plane differ by linear functions: so the error is largest
+  // where the paths from the ends have the same length, and none at the ends.
+  double estimated_error(const double t) const
+  {
+    if(!has_meeting() || !(m_estimated_error > 0))
+      return m_estimated_error;
+    return m_estimated_error * (t < m_meeting ? t / m_meeting : (1 - t) / (1 - m_meeting));
+  }
+
+  // Whether paths from two points, and not from segments of curves, meet on the edge.
+  bool has_meeting() const
+  {
+    return m_model == Model::SMALLER && (std::max)(m_start.straight, m_end.straight) < infinity;
+  }
+
+  double meeting() const { return m_meeting; }
 
   // The distance at the part `t` of the way.
   double at(const double t) const
@@ -81,14 +105,28 @@ private:
                  at_start = m_end.at(m_length) - m_start.distance;
     const double difference = std::abs(at_end) + std::abs(at_start);
     constexpr double rounding = 1e-9;
-    if((std::min)(at_end, at_start) >= -rounding * m_length)
-      return choose(Model::SMALLER, 0);
+    if(at_end >= -rounding * m_length && at_start >= -rounding * m_length)
+      return choose_meeting((std::max)(at_end, 0.), (std::max)(at_start, 0.));
     // a mean leaves a part of the difference, which grows with the square of the way
     choose(Model::MEAN, difference / 8);
     // the distance is between the chord and the tangents at the ends
     const double rise = m_end.distance - m_start.distance;
     if(m_start.slope * m_length <= rise && m_end.slope * m_length <= -rise)
       choose(Model::CUBIC, -(m_start.slope + m_end.slope) * m_length / 48 + difference / 32);
+  }
+
+  // A third point may be nearer where paths meet, but not at the ends: its distance there limits by
+  // how much. Not at all, if all paths start from the same point.
+  void choose_meeting(const double at_end, const double at_start)
+  {
+    const double sum = at_end + at_start;
+    choose(Model::SMALLER, sum);
+    if(!has_meeting() || !(sum > 0))
+      return;
+    m_estimated_error = at_end * at_start / sum;
+    const double end = m_end.distance * 2 + at_end, start = m_start.distance * 2 + at_start;
+    const double squares = at_end * end + at_start * start; // differences at the ends
+    m_meeting = at_start * start / squares;
   }
 
   // Unless there is a better one.
@@ -103,31 +141,36 @@ private:
   End m_start, m_end;
   double m_length;
   Model m_model = Model::MEAN;
+  double m_meeting = 0.5;
   double m_estimated_error = infinity;
 };
 
 /*
  * What an exact search knows of the distances of all edges: those of vertices, and the directions
- * in which paths arrive there, which give the slopes along edges.
+ * in which paths arrive there, which give the slopes along edges. Where this leaves a third
+ * direction open, the search is asked once.
  */
 template <typename Search>
 class Distances_on_edges
 {
 public:
-  // The search is referred to, not copied.
-  explicit Distances_on_edges(const Search& search)
-    : m_triangulation(search.graph().triangulation()),
+  // The search is referred to, not copied. It is not asked for errors up to `negligible_error`.
+  Distances_on_edges(const Search& search, const double negligible_error)
+    : m_search(search),
+      m_negligible_error(negligible_error),
+      m_triangulation(search.graph().triangulation()),
       m_labels(search.search().labels()),
       m_slopes(m_triangulation.number_of_halfedges(), std::numeric_limits<double>::quiet_NaN()),
       m_straight(m_triangulation.number_of_vertices(), infinity)
   {
     const auto& run = search.search().graph_run();
+    const std::vector<Point_key> ends = ends_of_segments(search.curves());
     for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
     {
       check_for_interruption_at(v);
       if(m_labels.is_reached(v))
       {
-        set_straight(v, search);
+        set_straight(v, ends);
         set_slopes(v, run.arrival(v), run.tables().steps);
       }
     }
@@ -145,17 +188,84 @@ public:
     return {end(h), end(m_triangulation.opposite(h)), m_triangulation.length(h)};
   }
 
-private:
-  // Paths from a curve count as parallel.
-  void set_straight(const Index v, const Search& search)
+  // The distance at a part of the way along an edge.
+  double at(const Index h, Distances_on_edge& on_edge, const double t)
   {
-    const auto& nodes = search.search();
+    if(on_edge.estimated_error(t) > m_negligible_error)
+      ask_at_meeting(h, on_edge);
+    return on_edge.estimated_error(t) <= m_negligible_error
+               ? on_edge.at(t)
+               : distance(Intrinsic_point::on_edge(h, t).reduced(m_triangulation), on_edge.at(t));
+  }
+
+  // Improves the estimate of the error where paths meet.
+  void ask_at_meeting(const Index h, Distances_on_edge& on_edge)
+  {
+    if(!on_edge.has_meeting() || !(on_edge.estimated_error() > m_negligible_error))
+      return;
+    const auto [it, is_new] =
+        m_errors.try_emplace((std::min)(h, m_triangulation.opposite(h)), infinity);
+    if(is_new)
+      it->second = error_at_meeting(h, on_edge);
+    on_edge.set_estimated_error(it->second);
+  }
+
+  // The distance of a point, by the search. Takes less time the better the estimate.
+  double distance(const Intrinsic_point& point, const double estimate) const
+  {
+    const double largest = (estimate + m_negligible_error) * m_triangulation.unit();
+    double result = infinity;
+    if(largest < infinity)
+      result = m_search.distance(point, largest);
+    if(!(result <= largest))
+      result = m_search.distance(point);
+    return result / m_triangulation.unit();
+  }
+
+  double negligible_error() const { return m_negligible_error; }
+
+private:
+  using Point_key = std::tuple<Index, Index, double, double>;
+
+  static Point_key key(const Intrinsic_point& p) { return {p.vertex, p.halfedge, p.t, p.s}; }
+
+  static std::vector<Point_key> ends_of_segments(const std::vector<Intrinsic_curve>& curves)
+  {
+    std::vector<Point_key> result;
+    for(const Intrinsic_curve& curve : curves)
+      for(const auto& polyline : curve.polylines)
+        for(const Intrinsic_point& p : polyline)
+          result.push_back(key(p));
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Paths from the inside of a segment of a curve count as parallel.
+  void set_straight(const Index v, const std::vector<Point_key>& ends)
+  {
     const Index before = m_labels.predecessor(v);
     if(before != null_index)
       m_straight[v] = m_labels.distance(v) - m_labels.distance(before);
-    else if(search.curves().empty())
-      m_straight[v] = m_labels.distance(v) -
-                      search.sources()[nodes.source(v)].distance / m_triangulation.unit();
+    else if(const auto path = m_search.nearest(Intrinsic_point::at_vertex(v));
+            path.is_reached() &&
+            (ends.empty() || std::binary_search(ends.begin(), ends.end(), key(path.start))))
+      m_straight[v] = m_labels.distance(v) - initial_distance(path.source) / m_triangulation.unit();
+  }
+
+  double initial_distance(const std::size_t source) const
+  {
+    return m_search.curves().empty() ? m_search.sources()[source].distance
+                                     : m_search.curves()[source].distance;
+  }
+
+  // Looks only for paths that are shorter than those known, which takes less time.
+  double error_at_meeting(const Index h, const Distances_on_edge& on_edge) const
+  {
+    const double known = on_edge.at(on_edge.meeting()), largest = known - m_negligible_error;
+    const double found = m_search.distance(Intrinsic_point::on_edge(h, on_edge.meeting()),
+                                           largest * m_triangulation.unit()) /
+                         m_triangulation.unit();
+    return (std::max)(known - found, m_negligible_error);
   }
 
   void set_slopes(const Index v, const Arrival& arrival, const Face_steps& steps)
@@ -166,10 +276,13 @@ private:
               arrival, [&](const Index h, const double angle) { m_slopes[h] = -std::cos(angle); });
   }
 
+  const Search& m_search;
+  const double m_negligible_error;
   const Intrinsic_triangulation& m_triangulation;
   const Labels& m_labels;
   std::vector<double> m_slopes;   // by halfedge, at its source
   std::vector<double> m_straight; // by vertex: the length of the last line of the path to it
+  std::unordered_map<Index, double> m_errors; // where paths meet, by edge
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -41,7 +41,7 @@ public:
   Offset_tracer(const Search& search, std::vector<double> distances, const double step)
     : m_search(search),
       m_triangulation(search.graph().triangulation()),
-      m_on_edges(search),
+      m_on_edges(search, LARGEST_ERROR * step / m_triangulation.unit()),
       m_distances(std::move(distances)),
       m_step(step),
       m_middles(m_triangulation),
@@ -104,14 +104,13 @@ private:
       m_in_face = Distances_in_face(m_triangulation, m_on_edges, m_face);
       m_face_of_distances = m_face;
     }
-    return is_small(m_in_face.estimated_error()) ? m_in_face.at(c.weight) * m_triangulation.unit()
-                                                 : m_search.distance(point(c));
+    const double estimate = m_in_face.at(c.weight);
+    return m_triangulation.unit() * (is_small(m_in_face.estimated_error())
+                                         ? estimate
+                                         : m_on_edges.distance(point(c), estimate));
   }
 
-  bool is_small(const double error) const
-  {
-    return error * m_triangulation.unit() <= LARGEST_ERROR * m_step;
-  }
+  bool is_small(const double error) const { return error <= m_on_edges.negligible_error(); }
 
   Intrinsic_point point(const Corner& c) const
   {
@@ -285,13 +284,13 @@ private:
   template <typename F>
   auto with_distances(const Side& side, const Corner& from, const Corner& to, const F& f)
   {
-    if(side.is_part_of_edge())
-      if(const Distances_on_edge on_edge = m_on_edges[side.halfedge];
-         is_small(on_edge.estimated_error()))
-        return f([&](const double t) {
-          return on_edge.at(side.begin + t * (side.end - side.begin)) * m_triangulation.unit();
-        });
-    return f([&](const double t) { return value(between(from, to, t, 0)); });
+    if(!side.is_part_of_edge())
+      return f([&](const double t) { return value(between(from, to, t, 0)); });
+    Distances_on_edge on_edge = m_on_edges[side.halfedge];
+    return f([&](const double t) {
+      return m_on_edges.at(side.halfedge, on_edge, side.begin + t * (side.end - side.begin)) *
+             m_triangulation.unit();
+    });
   }
 
   // The part of the way along a side at which an isoline crosses it, by regula falsi (the Illinois
@@ -357,7 +356,7 @@ private:
 
   const Search& m_search;
   const Intrinsic_triangulation& m_triangulation;
-  const Distances_on_edges<Search> m_on_edges;
+  Distances_on_edges<Search> m_on_edges;
   const std::vector<double> m_distances;
   const double m_step;
   Index m_face = null_index; // a halfedge of the present one
