@@ -55,7 +55,8 @@ struct Source_point
  * As with `Propagation`, an object is made once and used for any number of runs, whose cost is
  * proportional to what they reach. Several threads may search one graph at the same time, each with
  * an object of its own. They must not share an object, not even for `const` member functions, as
- * the first query of a nearest source or a path after a run fills a cache.
+ * the first query of a nearest source or a path after a run fills a cache. Objects can be moved,
+ * but not copied.
  *
  * Points are given by the numbers of the graph's triangulation: `Intrinsic_triangulation::vertex()`
  * and `index()` translate these from and to the indices of a mesh's vertices.
@@ -197,8 +198,9 @@ public:
 
   /// guides runs to a single target from now on, and those for pairs, by the landmarks of the same
   /// graph, as long as its arcs do not change. Those of an exact graph are `Exact_landmarks`; they
-  /// guide runs from a single source, by two searches of another graph. \warning `landmarks` are
-  /// referred to, not copied. \throws std::invalid_argument if they are those of another graph.
+  /// guide runs from a single source whose initial distance is `0`, by two searches of another
+  /// graph. The last run is forgotten then. \warning `landmarks` are referred to, not copied.
+  /// \throws std::invalid_argument if they are those of another graph.
   void use_landmarks(const internal::Landmarks_of<Graph>& landmarks);
 
   /// temporary landmarks would not live long enough.
@@ -539,7 +541,7 @@ private:
 
   const Graph* m_graph;
   const Landmarks<Graph>* m_landmarks = nullptr;
-  std::shared_ptr<internal::Corridor_finder> m_corridors; // if there are exact landmarks
+  std::unique_ptr<internal::Corridor_finder> m_corridors; // if there are exact landmarks
   Search m_search;
   std::vector<Source_point> m_sources;
   Points_by_face m_points;          // of the sources
