@@ -297,8 +297,9 @@ public:
    *
    * These functions find each pair by a search from its source that ends at its target, or the
    * other way around if distances are those to the sources. One search serves all pairs with the
-   * same start; with landmarks, which guide to single targets, each pair has its own. So results do
-   * not depend on other pairs. They have the order of the pairs; those of the last run are lost.
+   * same start; with landmarks, which guide to single targets, each pair has its own, unless
+   * distances are exact and there are more than eight such pairs. So results do not depend on other
+   * pairs. They have the order of the pairs; those of the last run are lost.
    *
    * They throw `std::invalid_argument` if a point is not a point of the surface.
    * `approximate_geodesic_pair_distances()` does the same by several threads.
