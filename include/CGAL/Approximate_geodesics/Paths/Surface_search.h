@@ -213,8 +213,7 @@ public:
   // about ten that are guided.
   bool guides(const std::size_t number_of_targets) const
   {
-    constexpr std::size_t most = 8;
-    return uses_landmarks() && (!m_corridors || number_of_targets <= most);
+    return uses_landmarks() && (!m_corridors || number_of_targets <= 8);
   }
 
   // For `Exact_landmarks`: see where it is defined.
@@ -333,6 +332,9 @@ public:
   /// returns the search for distances of nodes, with its results and statistics.
   const Search& search() const { return m_search; }
 
+  /// returns the number of bytes of that search, and of the one that guides it to single targets.
+  std::size_t memory() const;
+
   /// @}
 
 private:
@@ -405,7 +407,6 @@ private:
   void run_and_adopt(std::vector<Source_point> sources,
                      Points_by_face points,
                      const Stop_rule& stop,
-                     const double maximum_distance,
                      F run)
   {
     const auto seeds = this->seeds(sources);
@@ -423,7 +424,7 @@ private:
     m_sources = std::move(sources);
     m_curves = internal::Curve_sources();
     m_points = std::move(points);
-    m_maximum_distance = maximum_distance;
+    m_maximum_distance = stop.maximum_distance;
   }
 
   bool run_in_corridor(const Intrinsic_point& target,
@@ -567,7 +568,7 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run(std::vector<Source_point> 
                                                       Visitor&& visitor)
 {
   Points_by_face points = sorted(sources);
-  run_and_adopt(std::move(sources), std::move(points), stop, stop.maximum_distance,
+  run_and_adopt(std::move(sources), std::move(points), stop,
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
                   m_search.run(seeds, rule, visitor, entries);
                 });
@@ -578,7 +579,7 @@ void Surface_search<SurfaceGraph, PriorityQueue>::repair(std::vector<Source_poin
 {
   Points_by_face points = sorted(sources);
   Geodesic_visitor_base visitor;
-  run_and_adopt(std::move(sources), std::move(points), Stop_rule(), internal::infinity,
+  run_and_adopt(std::move(sources), std::move(points), Stop_rule(),
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
                   entries ? m_search.run(seeds, rule, visitor, entries) : m_search.repair(seeds);
                 });
@@ -602,7 +603,7 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
   // Weights may be smaller than 1 since they have changed.
   const bool is_guided = positions.are_known() && !m_graph->triangulation().has_weights() &&
                          (!Run::attaches_by_labels || target.is_vertex());
-  run_and_adopt(std::move(sources), std::move(points), {limit, {target}}, maximum_distance,
+  run_and_adopt(std::move(sources), std::move(points), {limit, {target}},
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
                   if constexpr(internal::has_asymmetry<Graph>)
                     if(uses_landmarks())

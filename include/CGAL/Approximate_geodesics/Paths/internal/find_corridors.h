@@ -77,6 +77,8 @@ public:
             }};
   }
 
+  std::size_t memory() const override { return m_search.memory(); }
+
 private:
   const Graph& graph() const { return m_search.graph(); }
   const auto& labels() const { return m_search.search().labels(); }
@@ -121,6 +123,12 @@ void Surface_search<SurfaceGraph, PriorityQueue>::use_landmarks(
     m_landmarks = &landmarks;
 }
 
+template <typename SurfaceGraph, typename PriorityQueue>
+std::size_t Surface_search<SurfaceGraph, PriorityQueue>::memory() const
+{
+  return m_search.memory() + (m_corridors ? m_corridors->memory() : 0);
+}
+
 template <typename SurfaceGraph>
 std::unique_ptr<internal::Corridor_finder> Exact_landmarks<SurfaceGraph>::make_finder() const
 {
@@ -139,7 +147,7 @@ double Surface_search<SurfaceGraph, PriorityQueue>::run_beyond(const Intrinsic_p
 {
   double result = internal::infinity;
   const double unit = m_graph->unit();
-  run_and_adopt({{source}}, sorted({{source}}), {internal::infinity, {target}}, internal::infinity,
+  run_and_adopt({{source}}, sorted({{source}}), {internal::infinity, {target}},
                 [&](const auto& seeds, auto rule, const auto& entries) {
                   for(const Node node : rule.targets)
                     rule.points.push_back({{node, 0}});
@@ -173,7 +181,7 @@ bool Surface_search<SurfaceGraph, PriorityQueue>::run_in_corridor(const Intrinsi
       return false;
     const double limit = (std::min)(maximum_distance, corridor.length * m_graph->unit());
     const bool is_reachable = corridor.length > 0;
-    run_and_adopt({{source}}, sorted({{source}}), {limit, {target}}, limit,
+    run_and_adopt({{source}}, sorted({{source}}), {limit, {target}},
                   [&](const auto& seeds, const auto& rule, const auto& entries) {
                     m_search.run_within(std::move(corridor), seeds, rule, entries);
                   });
