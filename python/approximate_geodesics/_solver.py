@@ -394,7 +394,7 @@ class Solver:
         ----------
         landmarks : int
             Their number: each takes two searches of the whole mesh, and 8 bytes per point of it.
-            Exact distances need a graph of about 720 bytes per vertex, too.
+            Exact distances need a graph of about 800 bytes per vertex, too.
         progress : callable, optional
             Called with how many nodes were reached, and of how many, from 0 on for each search.
         """
@@ -412,8 +412,9 @@ class Solver:
     ) -> _arrays.Floats:
         """Distances from the first source to the first target, and so on.
 
-        Pairs with the same source share a search, unless `prepare_pairs` was called. So it is best
-        if there are fewer different sources than targets.
+        Pairs with the same source share a search, unless `prepare_pairs` was called and there are
+        few of them or distances are not exact. So it is best if there are fewer different sources
+        than targets.
 
         Parameters
         ----------

@@ -30,13 +30,18 @@
 
 namespace AG = CGAL::Approximate_geodesics;
 
-// Which pairs are meant: those whose distance is so large a part of the largest one.
+// Which pairs are meant: those whose distance is so large a part of the largest one; of vertices,
+// or of points in faces next to such vertices.
 struct Kind_of_pair
 {
   const char* name;
   double least, most;
+  bool is_in_faces;
 };
-static constexpr Kind_of_pair KINDS[] = {{"near", 0, 0.1}, {"middle", 0.4, 0.6}, {"far", 0.85, 1}};
+static constexpr Kind_of_pair KINDS[] = {{"near", 0, 0.1, false},
+                                         {"middle", 0.4, 0.6, false},
+                                         {"far", 0.85, 1, false},
+                                         {"far, in faces", 0.85, 1, true}};
 
 class Far_pair_benchmark
 {
@@ -146,9 +151,15 @@ private:
         .add(std::to_string(number_different));
   }
 
-  AG::Intrinsic_point point(const Vertex v) const
+  AG::Intrinsic_point point(const Vertex v, const bool is_in_face = false) const
   {
-    return AG::Intrinsic_point::at_vertex(m_graph.triangulation().vertex(v.idx()));
+    const AG::Intrinsic_triangulation& t = m_graph.triangulation();
+    auto h = t.first_halfedge(t.vertex(v.idx()));
+    if(!is_in_face)
+      return AG::Intrinsic_point::at_vertex(t.vertex(v.idx()));
+    while(t.is_border(h))
+      ++h;
+    return AG::Intrinsic_point::in_face(h, 0.3, 0.3);
   }
 
   // By distances in the graph with a bound.
@@ -170,7 +181,8 @@ private:
       };
       while(!fits(candidates[next % candidates.size()]))
         ++next;
-      m_pairs.emplace_back(point(source), point(candidates[next++ % candidates.size()]));
+      m_pairs.emplace_back(point(source, kind.is_in_faces),
+                           point(candidates[next++ % candidates.size()], kind.is_in_faces));
     }
   }
 
@@ -197,7 +209,7 @@ int main(int argc, char* argv[])
       benchmark.add_preparation(preparation);
     }
     report.print("far_pairs",
-                 "Exact pairs of vertices: searches that end at the target, those that straight "
+                 "Exact pairs: searches that end at the target, those that straight "
                  "lines guide there, and prepared ones (medians of " +
                      std::to_string(options.number_of_rounds) + " pairs, and 95th percentiles)",
                  table);

@@ -569,7 +569,8 @@ public:
    * targets from now on. After weights or barriers have changed, they are not used any more, until
    * this is called again. With weights, pairs then take a small part of the time, and so do exact
    * pairs, for which it makes `Exact_landmarks`. In a list, each pair is then a search of its own:
-   * for very many targets of each source, do not prepare.
+   * for very many targets of each source, do not prepare. Exact pairs share a search if there are
+   * more than eight with the same source, as their distances are the same.
    *
    * \pre `Graph` has a member function `asymmetry()`, as `Steiner_graph` does, or is
    * `Saddle_vertex_graph`.
@@ -624,7 +625,8 @@ public:
   /*!
    * \name Lists of Pairs
    *
-   * One search finds all pairs with the same source, as in `approximate_geodesic_pair_distances()`.
+   * One search finds all pairs with the same source, as in `approximate_geodesic_pair_distances()`,
+   * unless `prepare_pairs()` was called.
    * Results have the order of the pairs; there are none if the visitor stopped the computation. The
    * named parameters are `maximum_distance`, `concurrency_tag`, and `visitor`, a
    * `DistanceMatrixVisitor`. Each thread needs a workspace of 40 bytes per node, which is kept for
@@ -781,10 +783,11 @@ private:
                   "single pairs read straighten, maximum_distance and visitor");
     if(!m_pair_search)
     {
-      m_pair_search = std::make_unique<Pair_search>(Pair_search{
+      auto search = std::make_unique<Pair_search>(Pair_search{
           Mesh_search(m_graph, m_translation, this->point_map()), m_search.positions()});
       if(m_landmarks)
-        m_pair_search->search.search().use_landmarks(*m_landmarks);
+        search->search.search().use_landmarks(*m_landmarks);
+      m_pair_search = std::move(search);
     }
     const auto run = [&](const auto& from, const auto& to) {
       m_pair_search->search.run_to(from, to, m_pair_search->positions, np);

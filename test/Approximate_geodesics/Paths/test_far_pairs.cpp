@@ -25,6 +25,7 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -158,17 +159,27 @@ TEST(Far_pairs, are_those_of_the_exact_class)
   }
 }
 
-// Few nodes are reached that are not near the path.
+// Few nodes are reached that are not near the path, from and to points of all kinds.
 TEST(Far_pairs, reach_few_nodes)
 {
   Pair_subject subject(to_mesh(flat_grid(60, 60)), 8);
-  const auto number_settled = [&](Exact_search& search) {
-    search.collect_statistics(true);
-    search.run_to(Intrinsic_point::at_vertex(3 * 60 + 50),
-                  {{Intrinsic_point::at_vertex(60 * 40 + 5)}});
+  const auto points_near = [&](const Vertex v) {
+    const Halfedge h = subject.mesh.halfedge(v); // not on the border
+    return intrinsic_points(
+        subject.mesh, subject.graph.triangulation(),
+        {v, Edge_location(h, 0.7), Face_location(subject.mesh.face(h), {0.3, 0.4, 0.3})});
+  };
+  const auto number_settled = [](Exact_search& search) {
     return search.search().statistics().settled_nodes;
   };
-  EXPECT_LT(number_settled(subject.limited), number_settled(subject.whole) / 4);
+  subject.whole.collect_statistics(true);
+  subject.limited.collect_statistics(true);
+  for(const Intrinsic_point& source : points_near(Vertex(60 * 40 + 5)))
+    for(const Intrinsic_point& target : points_near(Vertex(3 * 60 + 50)))
+    {
+      subject.expect_same(source, target);
+      EXPECT_LT(number_settled(subject.limited), number_settled(subject.whole) / 8);
+    }
 }
 
 TEST(Far_pairs, of_parts_that_are_not_connected_take_no_search)
@@ -281,6 +292,43 @@ TEST(Far_pairs, that_are_refused_leave_the_last_one)
   EXPECT_THROW(subject.limited.run_to(points[1], {{nowhere}}), std::invalid_argument);
   EXPECT_THROW(subject.limited.run_to(points[1], {{points[0]}}, {}, -1), std::invalid_argument);
   EXPECT_EQ(subject.limited.distance(points[1]), d);
+}
+
+// The last run is forgotten then, as it refers to what is gone.
+TEST(Far_pairs, with_other_landmarks_begin_anew)
+{
+  Random random(test_seed());
+  Pair_subject subject(to_mesh(terrain(12, 10, random)), 4);
+  const auto points = subject.points(4, random);
+  const Exact_landmarks others(subject.graph, 2);
+  for(const Intrinsic_point& target : points)
+  {
+    subject.expect_same(points.front(), target);
+    subject.limited.use_landmarks(others);
+    EXPECT_FALSE(subject.limited.nearest(target).is_reached());
+    EXPECT_TRUE(subject.limited.sources().empty());
+    subject.expect_same(points.front(), target);
+    subject.limited.use_landmarks(subject.landmarks);
+  }
+}
+
+// The corridor of the last run moves along with it. Two workspaces cannot share one.
+TEST(Far_pairs, move_with_their_workspace)
+{
+  static_assert(!std::is_copy_constructible_v<Exact_search>);
+  Random random(test_seed());
+  Pair_subject subject(to_mesh(terrain(12, 10, random)), 4);
+  const auto points = subject.points(4, random);
+  for(const Intrinsic_point& target : points)
+  {
+    subject.limited.run_to(target, {{points.front()}});
+    const double expected = subject.limited.distance(target);
+    Exact_search other = std::move(subject.limited);
+    EXPECT_EQ(other.distance(target), expected);
+    subject.limited = std::move(other);
+    EXPECT_EQ(subject.limited.distance(target), expected);
+    subject.expect_same(points.front(), target);
+  }
 }
 
 } // namespace

@@ -264,6 +264,40 @@ TEST(Queue, is_copied_with_its_entries)
   EXPECT_EQ(nodes_of(copy.extract_min()), expected);
 }
 
+// One at a time, smallest key first, until it is cleared: then there are batches again.
+TEST(Queue, keeps_order_until_it_is_cleared)
+{
+  Random random(test_seed());
+  Fixed_queue queue(0, {1, 1, 4});
+  for(int round = 0; round < 3; ++round)
+  {
+    queue.keep_order();
+    std::multiset<double> expected;
+    double last = 0;
+    for(Node node = 0; node < 500; ++node)
+    {
+      const double key = last + random.between(0, 50), smaller = last + random.between(0, 1);
+      queue.push(node, key);
+      queue.push(node + 1000, smaller);
+      expected.insert({key, smaller});
+      const Fixed_queue::Batch batch = queue.extract_min();
+      ASSERT_EQ(batch.size(), 1u);
+      last = batch.begin()->key;
+      EXPECT_EQ(last, *expected.begin());
+      EXPECT_FALSE(queue.is_final(last));
+      EXPECT_TRUE(queue.is_final(std::nextafter(last, 0.)));
+      expected.erase(expected.begin());
+    }
+    EXPECT_FALSE(queue.is_empty());
+    queue.clear();
+    EXPECT_TRUE(queue.is_empty());
+    for(const Node node : {7u, 3u, 5u, 4u})
+      queue.push(node, 1.5);
+    EXPECT_EQ(nodes_of(queue.extract_min()), (std::vector<Node>{7, 3, 5, 4}));
+    queue.clear();
+  }
+}
+
 // Buckets beside a long arc of 1e12 of the others: neither their number nor the steps explode.
 TEST(Queue, has_a_limited_circle)
 {

@@ -71,6 +71,17 @@ TEST_F(Pair_threads, find_the_same)
                                                                        parameters::epsilon(0.3)));
 }
 
+// Each thread has a corridor of its own.
+TEST_F(Pair_threads, find_the_same_in_corridors)
+{
+  AG::Surface_mesh_shortest_path<Mesh, Saddle_vertex_graph> paths(m_mesh);
+  const std::vector<double> expected = paths.distances(m_pairs);
+  paths.prepare_pairs(2);
+  for_each_number_of_threads([&](const auto& tag) {
+    EXPECT_TRUE(have_same_bits(paths.distances(m_pairs, tag), expected));
+  });
+}
+
 // A visitor that ends the computation at a question, or throws there.
 struct Ending_visitor : AG::Distance_matrix_visitor_base
 {

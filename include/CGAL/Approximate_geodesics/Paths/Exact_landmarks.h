@@ -32,6 +32,9 @@ public:
   // is valid until the next call. It is not known if it is not worth it. Where the target cannot be
   // reached, its length is 0.
   virtual Corridor find(const Intrinsic_point& source, const Intrinsic_point& target) = 0;
+
+  // Returns the number of bytes.
+  virtual std::size_t memory() const = 0;
 };
 
 } // namespace internal

@@ -67,7 +67,7 @@ public:
    *
    * Run time is that of two searches of the graph for each landmark, and of one or a few to find
    * the largest connected part. Memory is 8 bytes per node and landmark; meanwhile, also that of a
-   * workspace and 16 bytes per node.
+   * workspace and 20 bytes per node.
    */
   explicit Landmarks(const SurfaceGraph& graph, std::size_t number = DEFAULT_NUMBER);
 
@@ -252,7 +252,7 @@ void Landmarks<SurfaceGraph>::find_distances(Search& search, const Node first)
   constexpr std::size_t stride = 1000003;                 // a prime: roots lie apart
   for(std::size_t i = 1; i < number; ++i)
   {
-    internal::check_for_interruption(i, number);
+    internal::check_for_interruption();
     add(search, next_landmark(search, nodes[i * stride % nodes.size()], i), i);
   }
 }

@@ -55,7 +55,8 @@ struct Source_point
  * As with `Propagation`, an object is made once and used for any number of runs, whose cost is
  * proportional to what they reach. Several threads may search one graph at the same time, each with
  * an object of its own. They must not share an object, not even for `const` member functions, as
- * the first query of a nearest source or a path after a run fills a cache.
+ * the first query of a nearest source or a path after a run fills a cache. Objects can be moved,
+ * but not copied.
  *
  * Points are given by the numbers of the graph's triangulation: `Intrinsic_triangulation::vertex()`
  * and `index()` translate these from and to the indices of a mesh's vertices.
@@ -197,8 +198,9 @@ public:
 
   /// guides runs to a single target from now on, and those for pairs, by the landmarks of the same
   /// graph, as long as its arcs do not change. Those of an exact graph are `Exact_landmarks`; they
-  /// guide runs from a single source, by two searches of another graph. \warning `landmarks` are
-  /// referred to, not copied. \throws std::invalid_argument if they are those of another graph.
+  /// guide runs from a single source whose initial distance is `0`, by two searches of another
+  /// graph. The last run is forgotten then. \warning `landmarks` are referred to, not copied.
+  /// \throws std::invalid_argument if they are those of another graph.
   void use_landmarks(const internal::Landmarks_of<Graph>& landmarks);
 
   /// temporary landmarks would not live long enough.
@@ -211,8 +213,7 @@ public:
   // about ten that are guided.
   bool guides(const std::size_t number_of_targets) const
   {
-    constexpr std::size_t most = 8;
-    return uses_landmarks() && (!m_corridors || number_of_targets <= most);
+    return uses_landmarks() && (!m_corridors || number_of_targets <= 8);
   }
 
   // For `Exact_landmarks`: see where it is defined.
@@ -305,8 +306,9 @@ public:
    *
    * These functions find each pair by a search from its source that ends at its target, or the
    * other way around if distances are those to the sources. One search serves all pairs with the
-   * same start; with landmarks, which guide to single targets, each pair has its own. So results do
-   * not depend on other pairs. They have the order of the pairs; those of the last run are lost.
+   * same start; with landmarks, which guide to single targets, each pair has its own, unless
+   * distances are exact and there are more than eight such pairs. So results do not depend on other
+   * pairs. They have the order of the pairs; those of the last run are lost.
    *
    * They throw `std::invalid_argument` if a point is not a point of the surface.
    * `approximate_geodesic_pair_distances()` does the same by several threads.
@@ -339,6 +341,9 @@ public:
 
   /// returns the search for distances of nodes, with its results and statistics.
   const Search& search() const { return m_search; }
+
+  /// returns the number of bytes of that search, and of the one that guides it to single targets.
+  std::size_t memory() const;
 
   /// @}
 
@@ -416,7 +421,6 @@ private:
   void run_and_adopt(std::vector<Source_point> sources,
                      Points_by_face points,
                      const Stop_rule& stop,
-                     const double maximum_distance,
                      F run)
   {
     const auto seeds = this->seeds(sources);
@@ -434,7 +438,7 @@ private:
     m_sources = std::move(sources);
     m_curves = internal::Curve_sources();
     m_points = std::move(points);
-    m_maximum_distance = maximum_distance;
+    m_maximum_distance = stop.maximum_distance;
   }
 
   bool run_in_corridor(const Intrinsic_point& target,
@@ -553,7 +557,7 @@ private:
 
   const Graph* m_graph;
   const Landmarks<Graph>* m_landmarks = nullptr;
-  std::shared_ptr<internal::Corridor_finder> m_corridors; // if there are exact landmarks
+  std::unique_ptr<internal::Corridor_finder> m_corridors; // if there are exact landmarks
   Search m_search;
   std::vector<Source_point> m_sources;
   Points_by_face m_points;          // of the sources
@@ -578,7 +582,7 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run(std::vector<Source_point> 
                                                       Visitor&& visitor)
 {
   Points_by_face points = sorted(sources);
-  run_and_adopt(std::move(sources), std::move(points), stop, stop.maximum_distance,
+  run_and_adopt(std::move(sources), std::move(points), stop,
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
                   m_search.run(seeds, rule, visitor, entries);
                 });
@@ -589,7 +593,7 @@ void Surface_search<SurfaceGraph, PriorityQueue>::repair(std::vector<Source_poin
 {
   Points_by_face points = sorted(sources);
   Geodesic_visitor_base visitor;
-  run_and_adopt(std::move(sources), std::move(points), Stop_rule(), internal::infinity,
+  run_and_adopt(std::move(sources), std::move(points), Stop_rule(),
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
                   entries ? m_search.run(seeds, rule, visitor, entries) : m_search.repair(seeds);
                 });
@@ -613,7 +617,7 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
   // Weights may be smaller than 1 since they have changed.
   const bool is_guided = positions.are_known() && !m_graph->triangulation().has_weights() &&
                          (!Run::attaches_by_labels || target.is_vertex());
-  run_and_adopt(std::move(sources), std::move(points), {limit, {target}}, maximum_distance,
+  run_and_adopt(std::move(sources), std::move(points), {limit, {target}},
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
                   if constexpr(internal::has_asymmetry<Graph>)
                     if(uses_landmarks())

@@ -77,6 +77,8 @@ public:
             }};
   }
 
+  std::size_t memory() const override { return m_search.memory(); }
+
 private:
   const Graph& graph() const { return m_search.graph(); }
   const auto& labels() const { return m_search.search().labels(); }
@@ -92,8 +94,7 @@ private:
   {
     double result = infinity;
     attach_target(graph(), target).for_each_node([&](const Node node, const double length) {
-      if(length < infinity)
-        result = (std::min)(result, to_source(node));
+      result = (std::min)(result, to_source(node) + length);
     });
     return result < infinity ? result : 0;
   }
@@ -112,9 +113,20 @@ void Surface_search<SurfaceGraph, PriorityQueue>::use_landmarks(
   if(&landmarks.graph() != m_graph)
     internal::reject("the landmarks are those of another graph");
   if constexpr(internal::can_stay_in_corridor<SurfaceGraph>)
-    m_corridors = landmarks.make_finder();
+  {
+    auto corridors = landmarks.make_finder();
+    forget(); // the last corridor is no longer valid
+    m_search.run({});
+    m_corridors = std::move(corridors);
+  }
   else
     m_landmarks = &landmarks;
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+std::size_t Surface_search<SurfaceGraph, PriorityQueue>::memory() const
+{
+  return m_search.memory() + (m_corridors ? m_corridors->memory() : 0);
 }
 
 template <typename SurfaceGraph>
@@ -135,7 +147,7 @@ double Surface_search<SurfaceGraph, PriorityQueue>::run_beyond(const Intrinsic_p
 {
   double result = internal::infinity;
   const double unit = m_graph->unit();
-  run_and_adopt({{source}}, sorted({{source}}), {internal::infinity, {target}}, internal::infinity,
+  run_and_adopt({{source}}, sorted({{source}}), {internal::infinity, {target}},
                 [&](const auto& seeds, auto rule, const auto& entries) {
                   for(const Node node : rule.targets)
                     rule.points.push_back({{node, 0}});
@@ -162,14 +174,14 @@ bool Surface_search<SurfaceGraph, PriorityQueue>::run_in_corridor(const Intrinsi
   {
     if(!(maximum_distance >= 0)) // it is rejected elsewhere
       return false;
-    m_search.run({}); // the last corridor is no longer valid
-    forget();
+    forget(); // the last corridor is no longer valid
+    m_search.run({});
     internal::Corridor corridor = m_corridors->find(source, target);
     if(!corridor.is_known())
       return false;
     const double limit = (std::min)(maximum_distance, corridor.length * m_graph->unit());
     const bool is_reachable = corridor.length > 0;
-    run_and_adopt({{source}}, sorted({{source}}), {limit, {target}}, maximum_distance,
+    run_and_adopt({{source}}, sorted({{source}}), {limit, {target}},
                   [&](const auto& seeds, const auto& rule, const auto& entries) {
                     m_search.run_within(std::move(corridor), seeds, rule, entries);
                   });

@@ -27,11 +27,10 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_from_curves(
   else
   {
     internal::Curve_sources sources(m_graph->triangulation(), std::move(curves));
-    run_and_adopt(
-        {}, {}, stop, stop.maximum_distance, [&](const auto&, const auto& rule, const auto&) {
-          const auto seeds = sources.seeds(*m_graph);
-          m_search.run(seeds, rule, visitor, [&] { return sources.entries(m_search, seeds); });
-        });
+    run_and_adopt({}, {}, stop, [&](const auto&, const auto& rule, const auto&) {
+      const auto seeds = sources.seeds(*m_graph);
+      m_search.run(seeds, rule, visitor, [&] { return sources.entries(m_search, seeds); });
+    });
     m_curves = std::move(sources);
   }
 }

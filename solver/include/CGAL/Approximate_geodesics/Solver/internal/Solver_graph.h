@@ -124,7 +124,7 @@ public:
   virtual void set_barriers(const std::vector<Barrier_change>& changes) = 0;
 
   // Makes landmarks, which guide searches for pairs until weights or barriers change. No other
-  // thread may use the graph meanwhile. Throws std::invalid_argument if distances are exact.
+  // thread may use the graph meanwhile. Throws std::invalid_argument if their number is 0.
   virtual void prepare_pairs(std::size_t number_of_landmarks) = 0;
 
   // Writes the distance of each vertex, by its index in the mesh. Pointers that are not null also

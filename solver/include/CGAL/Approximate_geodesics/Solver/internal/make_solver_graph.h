@@ -298,7 +298,7 @@ private:
   std::size_t own_memory() const override
   {
     return m_graph.memory() + (m_landmarks ? m_landmarks->memory() : 0) +
-           m_workspaces.sum([](const Search& s) { return s.search().memory(); });
+           m_workspaces.sum([](const Search& s) { return s.memory(); });
   }
 
   std::unique_ptr<Solver_graph> reversed() const override
