@@ -47,14 +47,20 @@ struct In_sector : Visitor
   Sample_sector sector;
 };
 
+// The direction of a vector; zero, which is beyond no ray, if its length is.
+inline Plane_vector direction_of(const Plane_vector v)
+{
+  const double l = length(v);
+  return l > 0 ? 1 / l * v : Plane_vector{0, 0};
+}
+
 // The direction of a halfedge of a face in its layout.
 inline Plane_vector unit_vector(const Face_layout& layout, const Index h)
 {
   std::size_t i = 0;
   while(layout.halfedge(i) != h)
     ++i;
-  const Plane_vector edge = layout.edge(i, (i + 1) % 3);
-  return 1 / length(edge) * edge;
+  return direction_of(layout.edge(i, (i + 1) % 3));
 }
 
 // The direction of a side of a face that contains the point, which is the sample, in the layout of
@@ -90,7 +96,7 @@ inline std::optional<Sample_sector> sector_of_sample(const Intrinsic_triangulati
   const auto other = direction_of_side(triangulation, point, sample, view.start);
   if(!has_area || !other)
     return std::nullopt;
-  const Plane_vector side = -1 / length(w.edge) * w.edge;
+  const Plane_vector side = direction_of(-1. * w.edge);
   const auto in_view = [&](const Plane_vector v) {
     return turned_left(turned_right(v, *other), side);
   };
