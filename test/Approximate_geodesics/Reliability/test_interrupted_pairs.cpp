@@ -117,6 +117,7 @@ TEST_F(Interrupted_pairs, that_are_exact_and_prepared)
   const AG::Exact_landmarks<Saddle_vertex_graph> landmarks(graph, 2);
   Search search(graph);
   search.use_landmarks(landmarks);
+  search.distances(pairs); // buckets adapt to it: the next run may fill others, which keep memory
   expect_survival([&] { return search.distances(pairs); });
 }
 
