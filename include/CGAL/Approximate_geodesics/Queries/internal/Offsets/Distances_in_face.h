@@ -164,6 +164,8 @@ private:
     std::array<double, 3> result{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
                                  a[0] * b[1] - a[1] * b[0]};
     const double sum = result[0] + result[1] + result[2];
+    if(sum == 0) // there is no such point
+      return {};
     for(double& weight : result)
       weight /= sum;
     return result;
