@@ -105,7 +105,7 @@ Figures
 measure_call(const Make_arrays& make_arrays, const std::size_t round, const NamedParameters& np)
 {
   const std::vector<double> numbers =
-      numbers_from_child(Figures::number, SECONDS_AT_MOST, [&](double* const numbers) {
+      numbers_from_child(Figures::number, SECONDS_AT_MOST, [&](double* const written) {
         release_free_memory();
         const double before = resident_memory();
         const Mesh_arrays arrays = make_arrays();
@@ -128,7 +128,7 @@ measure_call(const Make_arrays& make_arrays, const std::size_t round, const Name
         result.arrays = arrays.memory() + double(distances.size() * sizeof(double));
         result.mesh = double(mesh->memory());
         measure_steps<Graph>(*mesh, source, np, result);
-        *reinterpret_cast<Figures*>(numbers) = result;
+        *reinterpret_cast<Figures*>(written) = result;
       });
   return *reinterpret_cast<const Figures*>(numbers.data());
 }
