@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -95,17 +96,22 @@ private:
     }
   };
 
-  // The direction in which the line arrives at a corner, from the slopes along its two sides.
+  // The direction in which the line arrives at a corner, from the slopes along its two sides; not a
+  // number if the face has no area.
   static Plane_vector direction(const Plane_vector side,
                                 const Plane_vector other,
                                 const double slope,
                                 const double other_slope)
   {
-    const double a = length(side), b = length(other), sine = cross(side, other) / (a * b),
-                 cosine = dot(side, other) / (a * b);
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const double a = length(side), b = length(other);
+    const double sine = a * b > 0 ? cross(side, other) / (a * b) : 0;
+    if(sine == 0)
+      return {unknown, unknown};
+    const double cosine = dot(side, other) / (a * b);
     const Plane_vector turned{slope, (other_slope - cosine * slope) / sine};
     const double l = length(turned);
-    return turned_left(1 / l * turned, 1 / a * side);
+    return l > 0 ? turned_left(1 / l * turned, 1 / a * side) : Plane_vector{unknown, unknown};
   }
 
   void choose_model(const double longest)
