@@ -216,7 +216,7 @@ public:
     const double largest = (estimate + m_negligible_error) * m_triangulation.unit();
     double result = infinity;
     if(largest < infinity)
-      result = m_search.distance(point, largest);
+      result = m_search.nearest(point, largest).distance;
     if(!(result <= largest))
       result = m_search.distance(point);
     return result / m_triangulation.unit();
@@ -262,9 +262,9 @@ private:
   double error_at_meeting(const Index h, const Distances_on_edge& on_edge) const
   {
     const double known = on_edge.at(on_edge.meeting()), largest = known - m_negligible_error;
-    const double found = m_search.distance(Intrinsic_point::on_edge(h, on_edge.meeting()),
-                                           largest * m_triangulation.unit()) /
-                         m_triangulation.unit();
+    const double unit = m_triangulation.unit();
+    const Intrinsic_point meeting = Intrinsic_point::on_edge(h, on_edge.meeting());
+    const double found = m_search.nearest(meeting, largest * unit).distance / unit;
     return (std::max)(known - found, m_negligible_error);
   }
 
