@@ -106,6 +106,14 @@ export class Opened {
     return this.page.locator(`#methods tr.${method} .${column}`).innerText();
   }
 
+  /**
+   * Waits for the length of a path.
+   * @param {string} method
+   */
+  async found(method) {
+    await this.page.locator(`#methods tr.${method} .path`, { hasText: /^\d/ }).waitFor();
+  }
+
   /** @param {string} name */
   async picture(name) {
     await this.page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
