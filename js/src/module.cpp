@@ -37,6 +37,12 @@
 
 #include "calls.h"
 
+// That of CGAL prints by a stream, whose locales would be a tenth of the module. Its only user is
+// the AABB tree, in a case that does not occur.
+#include <CGAL/assertions.h>
+#undef CGAL_error
+#define CGAL_error() std::abort()
+
 #include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_locator.h>

@@ -332,8 +332,8 @@ static std::vector<double> finer_times(const Grid_shape& shape,
 {
   const Grid_shape finer{factor * (shape.columns - 1) + 1,
                          factor * (shape.rows - 1) + 1,
-                         shape.cell_width / factor,
-                         shape.cell_height / factor,
+                         shape.cell_width / double(factor),
+                         shape.cell_height / double(factor),
                          {}};
   const Grid_graph graph = hiking_graph(finer, Rough_terrain::interpolated(shape, heights, factor));
   AG::Propagation search(graph);

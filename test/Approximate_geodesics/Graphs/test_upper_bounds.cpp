@@ -138,7 +138,7 @@ TEST(Upper_bounds, are_continued_along_edges)
     if(v != unknown)
       bounds.start_with(v, loose * search.labels().distance(v) + 1);
   bounds.lower(source, 0);
-  bounds.spread(triangulation, 6);
+  bounds.spread(triangulation, 3, 3); // up to 6
   bool is_any_beyond = false;
   for(Node v = 0; v < n; ++v)
   {

@@ -35,13 +35,12 @@ TEST(Solver_points, are_on_edges)
   const Soup_arrays arrays(flat_grid(6, 5));
   const Solver_of solver(arrays, bound(0));
   const auto& mesh = solver.mesh();
-  for(const auto e : mesh.edges())
+  for(const auto e : edges(mesh))
   {
-    const std::int64_t from = mesh.vertex(e, 0), to = mesh.vertex(e, 1);
-    const Point p =
-        CGAL::barycenter(mesh.point(mesh.vertex(e, 0)), 0.75, mesh.point(mesh.vertex(e, 1)), 0.25);
+    const auto from = source(e, mesh), to = target(e, mesh);
+    const Point p = CGAL::barycenter(mesh.point(from), 0.75, mesh.point(to), 0.25);
     const auto distances = solver_distances(solver, {Solver_point::on_edge(from, to, 0.25)});
-    for(const auto v : mesh.vertices())
+    for(const auto v : vertices(mesh))
       EXPECT_NEAR(distances[v], std::sqrt(CGAL::squared_distance(p, mesh.point(v))), 1e-12);
     EXPECT_EQ(solver_distances(solver, {Solver_point::on_edge(to, from, 0.75)}), distances);
     EXPECT_EQ(solver_distances(solver, {Solver_point::on_edge(from, to, 0)}),

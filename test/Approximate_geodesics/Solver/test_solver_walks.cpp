@@ -34,7 +34,8 @@ TEST(SolverWalks, are_those_of_the_functions)
   const auto& mesh = solver.mesh();
   const Solver_walks walks(solver);
   const Solver_point start = Solver_point::in_face(17, {0.2, 0.3, 0.5});
-  const AG::Face_location<Mesh> place(Face(17), {0.2, 0.3, 0.5});
+  const AG::Face_location<AG::Solver::Mesh> place(AG::Solver::Mesh::Face_index(17),
+                                                  {0.2, 0.3, 0.5});
 
   const Solver_walks::Walk walk = walks.trace(start, Solver_walks::Vector{1, 2, 3}, 5);
   const auto same = AG::trace_geodesic(mesh, place, Kernel::Vector_3(1, 2, 3), 5);

@@ -152,6 +152,9 @@ using Own_run = typename Graph::Run;
 template <typename Graph>
 using Run_of = boost::detected_or_t<Geodesic_run_base<Graph>, Own_run, Graph>;
 
+template <typename Graph>
+constexpr bool has_own_run = !std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
+
 // Whether an expression is valid for a `T`, with a value that converts to `Result`. It is the
 // return type of a generic lambda, which has no body and is never called.
 template <typename T, typename Result = void, typename F>

@@ -224,17 +224,12 @@ private:
           give_up(triangulation.name_of_face(h) +
                   " has directions that are free or forbidden, and others that are not");
         for(const Index g : triangulation.halfedges_of_face(h))
-          m_step[g] =
-              polygon.is_bounded()
-                  ? polygon.step(gauges.side(g), -1 * gauges.side(previous(triangulation, g)),
-                                 (1 + epsilon) / (1 + error) - 1)
-                  : std::sqrt(epsilon);
+          m_step[g] = polygon.is_bounded()
+                          ? polygon.step(gauges.side(g),
+                                         -1 * gauges.side(triangulation.halfedges_of_face(g)[2]),
+                                         (1 + epsilon) / (1 + error) - 1)
+                          : std::sqrt(epsilon);
       }
-  }
-
-  static Index previous(const Intrinsic_triangulation& triangulation, const Index h)
-  {
-    return triangulation.halfedges_of_face(h)[2];
   }
 
   // Computes, per halfedge, where the points on its edge start, relative to its length.

@@ -22,6 +22,14 @@ namespace CGAL::Approximate_geodesics {
 
 namespace internal {
 
+// Whether searches of a graph can be limited to a corridor.
+template <typename Graph>
+constexpr bool can_stay_in_corridor =
+    is_valid<const Graph&>([](auto& g) -> typename std::decay_t<decltype(g)>::Approximation* {});
+
+template <typename Landmarks>
+class Corridors_by_approximation;
+
 // Finds the corridors of exact searches. An object is for one thread.
 class Corridor_finder
 {

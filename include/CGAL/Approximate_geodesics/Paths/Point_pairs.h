@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -76,7 +77,7 @@ public:
             std::vector<Result>& results) const
   {
     const Intrinsic_point& start = this->start(m_order[m_first[group]]);
-    const bool is_guided = search.guides(m_first[group + 1] - m_first[group]);
+    const bool is_guided = has_guided_runs(search, m_first[group + 1] - m_first[group]);
     if(!is_guided)
     {
       typename SurfaceSearch::Stop_rule stop{maximum_distance};
@@ -103,6 +104,16 @@ public:
   }
 
 private:
+  // Whether pairs with so many ends are found by a guided run to each of them. Exact distances are
+  // the same, to the last bit, and one run to all ends takes as long as about ten that are guided.
+  template <typename SurfaceSearch>
+  static bool has_guided_runs(const SurfaceSearch& search, const std::size_t number_of_ends)
+  {
+    constexpr std::size_t most_of_exact = 8;
+    return search.uses_landmarks() && (number_of_ends <= most_of_exact ||
+                                       !can_stay_in_corridor<typename SurfaceSearch::Graph>);
+  }
+
   const Intrinsic_point& start(const std::size_t pair) const
   {
     return m_starts_at_target ? m_pairs[pair].second : m_pairs[pair].first;

@@ -206,25 +206,6 @@ public:
   /// temporary landmarks would not live long enough.
   void use_landmarks(const internal::Landmarks_of<Graph>&& landmarks) = delete;
 
-  /// \cond SKIP_IN_MANUAL
-
-  // Whether pairs with so many targets from one source are found by a guided run to each target.
-  // Exact distances are the same, to the last bit, and one run to all targets takes as long as
-  // about ten that are guided.
-  bool guides(const std::size_t number_of_targets) const
-  {
-    return uses_landmarks() && (!m_corridors || number_of_targets <= 8);
-  }
-
-  // For `Exact_landmarks`: see where it is defined.
-  template <typename AStarHeuristic>
-  double run_beyond(const Intrinsic_point& target,
-                    const Intrinsic_point& source,
-                    const AStarHeuristic& to_target,
-                    double beyond);
-
-  /// \endcond
-
   /// returns whether runs to a single target are guided by landmarks.
   bool uses_landmarks() const
   {
@@ -243,11 +224,13 @@ public:
   /// \name Results of the Last Run
   /// @{
 
-  /// returns how `point` is reached.
+  /// returns how `point` is reached. If all paths to it are longer than `longest`, in the unit of
+  /// the mesh, the one that is found need not be shortest, which takes less time in an exact graph.
   /// \throws std::invalid_argument if `point` is not a point of the surface.
   /// Run time is \cgalBigO{1} for a vertex, amortized over the nodes that were reached, and that of
   /// attaching the point to the graph otherwise.
-  Answer nearest(const Intrinsic_point& point) const { return nearest(point, internal::infinity); }
+  Answer nearest(const Intrinsic_point& point,
+                 double longest = std::numeric_limits<double>::infinity()) const;
 
   /// returns the index of the source nearest to a node, or `null_source` if it was not reached.
   /// Like `Propagation::source()`, it fills a cache.
@@ -260,16 +243,6 @@ public:
   /// returns the distance from the nearest source to `point`, in the unit of the mesh; infinity if
   /// unreachable.
   double distance(const Intrinsic_point& point) const { return nearest(point).distance; }
-
-  /// \cond SKIP_IN_MANUAL
-
-  // Takes less time if the distance is hardly below `largest`. If it is larger, so is the result.
-  double distance(const Intrinsic_point& point, const double largest) const
-  {
-    return nearest(point, largest).distance;
-  }
-
-  /// \endcond
 
   /*!
    * returns a shortest path from `point` to the nearest source; it has no points if there is none.
@@ -348,6 +321,9 @@ public:
   /// @}
 
 private:
+  template <typename Landmarks>
+  friend class internal::Corridors_by_approximation;
+
   // Checks the sources, and sorts them by face.
   Points_by_face sorted(const std::vector<Source_point>& sources) const
   {
@@ -384,9 +360,6 @@ private:
         return result;
       };
   }
-
-  // As above. Paths that are longer than `longest` need not be shortest.
-  Answer nearest(const Intrinsic_point& point, double longest) const;
 
   // Considers lines from nodes and sources in other faces, on paths not longer than `longest`.
   void consider_lines([[maybe_unused]] const Intrinsic_point& point,

@@ -538,18 +538,14 @@ private:
   {
     guard([&] {
       prepare();
-      const auto keep_order = [&] {
-        if constexpr(internal::needs_order<Heuristic> && internal::can_keep_order<Queue>)
-          m_queue.keep_order();
-      };
-      keep_order();
       m_is_complete = m_is_complete && !internal::is_heuristic<Heuristic> && !find_entries &&
                       stop.maximum_distance == std::numeric_limits<double>::infinity();
       for(const Node node : border)
         m_queue.push(node, m_labels.distance(node));
       Start<Heuristic> start{*this, seeds, stop, heuristic, bool(find_entries)};
       m_run.start(start);
-      keep_order(); // another graph may have been searched
+      if constexpr(internal::needs_order<Heuristic> && internal::can_keep_order<Queue>)
+        m_queue.keep_order();
       if(find_entries)
         for(const Entry& entry : find_entries())
           enter(entry, stop, heuristic);

@@ -166,6 +166,22 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
+  // Calls `f(cost)` for the lines to a point, or to a vertex, that cross no edge.
+  template <typename F>
+  void for_each_line_to(const Intrinsic_point& end, F f) const
+  {
+    if(m_point.is_vertex())
+      f(internal::shortest_segment(m_triangulation, m_point, end).length);
+    else if(end.is_vertex())
+      for_each_node([&](const Index corner, const double cost) {
+        if(corner == end.vertex)
+          f(cost);
+      });
+    else
+      for_each_point(Points_by_face(m_triangulation, {end}),
+                     [&](std::size_t, const double cost) { f(cost); });
+  }
+
   // Calls `f(v, cost, p)` for the corners and points that `for_each_corner_beside()` reports.
   template <typename F, typename OnSample>
   void for_each_node_beside(const Intrinsic_point& end, F f, OnSample /* on_sample */) const

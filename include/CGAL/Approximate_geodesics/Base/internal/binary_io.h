@@ -27,12 +27,11 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// Takes bytes; if `size` is 0, hands on all that it has taken. Returns whether that was possible.
-// Files are written and read by functions, as streams would bring their locales, a tenth of a
-// WebAssembly module.
+// Writes bytes, or flushes the output if `size` is 0. Returns whether it succeeded. It is not a
+// stream, as locales of streams would make up a tenth of a WebAssembly module.
 using Put_bytes = std::function<bool(const char* bytes, std::size_t size)>;
 
-// Gives the next bytes, and returns whether there are so many.
+// Reads that many bytes. Returns whether it succeeded.
 using Get_bytes = std::function<bool(char* bytes, std::size_t size)>;
 
 inline Put_bytes bytes_to(std::ostream& out)
@@ -67,13 +66,8 @@ public:
   template <typename T>
   void add(const T value)
   {
-    add(to_bytes(value));
-  }
-
-  template <std::size_t size>
-  void add(const std::array<unsigned char, size>& bytes)
-  {
-    m_crc.process_bytes(bytes.data(), size);
+    const Bytes_of<T> bytes = to_bytes(value);
+    m_crc.process_bytes(bytes.data(), bytes.size());
   }
 
   std::uint32_t value() const { return m_crc.checksum(); }
@@ -94,26 +88,20 @@ public:
   template <typename T>
   void write(const T value)
   {
+    m_checksum.add(value);
     const Bytes_of<T> bytes = to_bytes(value);
-    m_checksum.add(bytes);
-    put(reinterpret_cast<const char*>(bytes.data()), sizeof(T));
+    m_succeeds = m_succeeds && m_put(reinterpret_cast<const char*>(bytes.data()), sizeof(T));
   }
 
   // Writes the checksum of all preceding data. Throws if any write failed.
   void finish()
   {
     write(m_checksum.value());
-    put(nullptr, 0);
-    if(!m_succeeds)
+    if(!m_succeeds || !m_put(nullptr, 0))
       throw std::runtime_error("Approximate_geodesics: " + m_contents + " could not be written");
   }
 
 private:
-  void put(const char* const bytes, const std::size_t size)
-  {
-    m_succeeds = m_succeeds && m_put(bytes, size);
-  }
-
   const Put_bytes& m_put;
   std::string m_contents;
   Checksum m_checksum;
@@ -136,8 +124,10 @@ public:
     Bytes_of<T> bytes;
     if(!m_get(reinterpret_cast<char*>(bytes.data()), sizeof(T)))
       reject("the file of " + m_contents + " is truncated");
-    m_checksum.add(bytes);
-    return boost::endian::endian_load<T, sizeof(T), boost::endian::order::little>(bytes.data());
+    const T result =
+        boost::endian::endian_load<T, sizeof(T), boost::endian::order::little>(bytes.data());
+    m_checksum.add(result);
+    return result;
   }
 
   // Reads the checksum, and compares it with that of all preceding data.

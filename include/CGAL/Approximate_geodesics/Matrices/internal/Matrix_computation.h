@@ -237,7 +237,6 @@ public:
   const Distance_row& find(std::size_t row);
 
 private:
-  void search_nearest(const Intrinsic_point& source);
   bool search_nearest(const Intrinsic_point& source, double distance);
 
   const Input m_input;
@@ -260,7 +259,13 @@ const Distance_row& Row_search<Graph>::find(const std::size_t row)
   const auto& [graph, points, columns, limits] = m_input;
   m_row.clear();
   if(limits.number_of_nearest > 0 && columns.are_vertices())
-    search_nearest(points.sources[row]);
+  {
+    // A search for few columns labels many nodes beyond them. Limiting the distance avoids this;
+    // the estimate is that of the previous row, whose source is near. But where arcs depend on
+    // labels, as with a `Run` of the graph, the range of a search affects the last bits.
+    if(has_own_run<Graph> || !search_nearest(points.sources[row], m_expected_distance))
+      search_nearest(points.sources[row], limits.maximum_distance);
+  }
   else
   {
     Geodesic_visitor_base visitor; // as in the compiled searches
@@ -271,17 +276,6 @@ const Distance_row& Row_search<Graph>::find(const std::size_t row)
   else
     columns.write_all(m_search, m_row);
   return m_row;
-}
-
-// A search for few columns labels many nodes beyond them. Limiting the distance avoids this; the
-// estimate is that of the previous row, whose source is near. But where arcs depend on labels, the
-// range of a search affects the last bits of distances.
-template <typename Graph>
-void Row_search<Graph>::search_nearest(const Intrinsic_point& source)
-{
-  constexpr bool depends_on_limit = !std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
-  if(depends_on_limit || !search_nearest(source, m_expected_distance))
-    search_nearest(source, m_input.limits.maximum_distance);
 }
 
 // Returns whether there are enough columns within `distance`.
@@ -299,22 +293,18 @@ bool Row_search<Graph>::search_nearest(const Intrinsic_point& source, const doub
 
 // Detection of the optional members of models of `DistanceRowSink`.
 
-template <typename Rows>
-using Block_of = typename Rows::Block;
-template <typename Rows>
-using Can_be_symmetric = std::bool_constant<Rows::can_be_symmetric>;
-
 // Rows are received by a sink, in blocks, or by a function object, one by one.
 template <typename Rows>
-constexpr bool is_row_sink = boost::is_detected_v<Block_of, Rows>;
+constexpr bool is_row_sink = is_valid<Rows&>([](auto& rows) ->
+                                             typename std::decay_t<decltype(rows)>::Block* {});
 
 // Whether a sink chooses blocks, and tells the number of rows done.
 template <typename Rows>
 constexpr bool chooses_blocks = is_valid<Rows&>([](auto& rows) -> decltype(rows.next_block()) {});
 
 template <typename Rows>
-constexpr bool can_be_symmetric =
-    boost::detected_or_t<std::false_type, Can_be_symmetric, Rows>::value;
+constexpr bool can_be_symmetric = is_valid<Rows&, std::true_type>(
+    [](auto& rows) -> std::bool_constant<std::decay_t<decltype(rows)>::can_be_symmetric> {});
 
 template <typename Rows>
 constexpr bool check_rows()
@@ -409,40 +399,32 @@ public:
   // Returns false if the visitor stopped the computation.
   bool run(const Loop& loop)
   {
-    if(loop.is_parallel() && m_plan.number_of_rows() > 1)
-      loop.run(m_plan.number_of_blocks(),
-               [this](std::size_t /* block */, std::size_t /* thread */) { work_or_stop(); });
-    else
-      work();
+    loop.run(m_plan.number_of_blocks(),
+             [this](std::size_t /* block */, std::size_t /* thread */) { work(); });
     return !m_is_stopped;
   }
 
 private:
   // The first iteration of a thread computes rows until none are left; further iterations find
   // none.
-  void work_or_stop()
+  void work()
   {
     if(m_is_finished || m_is_stopped)
       return;
     try
     {
-      work();
+      Search search(m_input);
+      if constexpr(is_row_sink<Rows>)
+        compute_blocks(search);
+      else
+        compute_rows(search);
+      m_is_finished = true;
     }
     catch(...)
     {
       stop();
       throw;
     }
-  }
-
-  void work()
-  {
-    Search search(m_input);
-    if constexpr(is_row_sink<Rows>)
-      compute_blocks(search);
-    else
-      compute_rows(search);
-    m_is_finished = true;
   }
 
   void compute_blocks(Search& search)

@@ -23,6 +23,30 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
+// Border halfedges are at most as many as sides.
+inline void check_size_of_mesh(const std::size_t number_of_vertices,
+                               const std::size_t number_of_faces)
+{
+  constexpr std::size_t most = null_index / 6;
+  if(number_of_vertices >= null_index || number_of_faces > most)
+    throw std::length_error("Approximate_geodesics: the mesh has " +
+                            std::to_string(number_of_vertices) + " vertices and " +
+                            std::to_string(number_of_faces) +
+                            " faces, too many for 32-bit halfedge indices");
+}
+
+template <typename Corners>
+void check_corners_exist(const std::size_t face,
+                         const Corners& corners,
+                         const std::size_t number_of_vertices)
+{
+  for(std::size_t i = 0; i < 3; ++i)
+    if(static_cast<std::uint64_t>(corners[i]) >= number_of_vertices) // or negative
+      reject("face " + std::to_string(face) + " has vertex " + std::to_string(corners[i]) +
+             "; the vertices are numbered from 0, and there are " +
+             std::to_string(number_of_vertices));
+}
+
 /*
  * The halfedges of a triangle mesh that is given by the corners of its faces. Side `i` of face `f`,
  * from corner `i` to the next one, is halfedge `3 f + i`; border halfedges follow the sides. It
@@ -94,7 +118,7 @@ public:
       m_corners(corners),
       m_result(result)
   {
-    check_size();
+    check_size_of_mesh(number_of_vertices, number_of_faces);
   }
 
   void run()
@@ -119,17 +143,6 @@ public:
   }
 
 private:
-  // Border halfedges are at most as many as sides.
-  void check_size() const
-  {
-    constexpr std::size_t most = null_index / 6;
-    if(m_number_of_vertices >= null_index || m_number_of_faces > most)
-      throw std::length_error("Approximate_geodesics: the mesh has " +
-                              std::to_string(m_number_of_vertices) + " vertices and " +
-                              std::to_string(m_number_of_faces) +
-                              " faces, too many for 32-bit halfedge indices");
-  }
-
   Index source(const Index side) const { return static_cast<Index>(m_corners(side / 3)[side % 3]); }
 
   Index target(const Index side) const { return source(Paired_sides::side_after(side)); }
@@ -137,11 +150,7 @@ private:
   void check_corners(const std::size_t face) const
   {
     const auto& corners = m_corners(face);
-    for(std::size_t i = 0; i < 3; ++i)
-      if(static_cast<std::uint64_t>(corners[i]) >= m_number_of_vertices) // or negative
-        reject("face " + std::to_string(face) + " has vertex " + std::to_string(corners[i]) +
-               "; the vertices are numbered from 0, and there are " +
-               std::to_string(m_number_of_vertices));
+    check_corners_exist(face, corners, m_number_of_vertices);
     for(std::size_t i = 0; i < 3; ++i)
       if(corners[i] == corners[(i + 1) % 3])
         reject("face " + std::to_string(face) + " has vertex " + std::to_string(corners[i]) +

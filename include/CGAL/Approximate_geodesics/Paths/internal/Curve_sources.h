@@ -36,7 +36,7 @@ using Nodes_beside = decltype(std::declval<Attachment_of<Graph>>().for_each_node
 
 template <typename Run>
 using Starts_from_curve = decltype(std::declval<const Run&>().for_each_line_from_curve(
-    std::declval<Intrinsic_curve>(), 0., std::declval<Some_function>()));
+    std::declval<Intrinsic_curve>(), 0., some_function));
 
 // Whether searches of a graph can start from curves.
 template <typename Graph>

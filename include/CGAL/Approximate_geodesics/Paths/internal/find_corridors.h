@@ -37,16 +37,16 @@ class Corridors_by_approximation : public Corridor_finder
   using Graph = typename Landmarks::Approximation;
   using Node = typename Graph::Node;
 
-  // All bounds are moved apart by this part of the length: much more than rounding, and than what
-  // single precision adds to arcs.
+  // All bounds are relaxed by this fraction of the length: it exceeds by far the rounding errors of
+  // sums, and of arcs that are stored in single precision.
   static constexpr double SLACK = 1e-6;
 
   // The same for faces so thin that rounding makes distances too short: as a multiple of the
-  // rounding of landmarks, which is a part of the largest distance.
+  // rounding error of landmarks, which is a fraction of the largest distance.
   static constexpr double SLACK_OF_ROUNDING = 100;
 
-  // Nearer pairs are found faster without a corridor: a tenth of the largest distance, in the same
-  // unit.
+  // For pairs at a smaller distance, the search is faster without a corridor: a tenth of the
+  // largest distance, in the same unit.
   static constexpr double NEAREST = 1e10;
 
 public:
@@ -63,7 +63,7 @@ public:
       return {};
     constexpr double usual_error = 1.1; // of the smallest distance
     const double final_key =
-        m_search.run_beyond(source, target, to_source, usual_error * graph().epsilon() * smallest);
+        run_beyond(source, target, to_source, usual_error * graph().epsilon() * smallest);
     const double unit = graph().unit(), distance = m_search.distance(source) / unit;
     if(!(distance < infinity))
       return final_key < infinity ? Corridor() : unreachable(); // too large a number, or none
@@ -82,6 +82,33 @@ public:
 private:
   const Graph& graph() const { return m_search.graph(); }
   const auto& labels() const { return m_search.search().labels(); }
+
+  // Runs to `goal` from `start`, guided by lower bounds, until all nodes are final whose keys
+  // exceed the distance by up to `beyond`. Returns a key up to which all are final; in units of the
+  // graph.
+  template <typename Heuristic>
+  double run_beyond(const Intrinsic_point& goal,
+                    const Intrinsic_point& start,
+                    const Heuristic& to_goal,
+                    const double beyond)
+  {
+    double result = infinity;
+    const double unit = graph().unit();
+    m_search.run_and_adopt({{start}}, m_search.sorted({{start}}), {infinity, {goal}},
+                           [&](const auto& seeds, auto rule, const auto& entries) {
+                             for(const Node node : rule.targets)
+                               rule.points.push_back({{node, 0}});
+                             rule.targets.clear();
+                             std::vector<Last_arc>& arcs = rule.points.front();
+                             for(Last_arc& arc : arcs)
+                               arc.length += beyond * unit;
+                             m_search.m_search.run_toward(seeds, rule, to_goal, entries);
+                             for(const Last_arc& arc : arcs)
+                               result = (std::min)(result,
+                                                   labels().distance(arc.node) + arc.length / unit);
+                           });
+    return result;
+  }
 
   static Corridor unreachable()
   {
@@ -133,34 +160,6 @@ template <typename SurfaceGraph>
 std::unique_ptr<internal::Corridor_finder> Exact_landmarks<SurfaceGraph>::make_finder() const
 {
   return std::make_unique<internal::Corridors_by_approximation<Exact_landmarks>>(*this);
-}
-
-// Runs to the target from a source, guided by lower bounds, until all nodes are final whose keys
-// exceed the distance by up to `beyond`. Returns a key up to which all are final; in units of the
-// graph.
-template <typename SurfaceGraph, typename PriorityQueue>
-template <typename AStarHeuristic>
-double Surface_search<SurfaceGraph, PriorityQueue>::run_beyond(const Intrinsic_point& target,
-                                                               const Intrinsic_point& source,
-                                                               const AStarHeuristic& to_target,
-                                                               const double beyond)
-{
-  double result = internal::infinity;
-  const double unit = m_graph->unit();
-  run_and_adopt({{source}}, sorted({{source}}), {internal::infinity, {target}},
-                [&](const auto& seeds, auto rule, const auto& entries) {
-                  for(const Node node : rule.targets)
-                    rule.points.push_back({{node, 0}});
-                  rule.targets.clear();
-                  std::vector<Last_arc>& arcs = rule.points.front();
-                  for(Last_arc& arc : arcs)
-                    arc.length += beyond * unit;
-                  m_search.run_toward(seeds, rule, to_target, entries);
-                  for(const Last_arc& arc : arcs)
-                    result = (std::min)(result,
-                                        m_search.labels().distance(arc.node) + arc.length / unit);
-                });
-  return result;
 }
 
 // Runs to the target within its corridor. Returns whether the result is final: where faces are

@@ -11,9 +11,6 @@
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
-#include <boost/type_traits/detected_or.hpp>
-#include <boost/type_traits/is_detected.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,13 +22,10 @@ namespace CGAL::Approximate_geodesics::internal {
 
 // Optional members of models of `SurfaceGraph`.
 
-template <typename Graph>
-using Arcs_are_edges = std::bool_constant<Graph::arcs_are_edges>;
-
 // Whether paths in a graph may have points other than vertices.
 template <typename SurfaceGraph>
-constexpr bool has_crossing_arcs =
-    !boost::detected_or_t<std::false_type, Arcs_are_edges, SurfaceGraph>::value;
+constexpr bool has_crossing_arcs = !is_valid<const SurfaceGraph&, std::true_type>(
+    [](auto& g) -> std::bool_constant<std::decay_t<decltype(g)>::arcs_are_edges> {});
 
 // Whether a graph may have nodes that are not vertices, and gives their positions.
 template <typename SurfaceGraph>
@@ -83,28 +77,24 @@ Intrinsic_point position(const SurfaceGraph& graph, const typename SurfaceGraph:
 template <typename Graph>
 struct Check_surface_graph
 {
+  static const Intrinsic_point point; // these are never evaluated
+  static const Points_by_face points;
   static void on_crossing(Intrinsic_point::Index, double);
   static void on_point(std::size_t, double);
-
   static constexpr bool has_crossings = is_valid<const Graph&, double>(
       [](auto& g) -> decltype(g.for_each_crossing(0, 0, 1., on_crossing)) {});
   static constexpr bool can_attach =
-      is_valid<const Graph&>([](auto& g) -> decltype(g.attach(std::declval<Intrinsic_point>())) {});
+      is_valid<const Graph&>([](auto& g) -> decltype(g.attach(point)) {});
   static constexpr bool attaches_nodes = is_valid<const Graph&>(
-      [](auto& g)
-          -> decltype(g.attach(std::declval<Intrinsic_point>()).for_each_node(on_crossing)) {});
+      [](auto& g) -> decltype(g.attach(point).for_each_node(on_crossing)) {});
   static constexpr bool attaches_points = is_valid<const Graph&>(
-      [](auto& g) -> decltype(g.attach(std::declval<Intrinsic_point>())
-                                  .for_each_point(std::declval<Points_by_face>(), on_point)) {});
+      [](auto& g) -> decltype(g.attach(point).for_each_point(points, on_point)) {});
   static constexpr bool traces_lines =
       is_valid<const Graph&, double>(
-          [](auto& g) -> decltype(g.attach(std::declval<Intrinsic_point>())
-                                      .for_each_crossing(
-                                          Intrinsic_point::Index(), 1., on_crossing)) {}) &&
+          [](auto& g) -> decltype(g.attach(point).for_each_crossing(
+                          Intrinsic_point::Index(), 1., on_crossing)) {}) &&
       is_valid<const Graph&, double>(
-          [](auto& g) -> decltype(g.attach(std::declval<Intrinsic_point>())
-                                      .for_each_crossing(
-                                          std::declval<Intrinsic_point>(), 1., on_crossing)) {});
+          [](auto& g) -> decltype(g.attach(point).for_each_crossing(point, 1., on_crossing)) {});
 
   static_assert(is_surface_graph<Graph>,
                 "A model of SurfaceGraph must have `const Intrinsic_triangulation& triangulation() "
@@ -133,18 +123,6 @@ constexpr double rounding_of_distances = 1e-12;
 
 template <typename Graph>
 constexpr bool has_epsilon = is_valid<const Graph&>([](auto& g) -> decltype(g.epsilon()) {});
-
-// Whether a graph can have landmarks.
-template <typename Graph>
-constexpr bool
-    has_asymmetry = is_valid<const Graph&, double>([](auto& g) -> decltype(g.asymmetry()) {});
-
-template <typename Graph>
-using Approximation_of = typename Graph::Approximation;
-
-// Whether searches of a graph can be limited to a corridor.
-template <typename Graph>
-constexpr bool can_stay_in_corridor = boost::is_detected_v<Approximation_of, Graph>;
 
 // Returns the error bound of a graph; infinity if it has none.
 template <typename Graph>

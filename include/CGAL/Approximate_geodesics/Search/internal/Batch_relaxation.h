@@ -13,7 +13,6 @@
 #include <CGAL/assertions.h>
 
 #include <boost/config.hpp>
-#include <boost/type_traits/detected_or.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -110,14 +109,12 @@ inline std::size_t sort_order(Labels& labels, const std::size_t first, const std
 template <typename Visitor>
 constexpr bool is_idle_visitor = std::is_same_v<std::decay_t<Visitor>, Geodesic_visitor_base>;
 
-template <typename Visitor>
-using Is_told_of_nodes = std::bool_constant<std::decay_t<Visitor>::is_told_of_nodes>;
-
 // Whether a visitor is notified of settled nodes, which requires sorting them.
 template <typename Visitor>
 constexpr bool is_told_of_nodes =
     !is_idle_visitor<Visitor> &&
-    boost::detected_or_t<std::true_type, Is_told_of_nodes, Visitor>::value;
+    !is_valid<Visitor&, std::false_type>(
+        [](auto& v) -> std::bool_constant<std::decay_t<decltype(v)>::is_told_of_nodes> {});
 
 /*
  * Monitors a run, once per batch of entries: notifies the visitor of nodes as soon as they are

@@ -12,9 +12,6 @@
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
-#include <boost/type_traits/detected_or.hpp>
-#include <boost/type_traits/is_detected.hpp>
-
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -36,13 +33,7 @@ struct Some_number
 using Some_node = Some_number<std::is_integral>;
 using Some_key = Some_number<std::is_floating_point>;
 
-struct Some_function
-{
-  template <typename... Arguments>
-  void operator()(const Arguments&...) const
-  {
-  }
-};
+inline constexpr auto some_function = [](const auto&... /* arguments */) {};
 
 template <typename Graph>
 struct Check_graph
@@ -57,7 +48,7 @@ struct Check_graph
       is_valid<const Graph&, Arc_lengths>([](auto& g) -> decltype(g.arc_lengths()) {});
   static constexpr bool has_arcs = is_valid<const Graph&>(
       [](auto& g) -> decltype(g.for_each_arc(
-                      Labels::Node(), std::declval<const Labels&>(), Some_function())) {});
+                      Labels::Node(), std::declval<const Labels&>(), some_function)) {});
 
   static_assert(has_node,
                 "A model of GeodesicGraph must have a type `Node`, which is `std::uint32_t`.");
@@ -67,7 +58,7 @@ struct Check_graph
   static_assert(has_lengths,
                 "A model of GeodesicGraph must have `Arc_lengths arc_lengths() const`.");
   static_assert(
-      has_arcs || boost::is_detected_v<Own_run, Graph>,
+      has_arcs || has_own_run<Graph>,
       "A model of GeodesicGraph must have `for_each_arc(Node node, const Labels& labels, F f) "
       "const`, for all types `Labels` and `F`.");
   static constexpr bool is_done = true;
@@ -99,7 +90,7 @@ struct Check_queue
   static constexpr bool has_finality =
       is_valid<const Queue&, bool>([](auto& q) -> decltype(q.is_final(Some_key())) {});
   static constexpr bool lists_nodes =
-      is_valid<const Queue&>([](auto& q) -> decltype(q.for_each_node(Some_function())) {});
+      is_valid<const Queue&>([](auto& q) -> decltype(q.for_each_node(some_function)) {});
   static constexpr bool can_clear = is_valid<Queue&>([](auto& q) -> decltype(q.clear()) {});
   static constexpr bool has_memory =
       is_valid<const Queue&, std::size_t>([](auto& q) -> decltype(q.memory()) {});
@@ -174,33 +165,25 @@ struct No_heuristic
 template <typename Heuristic>
 constexpr bool is_heuristic = !std::is_same_v<Heuristic, No_heuristic>;
 
-// How much keys may decrease along a path by rounding, apart from relative differences.
-template <typename Heuristic>
-double rounding_of_keys([[maybe_unused]] const Heuristic& heuristic)
-{
-  if constexpr(is_valid<const Heuristic&, double>([](auto& h) -> decltype(h.rounding()) {}))
-    return heuristic.rounding();
-  else
-    return 0;
-}
-
-template <typename Heuristic>
-using Needs_order = std::bool_constant<Heuristic::needs_order>;
-
 // Whether the keys with a heuristic are so nearly equal that their order matters.
 template <typename Heuristic>
-constexpr bool needs_order = boost::detected_or_t<std::false_type, Needs_order, Heuristic>::value;
+constexpr bool needs_order = is_valid<Heuristic&, std::true_type>(
+    [](auto& h) -> std::bool_constant<std::decay_t<decltype(h)>::needs_order> {});
 
 // Whether an entry is stale: its key is larger than the one that its node would be entered with
 // now, at this distance. With a heuristic, both keys were rounded, and the first one may have been
-// raised; then small differences do not count, as it does no harm to expand a stale entry.
+// raised; then small differences do not count, as it does no harm to expand a stale entry. The
+// heuristic may tell how much keys may decrease along a path, apart from relative differences.
 template <typename Node, typename Heuristic>
 bool is_stale(const double key, const double distance, const Node node, const Heuristic& heuristic)
 {
   if constexpr(is_heuristic<Heuristic>)
   {
     constexpr double rounding = 1e-6;
-    return distance + heuristic(node) < key * (1 - rounding) - rounding_of_keys(heuristic);
+    double smallest = key * (1 - rounding);
+    if constexpr(is_valid<const Heuristic&, double>([](auto& h) -> decltype(h.rounding()) {}))
+      smallest -= heuristic.rounding();
+    return distance + heuristic(node) < smallest;
   }
   else
     return distance < key;

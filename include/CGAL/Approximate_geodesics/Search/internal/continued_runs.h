@@ -11,7 +11,6 @@
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,7 +23,7 @@ template <typename GeodesicGraph, typename PriorityQueue>
 template <typename EnterLabels>
 void Propagation<GeodesicGraph, PriorityQueue>::resume(const EnterLabels& enter_labels)
 {
-  static_assert(std::is_same_v<Run, Geodesic_run_base<Graph>>,
+  static_assert(!internal::has_own_run<Graph>,
                 "resume() keeps nothing that the Run of a graph keeps");
   forget();
   guard([&] {

@@ -78,16 +78,7 @@ public:
   bool is_border(const Index h) const { return m_halfedges[h].is_border; }
 
   // Returns the position of the third vertex of the face to the left of `h`, if `h` is laid out.
-  Plane_vector
-  position_of_apex(const Index h, const Plane_vector source, const Plane_vector target) const
-  {
-    const Plane_vector edge = target - source;
-    const double scale = 1 / (m_halfedges[h].length * m_halfedges[h].length);
-    const double along = m_halfedges[h].corner * scale;
-    const double across = m_halfedges[h].doubled_area * scale;
-    return {source.x + along * edge.x - across * edge.y,
-            source.y + along * edge.y + across * edge.x};
-  }
+  Plane_vector position_of_apex(Index h, Plane_vector source, Plane_vector target) const;
 
   // Returns whether `h` is not a halfedge of the mesh.
   bool is_flipped(const Index h) const { return m_halfedges[h].is_new; }
@@ -177,19 +168,10 @@ public:
   double length_if_flipped(Index h) const;
 
   // Whether the face to the left of `h` is nearly degenerate.
-  bool is_nearly_degenerate(const Index h) const
-  {
-    const std::array<Index, 3> sides = halfedges_of_face(h);
-    return !is_sound(m_halfedges[h].doubled_area, length(sides[0]), length(sides[1]),
-                     length(sides[2]));
-  }
+  bool is_nearly_degenerate(Index h) const;
 
   // Whether a triangle with these sides and twice this area is not nearly degenerate.
-  static bool is_sound(const double doubled_area, const double a, const double b, const double c)
-  {
-    const double longest = (std::max)({a, b, c});
-    return doubled_area > SMALLEST_HEIGHT * longest * longest;
-  }
+  static bool is_sound(double doubled_area, double a, double b, double c);
 
   // Returns for each vertex a halfedge that starts from it, or null if it is isolated: the first
   // one that is not flipped, if any.
@@ -277,18 +259,13 @@ private:
   // Whether flipping the edge makes two faces that are not nearly degenerate.
   bool has_sound_flip(const Quad& q) const;
 
+  // If `h` is the signpost of an added vertex, makes the next halfedge clockwise its signpost.
+  void turn_signpost(Index h);
+
   void remove(const Index h)
   {
     const Halfedge& old = m_halfedges[h];
-    const std::size_t number_of_others = m_number_of_vertices - m_signposts.size();
-    const Index v = source(h);
-    if(v >= number_of_others && m_signposts[v - number_of_others].halfedge == h)
-    {
-      Signpost& signpost = m_signposts[v - number_of_others];
-      const Halfedge& clockwise = m_halfedges[old.clockwise];
-      signpost = {old.clockwise,
-                  signpost.angle - angle_of({clockwise.corner, clockwise.doubled_area})};
-    }
+    turn_signpost(h);
     m_halfedges[old.clockwise].counterclockwise = old.counterclockwise;
     m_halfedges[old.counterclockwise].clockwise = old.clockwise;
   }

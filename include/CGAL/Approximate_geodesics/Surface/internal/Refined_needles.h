@@ -22,6 +22,31 @@ namespace CGAL::Approximate_geodesics::internal {
 
 // The member functions of `Edge_flips` that only needles need.
 
+inline Plane_vector Edge_flips::position_of_apex(const Index h,
+                                                 const Plane_vector source,
+                                                 const Plane_vector target) const
+{
+  const Plane_vector edge = target - source;
+  const double scale = 1 / (m_halfedges[h].length * m_halfedges[h].length);
+  const double along = m_halfedges[h].corner * scale;
+  const double across = m_halfedges[h].doubled_area * scale;
+  return {source.x + along * edge.x - across * edge.y, source.y + along * edge.y + across * edge.x};
+}
+
+inline bool
+Edge_flips::is_sound(const double doubled_area, const double a, const double b, const double c)
+{
+  const double longest = (std::max)({a, b, c});
+  return doubled_area > SMALLEST_HEIGHT * longest * longest;
+}
+
+inline bool Edge_flips::is_nearly_degenerate(const Index h) const
+{
+  const std::array<Index, 3> sides = halfedges_of_face(h);
+  return !is_sound(m_halfedges[h].doubled_area, length(sides[0]), length(sides[1]),
+                   length(sides[2]));
+}
+
 inline bool Edge_flips::is_worse_than_flipped(const Index h) const
 {
   const Index g = m_halfedges[h].opposite;
@@ -73,6 +98,18 @@ inline Index Edge_flips::insert(const Index h, const Plane_vector p, const Plane
   }
   m_signposts.push_back({first, angle_of(turned_left(-1 * p, direction))});
   return first;
+}
+
+inline void Edge_flips::turn_signpost(const Index h)
+{
+  const std::size_t number_of_others = m_number_of_vertices - m_signposts.size();
+  const Index v = source(h);
+  if(v < number_of_others || m_signposts[v - number_of_others].halfedge != h)
+    return;
+  Signpost& signpost = m_signposts[v - number_of_others];
+  const Index next = m_halfedges[h].clockwise;
+  signpost = {next, signpost.angle -
+                        angle_of({m_halfedges[next].corner, m_halfedges[next].doubled_area})};
 }
 
 inline bool Edge_flips::has_sound_flip(const Quad& q) const

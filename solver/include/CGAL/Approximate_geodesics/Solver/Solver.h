@@ -26,6 +26,9 @@
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_visitor.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/make_solver_graph.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -100,7 +103,11 @@ void with_threads([[maybe_unused]] const std::size_t number, const F& f)
  */
 class Solver
 {
+public:
+  /// the type of the mesh: a `Triangle_soup_mesh` on arrays of the solver.
   using Mesh = internal::Array_mesh;
+
+private:
   using Vertex_index_map = decltype(get(boost::vertex_index, std::declval<const Mesh&>()));
   using Translation = Mesh_translation<Mesh, Vertex_index_map>;
   using Values_of_vertices = boost::iterator_property_map<const double*, Vertex_index_map>;
@@ -225,24 +232,23 @@ public:
   /// returns the number of threads used for matrices; `0` means one per core.
   std::size_t number_of_threads() const { return m_number_of_threads; }
 
-  /// returns the size of the graph and of the unused workspaces, in bytes. The mesh takes about 100
+  /// returns the size of the graph and of the unused workspaces, in bytes. The mesh takes about 80
   /// more bytes per vertex.
   std::size_t memory() const { return m_graph->memory(); }
 
   /// writes the coordinates of the vertices, three each.
   void write_coordinates(double* coordinates) const
   {
-    for(const auto v : m_mesh.vertices())
+    for(const auto v : vertices(m_mesh))
       coordinates = write(m_mesh.point(v), coordinates);
   }
 
   /// returns the mesh, in which vertices and faces have their array indices, for functions of
   /// \cgal.
-  const Surface_mesh<Simple_cartesian<double>::Point_3>& mesh() const { return m_mesh; }
+  const Mesh& mesh() const { return m_mesh; }
 
   /// returns a point in terms of `mesh()`. Messages about invalid points begin with `role`.
-  Surface_point<Surface_mesh<Simple_cartesian<double>::Point_3>>
-  surface_point(const Solver_point& point, const std::string& role) const
+  Surface_point<Mesh> surface_point(const Solver_point& point, const std::string& role) const
   {
     return m_translation->surface_point(intrinsic_point(point, role));
   }
@@ -250,9 +256,9 @@ public:
   /// writes the vertices of the faces, three each.
   void write_corners(std::int64_t* corners) const
   {
-    for(const auto f : m_mesh.faces())
-      for(const auto h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
-        *corners++ = m_mesh.source(h);
+    for(const auto f : faces(m_mesh))
+      for(const auto h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+        *corners++ = source(h, m_mesh);
   }
 
   /// @}
@@ -310,7 +316,7 @@ public:
     m_graph->set_barriers(changes);
     for(std::size_t i = 0; i < number; ++i)
       m_costs.set_barrier(
-          m_mesh.edge(m_mesh.halfedge(vertex(ends[2 * i]), vertex(ends[2 * i + 1]))),
+          edge(halfedge(vertex(ends[2 * i]), vertex(ends[2 * i + 1]), m_mesh).first, m_mesh),
           is_barrier[i]);
   }
 
@@ -496,11 +502,11 @@ public:
     std::vector<double> distances(number_of_vertices());
     std::vector<std::int64_t> nearest(number_of_vertices());
     find_distances(sources, distances.data(), nearest.data(), nullptr, options, watch);
-    for(const auto f : m_mesh.faces())
+    for(const auto f : faces(m_mesh))
     {
       std::array<internal::Corner_source, 3> corners;
       std::size_t i = 0;
-      for(const auto v : vertices_around_face(m_mesh.halfedge(f), m_mesh))
+      for(const auto v : vertices_around_face(halfedge(f, m_mesh), m_mesh))
         corners[i++] = {distances[v], static_cast<std::size_t>(nearest[v])};
       *nearest_sources++ = static_cast<std::int64_t>(internal::source_of_face(corners));
     }
@@ -572,8 +578,8 @@ private:
     if(m_bound.epsilon && !(*m_bound.epsilon >= 0 && std::isfinite(*m_bound.epsilon)))
       internal::reject("epsilon is " + internal::text_of(*m_bound.epsilon) +
                        "; it must be finite and not negative");
-    internal::Array_mesh_builder(m_mesh).build(coordinates, number_of_vertices, corners,
-                                               number_of_faces);
+    m_arrays.assign(coordinates, number_of_vertices, corners, number_of_faces);
+    m_mesh = m_arrays.mesh();
     if(options.face_weights != nullptr)
       m_costs.set_weights(options.face_weights);
     if(options.directional_cost)
@@ -635,7 +641,9 @@ private:
     coordinates.resize(coordinates.size() + 3 * number);
     for(double* next = coordinates.data() + coordinates.size() - 3 * number; point != beyond;
         ++point)
-      next = write(m_translation->point(*point, m_mesh.points(), Simple_cartesian<double>()), next);
+      next =
+          write(m_translation->point(*point, get(vertex_point, m_mesh), Simple_cartesian<double>()),
+                next);
   }
 
   std::vector<Point_pair> pairs(const std::vector<Solver_point>& sources,
@@ -651,14 +659,8 @@ private:
     return result;
   }
 
-  static Mesh::Face_index face(const std::int64_t i)
-  {
-    return Mesh::Face_index(static_cast<Mesh::size_type>(i));
-  }
-  static Mesh::Vertex_index vertex(const std::int64_t i)
-  {
-    return Mesh::Vertex_index(static_cast<Mesh::size_type>(i));
-  }
+  static Mesh::Face_index face(const std::int64_t i) { return Mesh::Face_index(i); }
+  static Mesh::Vertex_index vertex(const std::int64_t i) { return Mesh::Vertex_index(i); }
 
   static void check_element(const std::string& name,
                             const std::string& what,
@@ -677,19 +679,19 @@ private:
     const std::string name = number ? kind + ' ' + std::to_string(*number) : kind;
     const auto check = [&](const std::string& what, const std::int64_t i, const std::size_t size) {
       check_element(name, what, i, size);
-      return static_cast<Mesh::size_type>(i);
+      return i;
     };
     if(p.kind == Solver_point::VERTEX)
       return m_translation->intrinsic_point(
-          Mesh::Vertex_index(check("vertex", p.element, number_of_vertices())));
+          vertex(check("vertex", p.element, number_of_vertices())));
     if(p.kind == Solver_point::FACE)
-      return m_translation->intrinsic_point(
-          Mesh::Face_index(check("face", p.element, number_of_faces())), p.coordinates);
+      return m_translation->intrinsic_point(face(check("face", p.element, number_of_faces())),
+                                            p.coordinates);
     const auto end = [&](const std::int64_t v) {
-      return Mesh::Vertex_index(check("on an edge of vertex", v, number_of_vertices()));
+      return vertex(check("on an edge of vertex", v, number_of_vertices()));
     };
-    const auto h = m_mesh.halfedge(end(p.element), end(p.second_vertex));
-    if(h == Mesh::null_halfedge())
+    const auto [h, is_found] = halfedge(end(p.element), end(p.second_vertex), m_mesh);
+    if(!is_found)
       internal::reject(name + " is not on an edge: no face has both vertex " +
                        std::to_string(p.element) + " and vertex " +
                        std::to_string(p.second_vertex));
@@ -701,7 +703,7 @@ private:
   {
     std::call_once(m_has_positions, [this] {
       m_positions = Vertex_positions(m_graph->triangulation(),
-                                     m_translation->position_of_vertex(m_mesh.points()));
+                                     m_translation->position_of_vertex(get(vertex_point, m_mesh)));
     });
     return m_positions;
   }
@@ -714,7 +716,8 @@ private:
     return numbers + 3;
   }
 
-  Mesh m_mesh;
+  internal::Mesh_arrays m_arrays;
+  Mesh m_mesh = m_arrays.mesh();
   internal::Array_costs m_costs;
   internal::Bound_of_graph m_bound;
   std::size_t m_number_of_threads = 0;

@@ -48,7 +48,7 @@ struct Solver_cell_options
  */
 class Solver_cells
 {
-  using Mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
+  using Mesh = Solver::Mesh;
 
 public:
   /// A border between two cells, the first of which is to the left.

@@ -38,7 +38,7 @@ namespace CGAL::Approximate_geodesics {
 class Solver_curves
 {
   using Kernel = Simple_cartesian<double>;
-  using Mesh = Surface_mesh<Kernel::Point_3>;
+  using Mesh = Solver::Mesh;
 
 public:
   /// a curve of a mesh.
@@ -78,7 +78,7 @@ public:
       if(f < 0 || static_cast<std::size_t>(f) >= m_solver.number_of_faces())
         internal::reject("face " + std::to_string(f) + " of the region does not exist; there are " +
                          std::to_string(m_solver.number_of_faces()));
-      result.faces.emplace_back(static_cast<Mesh::size_type>(f));
+      result.faces.emplace_back(f);
     }
     return result;
   }

@@ -16,7 +16,6 @@
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -35,7 +34,7 @@ namespace internal {
 class Scaled_points
 {
   using Point = Simple_cartesian<double>::Point_3;
-  using Mesh = Surface_mesh<Point>;
+  using Mesh = Solver::Mesh;
 
 public:
   using key_type = Mesh::Vertex_index;
@@ -48,7 +47,7 @@ public:
   explicit Scaled_points(const Mesh& mesh) : m_mesh(&mesh)
   {
     double largest = 0;
-    for(const auto v : mesh.vertices())
+    for(const auto v : vertices(mesh))
       for(int i = 0; i < 3; ++i)
         largest = (std::max)(largest, std::abs(mesh.point(v)[i]));
     constexpr int most = 1000; // so that neither factor overflows
@@ -84,7 +83,7 @@ private:
 class Solver_locator
 {
   using Kernel = Simple_cartesian<double>;
-  using Mesh = Surface_mesh<Kernel::Point_3>;
+  using Mesh = Solver::Mesh;
   using Locations = Surface_locations<Mesh>;
   using Primitive = AABB_face_graph_triangle_primitive<Mesh, internal::Scaled_points>;
   using Tree = AABB_tree<AABB_traits<Kernel, Primitive>>;

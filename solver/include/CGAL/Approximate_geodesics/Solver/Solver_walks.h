@@ -39,7 +39,7 @@ namespace CGAL::Approximate_geodesics {
 class Solver_walks
 {
   using Kernel = Simple_cartesian<double>;
-  using Mesh = Surface_mesh<Kernel::Point_3>;
+  using Mesh = Solver::Mesh;
   using Point = Surface_point<Mesh>;
   using Vector_3 = Kernel::Vector_3;
   using Vertex_index_map = decltype(get(boost::vertex_index, std::declval<const Mesh&>()));
@@ -114,7 +114,7 @@ public:
     Search search(m_graph);
     run(search, {p});
     internal::Logarithms logarithms(search, p);
-    for(const auto v : m_solver.mesh().vertices())
+    for(const auto v : vertices(m_solver.mesh()))
     {
       internal::check_for_interruption_at(v);
       vectors = write(logarithms(m_translation.node(v)), vectors);
@@ -161,7 +161,7 @@ public:
     Search search(m_graph);
     run(search, intrinsic_points(sources, "source"));
     const internal::First_lines lines(m_graph.triangulation());
-    for(const auto v : m_solver.mesh().vertices())
+    for(const auto v : vertices(m_solver.mesh()))
     {
       internal::check_for_interruption_at(v);
       Tangent_vector result;
@@ -232,11 +232,11 @@ public:
   /// They are zero at isolated vertices.
   void find_frames(double* x_axes, double* y_axes, double* normals) const
   {
-    for(const auto v : m_solver.mesh().vertices())
+    for(const auto v : vertices(m_solver.mesh()))
     {
       const Vector normal = normal_at(v);
       Vector x{0, 0, 0};
-      if(!m_solver.mesh().is_isolated(v))
+      if(halfedge(v, m_solver.mesh()) != Mesh::Halfedge_index())
         x = numbers(m_tracer.vector_3(Point(v), Tangent_vector{1, 0}));
       x = internal::unit_vector(internal::linear_combination(x, -internal::dot(x, normal), normal));
       const Vector y = internal::cross_product(normal, x);
@@ -300,7 +300,7 @@ private:
     if(const auto* const location = std::get_if<Face_location<Mesh>>(&place))
       return Solver_point::in_face(location->first, location->second);
     const auto& [h, t] = std::get<std::pair<Mesh::Halfedge_index, double>>(place);
-    return Solver_point::on_edge(m_solver.mesh().source(h), m_solver.mesh().target(h), t);
+    return Solver_point::on_edge(source(h, m_solver.mesh()), target(h, m_solver.mesh()), t);
   }
 
   void append(const Point& p, std::vector<double>& coordinates) const
@@ -344,13 +344,13 @@ private:
   {
     const Mesh& mesh = m_solver.mesh();
     Vector_3 result(0, 0, 0);
-    if(!mesh.is_isolated(v))
-      for(const auto h : mesh.halfedges_around_target(mesh.halfedge(v)))
-        if(!mesh.is_border(h))
+    if(halfedge(v, mesh) != Mesh::Halfedge_index())
+      for(const auto h : halfedges_around_target(v, mesh))
+        if(!is_border(h, mesh))
         {
           const auto& p = mesh.point(v);
-          result += cross_product(mesh.point(mesh.target(mesh.next(h))) - p,
-                                  mesh.point(mesh.source(h)) - p);
+          result += cross_product(mesh.point(target(next(h, mesh), mesh)) - p,
+                                  mesh.point(source(h, mesh)) - p);
         }
     return internal::unit_vector(numbers(result));
   }

@@ -8,8 +8,6 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Sample_sector.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Strips_of_curve.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Cones/trace_arc.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
 
@@ -54,34 +52,16 @@ public:
   // The same for lines that may be of use to a search from a curve, to which the point belongs. The
   // labels, in units of the graph, are upper bounds.
   template <typename Labels, typename F>
-  void for_each_node(const Labels& labels, const double label, F f) const
-  {
-    for_each_node_in_cones(pruning(labels, label), f);
-  }
+  void for_each_node(const Labels& labels, double label, F f) const;
 
   // The same for the lines that a sample, which is this point, is needed for.
   template <typename Labels, typename F>
-  void for_each_node(const Labels& labels, const Curve_sample& sample, F f) const
-  {
-    if(m_point.is_vertex()) // a node
-      return f(m_point.vertex, 0.);
-    for_each_view([&](const View& view) {
-      if(const auto sector = sector_of_sample(m_triangulation, m_point, sample, view))
-        expand_through(view, In_sector<Pruning<Labels>>{pruning(labels, 0), *sector}, f);
-      else
-        expand_through(view, pruning(labels, 0), f);
-    });
-  }
+  void for_each_node(const Labels& labels, const Curve_sample& sample, F f) const;
 
   // Calls `f(v, length, foot)` and `on_sample(sample)` for the segment to `end`: see
   // `Strips_of_curve`.
   template <typename F, typename OnSample>
-  void for_each_node_beside(const Intrinsic_point& end, F f, OnSample on_sample) const
-  {
-    m_lines.for_each_node_beside(end, f, on_sample);
-    Strips_of_curve<F, OnSample>{m_triangulation, slope_of_strips(m_rules), f, on_sample}.follow(
-        m_point, end);
-  }
+  void for_each_node_beside(const Intrinsic_point& end, F f, OnSample on_sample) const;
 
   // Calls `f(i, length)` for the lines to given points, or `f(i, length, t)` for those to the
   // nearest points of `Segments_by_face`.
@@ -120,17 +100,7 @@ public:
   // Considers the lines to a point that cross no edge.
   void consider_lines_in_faces(const Intrinsic_point& end, Line_search& search) const
   {
-    const auto consider = [&](const double l) { search.consider({0, l, {0, 0}, 0, 0}); };
-    if(m_point.is_vertex())
-      consider(shortest_segment(m_triangulation, m_point, end).length);
-    else if(end.is_vertex())
-      m_lines.for_each_node([&](const Index corner, const double l) {
-        if(corner == end.vertex)
-          consider(l);
-      });
-    else
-      m_lines.for_each_point(Points_by_face(m_triangulation, {end}),
-                             [&](std::size_t, const double l) { consider(l); });
+    m_lines.for_each_line_to(end, [&](const double l) { search.consider({0, l, {0, 0}, 0, 0}); });
   }
 
   // Considers the lines to a point through windows that `visitor` does not prune.
@@ -183,15 +153,6 @@ protected:
   const Intrinsic_point m_point;
 
 private:
-  template <typename Labels>
-  using Pruning = Label_pruning<Leave_out_nothing, Labels>;
-
-  template <typename Labels>
-  Pruning<Labels> pruning(const Labels& labels, const double label) const
-  {
-    return {{}, m_triangulation, labels, label, 1 + epsilon_from_samples(m_rules)};
-  }
-
   template <typename Visitor, typename F>
   void for_each_node_in_cones(const Visitor& visitor, F& f) const
   {
@@ -290,5 +251,7 @@ private:
 };
 
 } // namespace CGAL::Approximate_geodesics::internal
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Sample_sector.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONES_OF_POINT_H

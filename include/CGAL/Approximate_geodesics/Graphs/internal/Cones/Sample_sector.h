@@ -8,12 +8,14 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cone.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Cones_of_point.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Strips_of_curve.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -101,6 +103,47 @@ inline std::optional<Sample_sector> sector_of_sample(const Intrinsic_triangulati
     return turned_left(turned_right(v, *other), side);
   };
   return Sample_sector{in_view(sample.right), in_view(sample.left)};
+}
+
+// Prunes windows that a search from samples of a curve, or from points beside them, does not need.
+template <typename Labels>
+Label_pruning<Leave_out_nothing, Labels>
+pruning_of_samples(const Intrinsic_triangulation& triangulation,
+                   const Cone_rules& rules,
+                   const Labels& labels,
+                   const double label_of_tip)
+{
+  return {{}, triangulation, labels, label_of_tip, 1 + epsilon_from_samples(rules)};
+}
+
+// The member functions of `Cones_of_point` for curves.
+
+template <typename Labels, typename F>
+void Cones_of_point::for_each_node(const Labels& labels, const double label, F f) const
+{
+  for_each_node_in_cones(pruning_of_samples(m_triangulation, m_rules, labels, label), f);
+}
+
+template <typename Labels, typename F>
+void Cones_of_point::for_each_node(const Labels& labels, const Curve_sample& sample, F f) const
+{
+  if(m_point.is_vertex()) // a node
+    return f(m_point.vertex, 0.);
+  const auto pruning = pruning_of_samples(m_triangulation, m_rules, labels, 0);
+  for_each_view([&](const View& view) {
+    if(const auto sector = sector_of_sample(m_triangulation, m_point, sample, view))
+      expand_through(view, In_sector<std::decay_t<decltype(pruning)>>{pruning, *sector}, f);
+    else
+      expand_through(view, pruning, f);
+  });
+}
+
+template <typename F, typename OnSample>
+void Cones_of_point::for_each_node_beside(const Intrinsic_point& end, F f, OnSample on_sample) const
+{
+  m_lines.for_each_node_beside(end, f, on_sample);
+  Strips_of_curve<F, OnSample>{m_triangulation, slope_of_strips(m_rules), f, on_sample}.follow(
+      m_point, end);
 }
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -301,8 +301,8 @@ public:
   template <typename F>
   void for_each_arc(const Node node, F f) const
   {
-    const double unit = m_unit; // `f` cannot change it
-    for_each_stored_arc(node, [&](const Node target, const float length) {
+    // copies, which compilers keep in registers
+    for_each_stored_arc(node, [f, unit = m_unit](const Node target, const float length) mutable {
       f(target, static_cast<double>(length) * unit);
     });
   }

@@ -8,7 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Unfolding.h>
 
@@ -21,7 +22,7 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// A sight, and all that it takes to follow it later.
+// A sight, and the data to resume it.
 struct Deferred_sight
 {
   using Index = Intrinsic_triangulation::Index;
@@ -34,23 +35,43 @@ struct Deferred_sight
 };
 
 /*
- * Sights are followed up to a horizon only, a few edges farther away than the nodes that are
- * expanded, and are continued when the search gets there. By then, labels are known around them,
- * and end those that are of no use. Farther away, only upper bounds are known, the lengths of paths
- * along edges, which are too large to end them. Where the surface is rough, most sights are of no
- * use there, and would be followed across a large part of it. Where it is smooth, most are of use;
- * there, the horizon is farther away, and keeps the working set of the search small enough for the
- * processor's caches.
+ * A sight is followed up to a horizon only, a few edges beyond the nodes that are expanded, and is
+ * resumed when the search reaches it. By then, the labels around it are known, and prune useless
+ * sights. Farther away, only upper bounds are known, the lengths of paths along edges, which are
+ * too large to prune them. On a rough surface, most sights are useless there, and would be followed
+ * across a large part of it. On a smooth surface, most are useful; there, the horizon is farther
+ * away, and keeps the working set of the search small enough for the processor's caches.
  *
  * The order of sights by distance is that of continuous Dijkstra (J. Mitchell, D. Mount,
- * C. Papadimitriou, The discrete geodesic problem, 1987). Here, a rough order is enough: a sight
- * waits in the list of the step in which the search gets to it, and steps are a part of the
- * distance to the horizon.
+ * C. Papadimitriou, The discrete geodesic problem, 1987). Here, an approximate order is enough:
+ * sights are in buckets, one for each step of the search, which is a fraction of the distance to
+ * the horizon.
  */
 class Deferred_sights
 {
 public:
   using List = std::vector<Deferred_sight>;
+
+  // Whether there are so many saddle vertices that most sights are useless.
+  static bool is_rough(const Bends& bends)
+  {
+    constexpr double rough = 0.005; // mean excess
+    return bends.mean_excess() > rough;
+  }
+
+  // How far away sights are deferred; infinity if they are not. On a smooth surface that fits into
+  // the processor's caches, or where few vertices have sights, deferring these takes more time than
+  // it saves, unless it gives several threads something to do.
+  static double
+  suitable_distance(const Bends& bends, const double mean_edge, const bool is_parallel)
+  {
+    constexpr double smooth = 0.001, fewest_bends = 0.1; // mean excess, share of vertices
+    constexpr std::size_t smallest_size = 60000;
+    const bool gains =
+        bends.mean_excess() > smooth ||
+        (bends.number_of_vertices() > smallest_size && bends.share_of_bends() > fewest_bends);
+    return gains || is_parallel ? mean_edge * (is_rough(bends) ? 4 : 16) : infinity;
+  }
 
   // Starts a search. The horizon is at least this far away from the nodes that are expanded.
   void start(const double distance)
@@ -69,59 +90,77 @@ public:
 
   // Sights of which nothing is nearer are deferred.
   double horizon() const { return m_next_step + m_distance; }
+  double distance() const { return m_distance; }
 
-  bool is_any_waiting() const
-  {
-    return !m_beyond.empty() || std::any_of(m_steps.begin(), m_steps.end(),
-                                            [](const List& list) { return !list.empty(); });
-  }
-
-  // The label with which the search gets to the next sights, and a tip, whose label is smaller.
-  // \pre A sight is waiting.
-  std::pair<double, Deferred_sight::Index> next_label_and_tip() const
-  {
-    for(std::size_t i = 0; i < number_of_steps; ++i)
-      if(const List& list = m_steps[(m_first + i) % number_of_steps]; !list.empty())
-        return {m_next_step + static_cast<double>(i) * m_step, list.front().tip};
-    return {m_next_step + number_of_steps * m_step, m_beyond.front().tip};
-  }
-
-  // The lists that tasks defer sights to.
-  std::vector<List>& start_tasks(const std::size_t number)
-  {
-    m_of_tasks.resize((std::max)(m_of_tasks.size(), number));
-    return m_of_tasks;
-  }
-
-  // Must be called after these tasks. Results depend on the order of sights, and must not depend on
-  // threads.
-  void finish_tasks(const std::size_t number)
-  {
-    for(std::size_t i = 0; i < number; ++i)
-    {
-      for(const Deferred_sight& sight : m_of_tasks[i])
-        list_of(sight).push_back(sight);
-      m_of_tasks[i].clear();
-    }
-  }
-
-  // Moves the horizon if the search has got to the next step with this label, and returns whether
-  // it did. Then `resumed()` are the sights that are to be continued.
-  bool advance(const double label)
+  // Moves the horizon if the search reaches the next step with these nodes, which are expanded, and
+  // returns whether it does. If there are no nodes, it has reached the next sights.
+  template <typename Labels>
+  bool
+  advance(const Deferred_sight::Index* const nodes, const std::size_t number, const Labels& labels)
   {
     m_resumed.clear();
+    double label = number == 0 && is_any_waiting() ? next_label_and_tip().first : 0;
+    for(std::size_t i = 0; i < number; ++i)
+      label = (std::max)(label, labels.distance(nodes[i]));
     if(!(label >= m_next_step))
       return false;
     for(std::size_t i = 0; i < number_of_steps && label >= m_next_step; ++i)
       take_next_step();
-    if(label >= m_next_step) // all sights near enough for a list are resumed
+    if(label >= m_next_step) // all buckets are empty
       m_next_step = label + m_step > label ? label + m_step : infinity;
     if(!m_beyond.empty())
       sort_beyond();
     return true;
   }
 
-  const List& resumed() const { return m_resumed; }
+  // The sights that are to be resumed then are in chunks, one for a thread at a time.
+  std::size_t number_of_chunks() const
+  {
+    return (m_resumed.size() + sights_in_chunk - 1) / sights_in_chunk;
+  }
+
+  // Calls `f(sight)` for those of a chunk, unless the label of the tip has been lowered: the sight
+  // is also followed with the smaller label.
+  template <typename Labels, typename F>
+  void for_each_in_chunk(const std::size_t chunk, const Labels& labels, F f) const
+  {
+    const std::size_t beyond = (std::min)(m_resumed.size(), (chunk + 1) * sights_in_chunk);
+    for(std::size_t i = chunk * sights_in_chunk; i < beyond; ++i)
+      if(!(labels.distance(m_resumed[i].tip) < m_resumed[i].label_of_tip))
+        f(m_resumed[i]);
+  }
+
+  // Calls `append(i, part, deferred)` for all `i` below `number`, in parallel if there are enough:
+  // it appends arcs to a part of the candidates, and the sights that it defers to a list. If any
+  // sights wait, requests a call when the search reaches them. Results depend on the order of
+  // sights, and so this does not depend on threads.
+  template <typename Candidates, typename F>
+  void
+  append_all(const Loop& loop, const std::size_t number, Candidates& candidates, const F& append)
+  {
+    constexpr std::size_t fewest_tasks = 16;
+    const bool is_parallel = loop.is_parallel() && number >= fewest_tasks;
+    const std::size_t number_of_tasks = is_parallel ? number : 1;
+    m_of_tasks.resize((std::max)(m_of_tasks.size(), number_of_tasks));
+    if(is_parallel)
+      candidates.append_in_parallel(loop, number, [&](const std::size_t i, Candidates& part) {
+        append(i, part, m_of_tasks[i]);
+      });
+    else
+      for(std::size_t i = 0; i < number; ++i)
+        append(i, candidates, m_of_tasks.front());
+    for(std::size_t i = 0; i < number_of_tasks; ++i)
+    {
+      for(const Deferred_sight& sight : m_of_tasks[i])
+        list_of(sight).push_back(sight);
+      m_of_tasks[i].clear();
+    }
+    if(is_any_waiting())
+    {
+      const auto [label, tip] = next_label_and_tip();
+      candidates.call_again(tip, label);
+    }
+  }
 
   std::size_t memory() const
   {
@@ -136,6 +175,23 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::size_t number_of_steps = 16, steps_to_horizon = 8;
+  static constexpr std::size_t sights_in_chunk = 64;
+
+  bool is_any_waiting() const
+  {
+    return !m_beyond.empty() || std::any_of(m_steps.begin(), m_steps.end(),
+                                            [](const List& list) { return !list.empty(); });
+  }
+
+  // The label at which the search reaches the next sights, and a tip, whose label is smaller.
+  // \pre A sight is waiting.
+  std::pair<double, Deferred_sight::Index> next_label_and_tip() const
+  {
+    for(std::size_t i = 0; i < number_of_steps; ++i)
+      if(const List& list = m_steps[(m_first + i) % number_of_steps]; !list.empty())
+        return {m_next_step + static_cast<double>(i) * m_step, list.front().tip};
+    return {m_next_step + number_of_steps * m_step, m_beyond.front().tip};
+  }
 
   List& list_of(const Deferred_sight& sight)
   {
@@ -154,7 +210,7 @@ private:
     m_next_step += m_step;
   }
 
-  // Moves sights that waited behind long edges to the lists of steps, or resumes them.
+  // Moves sights beyond the last bucket, as behind long edges, to the buckets, or resumes them.
   void sort_beyond()
   {
     const double end = m_next_step + number_of_steps * m_step;
@@ -164,7 +220,7 @@ private:
     for(auto s = near; s != m_beyond.end(); ++s)
     {
       const double step = (s->smallest_label - m_next_step) / m_step;
-      const auto i = // not beyond the last list, by rounding
+      const auto i = // not beyond the last bucket, by rounding
           (std::min)(static_cast<std::size_t>((std::max)(step, 0.)), number_of_steps - 1);
       (step > 0 ? m_steps[(m_first + i) % number_of_steps] : m_resumed).push_back(*s);
     }
@@ -173,7 +229,7 @@ private:
 
   std::array<List, number_of_steps> m_steps; // a ring, from `m_first` on
   std::size_t m_first = 0;
-  List m_beyond; // the last of these steps
+  List m_beyond; // the last of these
   List m_resumed;
   std::vector<List> m_of_tasks;
   double m_next_step = infinity, m_step = infinity, m_distance = infinity;

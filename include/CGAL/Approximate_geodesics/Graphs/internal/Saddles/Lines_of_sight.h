@@ -190,9 +190,14 @@ public:
       if(!is_found_roughly())
         look(slack);
     if(!is_found_roughly())
+    {
+      // an end of the line, or a vertex close to it
+      const Intrinsic_point& p = end.is_vertex() ? end : point();
+      const Index v = p.is_vertex() ? p.vertex : triangulation().source(p.halfedge);
       throw Untraceable_line(name_of_package() + "the line from or to vertex " +
-                             std::to_string(vertex_at(end)) +
+                             std::to_string(triangulation().index(v)) +
                              " cannot be traced: faces along it are nearly degenerate");
+    }
     return line.for_each_crossing(m_tables.steps, f);
   }
 
@@ -317,25 +322,13 @@ private:
   void consider_lines_in_faces(const Intrinsic_point& end, Sight_search& line) const
   {
     const auto consider = [&](const double length) { Lines_of_sight::consider(length, line); };
-    if(point().is_vertex())
-    {
-      for(Index h = triangulation().first_halfedge(point().vertex);
-          h < triangulation().beyond_halfedge(point().vertex); ++h)
-        if(triangulation().target(h) == end.vertex)
-          consider(triangulation().length(h));
-    }
-    else if(end.is_vertex())
-    {
-      const auto consider_node = [&](const Index v, const double length, const auto&...) {
-        if(v == end.vertex)
-          consider(length);
-      };
-      for_each_corner(consider_node);
-      Lines_in_faces::for_each_node(consider_node); // differs by rounding
-    }
-    else
-      Lines_in_faces::for_each_point(Points_by_face(triangulation(), {end}),
-                                     [&](std::size_t, const double length) { consider(length); });
+    const auto consider_corner = [&](const Index v, const double length, const Arrival&) {
+      if(v == end.vertex)
+        consider(length);
+    };
+    if(!point().is_vertex() && end.is_vertex())
+      for_each_corner(consider_corner);
+    for_each_line_to(end, consider); // differs by rounding
   }
 
   template <typename Bound, typename Points, typename OnNode, typename OnPoint>
@@ -370,13 +363,6 @@ private:
     OnNode& on_node;
     OnPoint& on_point;
   };
-
-  // The index in the mesh of an end of a line from here, or of a vertex close to it.
-  std::size_t vertex_at(const Intrinsic_point& end) const
-  {
-    const Intrinsic_point& p = end.is_vertex() ? end : point();
-    return triangulation().index(p.is_vertex() ? p.vertex : triangulation().source(p.halfedge));
-  }
 
 protected:
   static Sight sight(const Index halfedge, Plane_vector left, Plane_vector right)

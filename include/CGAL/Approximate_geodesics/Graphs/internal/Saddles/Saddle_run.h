@@ -25,9 +25,8 @@
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * The run of a saddle vertex graph: upper bounds of all distances, without which lines would never
- * end, and the directions in which paths arrive at nodes. A search along edges finds the bounds
- * first.
+ * The run of a saddle vertex graph: upper bounds of all distances, which terminate lines of sight,
+ * and the directions in which paths arrive at nodes. A search along edges finds the bounds first.
  *
  * `Observer` is the base of the visitor of sights.
  */
@@ -42,7 +41,6 @@ public:
   using Payload = Arrival;
 
   static constexpr bool attaches_by_labels = true;
-  static constexpr std::size_t sights_in_chunk = 64; // which one thread continues
 
   // Appends the arcs from a tip to a list, defers sights, and knows the labels and bounds that
   // `Sight_expansion` requires.
@@ -110,13 +108,15 @@ public:
   void start(Search& search)
   {
     m_distance_to_goal = has_corridor() ? m_corridor.distance_to_goal : search.heuristic();
-    m_bounds.start(spreads_bounds());
-    m_last_spread = 0;
+    const Bends& bends = graph().m_tables.bends;
+    m_bounds.start(Deferred_sights::is_rough(bends) && !has_heuristic());
     if(has_corridor())
       m_limit = search.limit(); // the bounds are those of the corridor
     else
       find_bounds(search);
-    m_sights.start(distance_of_horizon());
+    m_sights.start(has_heuristic() ? infinity
+                                   : Deferred_sights::suitable_distance(
+                                         bends, graph().arc_lengths().mean, graph().is_parallel()));
   }
 
   template <typename Search>
@@ -124,7 +124,10 @@ public:
   {
     const double largest = LARGEST_LABEL * graph().arc_lengths().longest;
     search.find_upper_bounds(graph().m_edges, [&](const Node node, const double label) {
-      check_label(label, largest);
+      if(label > largest && largest > 0)
+        reject("an initial distance is so large that distances are " +
+               text_of(label * graph().unit()) +
+               "; exact searches need distances of at most 1e10 times the longest edge");
       m_limit = search.limit();
       m_bounds.start_with(node, (std::min)(label, largest_label(node)));
     });
@@ -139,22 +142,17 @@ public:
               const Labels& labels,
               Candidates& candidates)
   {
-    if(m_sights.advance(label_reached(nodes, number, labels)) && spreads_bounds())
-      spread_bounds();
-    const std::size_t number_of_chunks =
-        (m_sights.resumed().size() + sights_in_chunk - 1) / sights_in_chunk;
-    append_all(number_of_chunks + number, candidates,
-               [&](const std::size_t i, Candidates& part, Deferred_sights::List& deferred) {
-                 if(i < number_of_chunks)
-                   append_resumed(i, labels, part, deferred);
-                 else
-                   append_arcs(nodes[i - number_of_chunks], labels, part, deferred);
-               });
-    if(m_sights.is_any_waiting())
-    {
-      const auto [label, tip] = m_sights.next_label_and_tip();
-      candidates.call_again(tip, label);
-    }
+    if(m_sights.advance(nodes, number, labels))
+      m_bounds.spread(graph().triangulation(), m_sights.horizon(), m_sights.distance());
+    const std::size_t number_of_chunks = m_sights.number_of_chunks();
+    m_sights.append_all(
+        graph().m_loop, number_of_chunks + number, candidates,
+        [&](const std::size_t i, Candidates& part, Deferred_sights::List& deferred) {
+          if(i < number_of_chunks)
+            append_resumed(i, labels, part, deferred);
+          else
+            append_arcs(nodes[i - number_of_chunks], labels, part, deferred);
+        });
   }
 
   void on_label(const Node node, const double distance, const Arrival& arrival)
@@ -163,9 +161,9 @@ public:
     m_bounds.lower(node, distance);
   }
 
-  // Where faces are numerically degenerate, lines may be longer than upper bounds, and be given up.
-  // Nodes that no line has reached, or only longer ones, are reached along edges, at their upper
-  // bounds.
+  // Where faces are numerically degenerate, computed lines may exceed the upper bounds, and are
+  // discarded. Nodes that no line has reached, or only longer ones, are reached along edges, at
+  // their upper bounds.
   template <typename Search>
   void finish(Search& search)
   {
@@ -257,8 +255,8 @@ public:
                                   target, labels, f);
   }
 
-  // Follows the line back from where it arrives. Where that fails, looks for it from its start, as
-  // the search did, which can take as long as the search.
+  // Traces the line back from its end. If that fails, looks for it from its start, as the search
+  // did, which can take as long as the search.
   template <typename Labels, typename F>
   double for_each_crossing_from(const Intrinsic_point& point,
                                 const double distance,
@@ -303,14 +301,6 @@ private:
   // lines add nothing, or no more than rounding errors, so that no line would be too long.
   static constexpr double LARGEST_LABEL = 1e10;
 
-  void check_label(const double label, const double largest) const
-  {
-    if(label > largest && largest > 0)
-      reject("an initial distance is so large that distances are " +
-             text_of(label * graph().unit()) +
-             "; exact searches need distances of at most 1e10 times the longest edge");
-  }
-
   double largest_label(const Node node) const
   {
     return m_distance_to_goal ? m_limit - m_distance_to_goal(node) : m_limit;
@@ -322,79 +312,10 @@ private:
     return result < infinity ? result : largest_label(node);
   }
 
-  // How far away sights are deferred; infinity if they are not. With a heuristic, nodes are not
-  // expanded in the order of their labels. On a smooth surface that fits into the processor's
-  // caches, or where few vertices have sights, deferring these takes more time than it saves,
-  // unless it gives several threads something to do.
-  double distance_of_horizon() const
-  {
-    constexpr double smooth = 0.001, fewest_bends = 0.1; // mean excess, share of vertices
-    constexpr std::size_t smallest_size = 60000;
-    const Bends& bends = graph().m_tables.bends;
-    const bool gains = bends.mean_excess() > smooth || (graph().number_of_nodes() > smallest_size &&
-                                                        bends.share_of_bends() > fewest_bends);
-    if(has_heuristic() || !(gains || graph().is_parallel()))
-      return infinity;
-    return graph().arc_lengths().mean * (is_rough() ? 4 : 16);
-  }
-
-  // Whether paths bend so often that most sights are of no use.
-  bool is_rough() const
-  {
-    constexpr double rough = 0.005; // mean excess
-    return graph().m_tables.bends.mean_excess() > rough;
-  }
-
-  bool spreads_bounds() const { return is_rough() && !has_heuristic(); }
-
   bool has_corridor() const { return m_corridor.is_known(); }
 
   // Whether nodes are not expanded in the order of their labels.
   bool has_heuristic() const { return m_distance_to_goal && !has_corridor(); }
-
-  // Spreads bounds at intervals of the horizon, as far as sights are followed until the next time.
-  void spread_bounds()
-  {
-    const double horizon = m_sights.horizon(), distance = distance_of_horizon();
-    if(horizon < m_last_spread + distance)
-      return;
-    m_bounds.spread(graph().triangulation(), horizon + distance);
-    m_last_spread = horizon;
-  }
-
-  // The largest label of nodes that are expanded; if there are none, that of the next sights, which
-  // the search may have reached.
-  template <typename Labels>
-  double
-  label_reached(const Node* const nodes, const std::size_t number, const Labels& labels) const
-  {
-    if(number == 0)
-      return m_sights.is_any_waiting() ? m_sights.next_label_and_tip().first : 0;
-    double result = 0;
-    for(std::size_t i = 0; i < number; ++i)
-      result = (std::max)(result, labels.distance(nodes[i]));
-    return result;
-  }
-
-  // Calls `append(i, part, deferred)` for all `i` below `number`, in parallel if there are enough.
-  template <typename Candidates, typename F>
-  void append_all(const std::size_t number, Candidates& candidates, const F& append)
-  {
-    constexpr std::size_t fewest_tasks = 16;
-    if(!graph().is_parallel() || number < fewest_tasks)
-    {
-      Deferred_sights::List& deferred = m_sights.start_tasks(1).front();
-      for(std::size_t i = 0; i < number; ++i)
-        append(i, candidates, deferred);
-      m_sights.finish_tasks(1);
-      return;
-    }
-    std::vector<Deferred_sights::List>& deferred = m_sights.start_tasks(number);
-    candidates.append_in_parallel(
-        graph().m_loop, number,
-        [&](const std::size_t i, Candidates& part) { append(i, part, deferred[i]); });
-    m_sights.finish_tasks(number);
-  }
 
   // Continues a part of the sights that the search has reached.
   template <typename Labels, typename Candidates>
@@ -405,21 +326,15 @@ private:
   {
     check_for_interruption();
     const Intrinsic_triangulation& t = graph().triangulation();
-    const Deferred_sights::List& sights = m_sights.resumed();
-    const std::size_t beyond = (std::min)(sights.size(), (chunk + 1) * sights_in_chunk);
-    auto visitor = arc_visitor(null_index, infinity, labels, candidates, deferred);
-    auto sights_ahead = expansion(visitor);
-    for(std::size_t i = chunk * sights_in_chunk; i < beyond; ++i)
-    {
-      const Deferred_sight& s = sights[i];
-      if(labels.distance(s.tip) < s.label_of_tip) // it is followed with the smaller label
-        continue;
+    Arc_visitor<Labels, Candidates> visitor{{},         *this,    labels,     m_sights.horizon(),
+                                            null_index, infinity, candidates, deferred};
+    Sight_expansion sights_ahead(graph().m_tables, infinity, visitor);
+    m_sights.for_each_in_chunk(chunk, labels, [&](const Deferred_sight& s) {
       const Node h = s.sight.halfedge;
       visitor.tip = s.tip;
       visitor.label_of_tip = s.label_of_tip;
-      sights_ahead.resume(s.sight, s.label_of_tip, s.milestone, t.target(t.opposite(h)),
-                          t.target(h));
-    }
+      sights_ahead.resume(s.sight, s.label_of_tip, s.milestone, t.source(h), t.target(h));
+    });
   }
 
   template <typename Labels, typename Candidates>
@@ -429,35 +344,21 @@ private:
                    Deferred_sights::List& deferred) const
   {
     const Intrinsic_triangulation& t = graph().triangulation();
-    auto visitor = arc_visitor(node, labels.distance(node), labels, candidates, deferred);
-    auto sights = expansion(visitor);
+    const double label_of_node = labels.distance(node);
+    Arc_visitor<Labels, Candidates> visitor{{},   *this,         labels,     m_sights.horizon(),
+                                            node, label_of_node, candidates, deferred};
+    Sight_expansion sights(graph().m_tables, label_of_node, visitor);
     Vertex_sights(t, graph().m_tables)
         .for_each(
             node, m_arrival[node],
             [&](const Node h) {
-              const double label = visitor.label_of_tip + t.length(h);
+              const double label = label_of_node + t.length(h);
               if(!has_corridor() || label <= bound(t.target(h)) * (1 + Sight::ROUNDING))
                 visitor.append(t.target(h), t.length(h), Arrival::along(h));
             },
             [&](const Sight& sight, const Node left_end, const Node right_end) {
               sights.look(sight, left_end, right_end);
             });
-  }
-
-  template <typename Labels, typename Candidates>
-  Arc_visitor<Labels, Candidates> arc_visitor(const Node tip,
-                                              const double label,
-                                              const Labels& labels,
-                                              Candidates& candidates,
-                                              Deferred_sights::List& deferred) const
-  {
-    return {{}, *this, labels, m_sights.horizon(), tip, label, candidates, deferred};
-  }
-
-  template <typename Visitor>
-  Sight_expansion<Visitor> expansion(Visitor& visitor) const
-  {
-    return {graph().m_tables, visitor.label_of_tip, visitor};
   }
 
   struct Last_edge
@@ -505,7 +406,6 @@ private:
   }
 
   Upper_bounds m_bounds;
-  double m_last_spread = 0;                       // the horizon when bounds were last spread
   std::vector<Arrival> m_arrival;                 // meaningful where there is a label
   double m_limit = 0;                             // of labels
   std::function<double(Node)> m_distance_to_goal; // during a search; empty without a heuristic

@@ -53,10 +53,16 @@ public:
       m_lowered.push_back(node);
   }
 
-  // Continues labels along edges, from nodes with bounds up to `largest`, to other nodes that have
-  // bounds. Nodes whose bounds fall several times are rare.
-  void spread(const Intrinsic_triangulation& triangulation, const double largest)
+  // If labels are spread, continues them along edges whenever the horizon of the search has moved
+  // by this distance: from nodes with bounds up to where sights are followed until the next time,
+  // to other nodes that have bounds. Nodes whose bounds fall several times are rare.
+  void
+  spread(const Intrinsic_triangulation& triangulation, const double horizon, const double distance)
   {
+    if(!m_spreads || horizon < m_last_horizon + distance)
+      return;
+    const double largest = horizon + distance;
+    m_last_horizon = horizon;
     for(std::size_t i = 0; i < m_lowered.size(); ++i)
     {
       const Index v = m_lowered[i];
@@ -73,6 +79,7 @@ public:
   void start(const bool spreads)
   {
     m_spreads = spreads;
+    m_last_horizon = 0;
     m_lowered.clear();
   }
 
@@ -100,6 +107,7 @@ private:
   std::vector<double> m_bounds;
   std::vector<Index> m_known_before;
   bool m_spreads = false;
+  double m_last_horizon = 0;    // when bounds were spread
   std::vector<Index> m_lowered; // since bounds were spread; nodes may occur more than once
 };
 

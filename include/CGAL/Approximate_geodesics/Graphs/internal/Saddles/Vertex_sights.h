@@ -66,6 +66,7 @@ public:
                        number;
   }
 
+  std::size_t number_of_vertices() const { return m_bends.size(); }
   Bend_kind operator[](const Index v) const { return m_bends[v]; }
 
   bool is_possible(const Index v) const { return m_bends[v] >= Bend_kind::SADDLE; }

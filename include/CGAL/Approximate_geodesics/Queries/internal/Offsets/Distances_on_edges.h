@@ -205,7 +205,7 @@ public:
       return result;
     const double largest = (estimate + m_negligible_error) * m_triangulation.unit();
     if(largest < infinity)
-      result = m_search.distance(point, largest);
+      result = m_search.nearest(point, largest).distance;
     if(!(result <= largest))
       result = m_search.distance(point);
     return result / m_triangulation.unit();
@@ -328,28 +328,13 @@ private:
   {
     constexpr double part = 0.6180339887498949;
     constexpr int number_of_steps = 12;
-    double first = end - part * (end - begin), second = begin + part * (end - begin);
-    double at_first = f(first), at_second = f(second);
-    double result = (std::min)({f(begin), f(end), at_first, at_second});
+    double result = (std::min)(f(begin), f(end));
     for(int i = 0; i < number_of_steps; ++i)
     {
-      if(at_first < at_second)
-      {
-        end = second;
-        second = first;
-        at_second = at_first;
-        first = end - part * (end - begin);
-        at_first = f(first);
-      }
-      else
-      {
-        begin = first;
-        first = second;
-        at_first = at_second;
-        second = begin + part * (end - begin);
-        at_second = f(second);
-      }
+      const double first = end - part * (end - begin), second = begin + part * (end - begin);
+      const double at_first = f(first), at_second = f(second);
       result = (std::min)({result, at_first, at_second});
+      (at_first < at_second ? end : begin) = at_first < at_second ? second : first;
     }
     return result;
   }

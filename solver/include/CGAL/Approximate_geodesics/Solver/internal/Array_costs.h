@@ -20,6 +20,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -32,6 +33,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -173,35 +175,28 @@ class Array_costs
 
 public:
   // The mesh is referred to, not copied.
-  explicit Array_costs(Array_mesh& mesh)
-    : m_mesh(mesh), m_is_barrier(mesh.add_property_map<Edge, bool>("e:is_barrier", false).first)
-  {
-  }
+  explicit Array_costs(const Array_mesh& mesh) : m_mesh(mesh) {}
 
   void set_weights(const double* const weights)
   {
-    m_weights = m_mesh.add_property_map<Face, double>("f:weight").first;
-    for(const Face f : m_mesh.faces())
-    {
-      const double weight = weights[static_cast<std::size_t>(f)];
-      if(!(weight >= 0))
-        reject("face " + std::to_string(static_cast<std::size_t>(f)) + " has weight " +
-               text_of(weight) + "; it must be a number that is not negative, or infinity");
-      (*m_weights)[f] = weight;
-    }
+    m_weights.emplace(weights, weights + m_mesh.number_of_faces());
+    for(const Face f : faces(m_mesh))
+      if(!(weight(f) >= 0))
+        reject("face " + std::to_string(f) + " has weight " + text_of(weight(f)) +
+               "; it must be a number that is not negative, or infinity");
   }
 
   // Barriers are given by their end vertices.
   void set_barriers(const std::int64_t* const ends, const std::size_t number)
   {
-    m_has_barriers = true;
+    m_is_barrier.resize(3 * m_mesh.number_of_faces(), false);
     for(std::size_t i = 0; i < number; ++i)
     {
-      const auto h = m_mesh.halfedge(end(ends[2 * i], i), end(ends[2 * i + 1], i));
-      if(h == Array_mesh::null_halfedge())
+      const auto [h, is_found] = halfedge(end(ends[2 * i], i), end(ends[2 * i + 1], i), m_mesh);
+      if(!is_found)
         reject("barrier " + std::to_string(i) + " is not an edge: no face has both vertex " +
                std::to_string(ends[2 * i]) + " and vertex " + std::to_string(ends[2 * i + 1]));
-      m_is_barrier[m_mesh.edge(h)] = true;
+      m_is_barrier[edge(h, m_mesh)] = true;
     }
   }
 
@@ -209,7 +204,7 @@ public:
   void set_weight(const Face f, const double weight)
   {
     if(!m_weights)
-      m_weights = m_mesh.add_property_map<Face, double>("f:weight", 1).first;
+      m_weights.emplace(m_mesh.number_of_faces(), 1.);
     (*m_weights)[f] = weight;
   }
   void set_barrier(const Edge e, const bool is_barrier) { m_is_barrier[e] = is_barrier; }
@@ -222,28 +217,32 @@ public:
   }
 
   bool has_weights() const { return m_weights.has_value(); }
-  bool has_barriers() const { return m_has_barriers; }
+  bool has_barriers() const { return !m_is_barrier.empty(); }
   const std::optional<Solver_cost>& directional_cost() const { return m_cost; }
   double weight(const Face f) const { return (*m_weights)[f]; }
-  bool is_barrier(const Edge e) const { return m_is_barrier[e]; }
+  bool is_barrier(const Edge e) const { return has_barriers() && m_is_barrier[e]; }
 
   // The bound determines the number of directions in which directional costs are sampled.
   Intrinsic_triangulation triangulation(const std::optional<double> epsilon) const
   {
-    const Array_mesh& mesh = m_mesh;
     const double bound = epsilon > 0. ? *epsilon : 1;
+    const auto barriers =
+        boost::make_function_property_map<Edge>([this](const Edge e) { return is_barrier(e); });
     if(m_cost)
       return Intrinsic_triangulation(
-          mesh, parameters::face_weight_map(Approximate_geodesics::directional_cost(
-                                                cost_function(*m_cost, mesh.number_of_faces())))
-                    .edge_is_constrained_map(m_is_barrier)
-                    .epsilon(bound));
+          m_mesh, parameters::face_weight_map(Approximate_geodesics::directional_cost(
+                                                  cost_function(*m_cost, m_mesh.number_of_faces())))
+                      .edge_is_constrained_map(barriers)
+                      .epsilon(bound));
     if(m_weights)
       return Intrinsic_triangulation(
-          mesh, parameters::face_weight_map(*m_weights).edge_is_constrained_map(m_is_barrier));
-    if(m_has_barriers)
-      return Intrinsic_triangulation(mesh, parameters::edge_is_constrained_map(m_is_barrier));
-    return Intrinsic_triangulation(mesh);
+          m_mesh,
+          parameters::face_weight_map(
+              boost::make_iterator_property_map(m_weights->begin(), get(boost::face_index, m_mesh)))
+              .edge_is_constrained_map(barriers));
+    if(has_barriers())
+      return Intrinsic_triangulation(m_mesh, parameters::edge_is_constrained_map(barriers));
+    return Intrinsic_triangulation(m_mesh);
   }
 
 private:
@@ -253,13 +252,12 @@ private:
       reject("barrier " + std::to_string(barrier) + " has vertex " + std::to_string(vertex) +
              "; the vertices are numbered from 0, and there are " +
              std::to_string(m_mesh.number_of_vertices()));
-    return Vertex(static_cast<Array_mesh::size_type>(vertex));
+    return Vertex(vertex);
   }
 
-  Array_mesh& m_mesh;
-  std::optional<Array_mesh::Property_map<Face, double>> m_weights;
-  Array_mesh::Property_map<Edge, bool> m_is_barrier;
-  bool m_has_barriers = false;
+  const Array_mesh& m_mesh;
+  std::optional<std::vector<double>> m_weights; // of faces
+  std::vector<bool> m_is_barrier;               // of edges; empty without barriers
   std::optional<Solver_cost> m_cost;
 };
 

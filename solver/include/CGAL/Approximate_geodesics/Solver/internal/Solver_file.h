@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_costs.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_mesh.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/make_solver_graph.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -48,20 +49,20 @@ struct Solver_file
       accepts_weaker_bound(bound.accepts_weaker),
       maximum_number_of_points(bound.maximum_number_of_points)
   {
-    for(const auto v : mesh.vertices())
+    for(const auto v : vertices(mesh))
       for(int i = 0; i < 3; ++i)
         coordinates.push_back(mesh.point(v)[i]);
-    for(const auto f : mesh.faces())
-      for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
-        corners.push_back(mesh.source(h));
+    for(const auto f : faces(mesh))
+      for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
+        corners.push_back(source(h, mesh));
     if(costs.has_weights())
-      for(const auto f : mesh.faces())
+      for(const auto f : faces(mesh))
         some(weights).push_back(costs.weight(f));
     if(costs.has_barriers())
-      for(const auto e : mesh.edges())
+      for(const auto e : edges(mesh))
         if(costs.is_barrier(e))
-          for(const unsigned i : {0u, 1u})
-            some(barriers).push_back(mesh.vertex(e, i));
+          for(const auto v : {target(e, mesh), source(e, mesh)})
+            some(barriers).push_back(v);
   }
 
   void write(const Put_bytes& put) const
