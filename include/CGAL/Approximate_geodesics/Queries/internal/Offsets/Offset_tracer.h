@@ -205,14 +205,14 @@ private:
     return std::sqrt((std::max)(0., (second * second + third * third) / 2 - side * side / 4));
   }
 
-  // Whether chords are farther from isolines there than 2 % of a step, or could miss them: a chord
-  // of length l of a circle of radius r is up to l * l / (8 r) away. Half of that takes twice as
-  // long.
+  // Whether isolines there could be missed, or chords that cannot be divided in a triangle be farther
+  // from them than 1 % of a step: a chord of length l of a circle of radius r is up to l * l / (8 r)
+  // away.
   bool is_long(const Corner& a, const Corner& b, const double length) const
   {
     const double nearest = (std::min)(m_values[a.number], m_values[b.number]);
     const double smallest = m_step / 4;
-    return length > smallest && (nearest < length || length * length > 0.16 * m_step * nearest);
+    return length > smallest && (nearest < length || length * length > 0.08 * m_step * nearest);
   }
 
   Corner between(const Corner& a, const Corner& b, const double t, const std::uint32_t number) const
