@@ -272,7 +272,7 @@ private:
       is_known = is_known && ++number_of_faces < most_faces && !on_edge.is_near_source();
       const bool is_good = on_edge.estimated_error() <= on_edges.m_negligible_error / 2;
       if(is_known && is_good)
-        consider(smallest_distance(sight, on_edge));
+        consider(smallest_distance(sight, on_edge, smallest));
       return !is_known || is_good;
     }
 
@@ -303,8 +303,9 @@ private:
     return visitor.is_known && visitor.smallest <= largest ? visitor.smallest : infinity;
   }
 
-  // On paths from the tip of a sight through what it sees of an edge.
-  static double smallest_distance(const Sight& sight, const Distances_on_edge& on_edge)
+  // On paths from the tip of a sight through what it sees of an edge, if it is below `known`.
+  static double
+  smallest_distance(const Sight& sight, const Distances_on_edge& on_edge, double known)
   {
     const double squared = dot(sight.edge, sight.edge);
     const auto part = [&](const Sight_ray& ray, const double otherwise) {
@@ -315,6 +316,10 @@ private:
     const auto distance = [&](const double t) {
       return length(sight.left + t * sight.edge) + on_edge.at(t);
     };
+    // both of its terms grow no faster than one walks
+    const double reach = (end - begin) * std::sqrt(squared);
+    if((distance(begin) + distance(end)) / 2 - reach > known)
+      return known;
     // it is convex on both sides of a meeting
     const double meeting = on_edge.has_meeting() ? on_edge.meeting() : begin;
     if(!(begin < meeting && meeting < end))
@@ -327,14 +332,20 @@ private:
   static double minimum(double begin, double end, const F& f)
   {
     constexpr double part = 0.6180339887498949;
-    constexpr int number_of_steps = 12;
-    double result = (std::min)(f(begin), f(end));
+    constexpr int number_of_steps = 10;
+    double first = end - part * (end - begin), second = begin + part * (end - begin);
+    double at_first = f(first), at_second = f(second);
+    double result = (std::min)({f(begin), f(end), at_first, at_second});
     for(int i = 0; i < number_of_steps; ++i)
     {
-      const double first = end - part * (end - begin), second = begin + part * (end - begin);
-      const double at_first = f(first), at_second = f(second);
+      const bool goes_left = at_first < at_second;
+      (goes_left ? end : begin) = goes_left ? second : first;
+      (goes_left ? second : first) = goes_left ? first : second;
+      (goes_left ? at_second : at_first) = goes_left ? at_first : at_second;
+      double& next = goes_left ? first : second;
+      next = goes_left ? end - part * (end - begin) : begin + part * (end - begin);
+      (goes_left ? at_first : at_second) = f(next);
       result = (std::min)({result, at_first, at_second});
-      (at_first < at_second ? end : begin) = at_first < at_second ? second : first;
     }
     return result;
   }

@@ -205,9 +205,9 @@ private:
     return std::sqrt((std::max)(0., (second * second + third * third) / 2 - side * side / 4));
   }
 
-  // Whether isolines there could be missed, or chords that cannot be divided in a triangle be farther
-  // from them than 1 % of a step: a chord of length l of a circle of radius r is up to l * l / (8 r)
-  // away.
+  // Whether isolines there could be missed, or chords that cannot be divided in a triangle be
+  // farther from them than 1 % of a step: a chord of length l of a circle of radius r is up to l *
+  // l / (8 r) away.
   bool is_long(const Corner& a, const Corner& b, const double length) const
   {
     const double nearest = (std::min)(m_values[a.number], m_values[b.number]);
