@@ -76,9 +76,9 @@ inline double smallest_step(const std::vector<double>& distances, const double m
  * Distances are exact at vertices, and so are their slopes along edges, from the directions in
  * which shortest paths arrive. The distances of points between follow from these, also where
  * shortest paths from several directions meet. The curve is right up to about 1 % of the smallest
- * step between two offsets, also between its points, but for steps below a thousandth of a mean
- * edge, or 1e-5 times the largest offset; where shortest paths bend at most vertices, some points
- * are up to 3 % off. At points that have several shortest paths to the sources (the medial axis),
+ * step between two offsets, also between its points, if steps are not far smaller than edges. Where
+ * shortest paths bend at most vertices, as on rough scans, about 1 % of the points are farther off,
+ * up to 5 % of a step; this is an estimate, and no bound. At points that have several shortest paths to the sources (the medial axis),
  * offset curves have corners; where three paths or more meet, these may be cut off by up to a face.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`

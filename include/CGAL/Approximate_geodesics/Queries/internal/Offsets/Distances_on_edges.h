@@ -68,7 +68,7 @@ public:
   {
     if(!has_meeting() || !(m_estimated_error > 0))
       return m_estimated_error;
-    return m_estimated_error * (t < m_meeting ? t / m_meeting : (1 - t) / (1 - m_meeting));
+    return m_estimated_error * (t <= m_meeting ? t / m_meeting : (1 - t) / (1 - m_meeting));
   }
 
   // Whether paths from two points, and not from segments of curves, meet on the edge.
@@ -272,7 +272,7 @@ private:
       is_known = is_known && ++number_of_faces < most_faces && !on_edge.is_near_source();
       const bool is_good = on_edge.estimated_error() <= on_edges.m_negligible_error / 2;
       if(is_known && is_good)
-        consider(smallest_distance(sight, on_edge, smallest));
+        consider(on_edges.smallest_distance(sight, on_edge, smallest));
       return !is_known || is_good;
     }
 
@@ -304,8 +304,8 @@ private:
   }
 
   // On paths from the tip of a sight through what it sees of an edge, if it is below `known`.
-  static double
-  smallest_distance(const Sight& sight, const Distances_on_edge& on_edge, double known)
+  double
+  smallest_distance(const Sight& sight, const Distances_on_edge& on_edge, const double known) const
   {
     const double squared = dot(sight.edge, sight.edge);
     const auto part = [&](const Sight_ray& ray, const double otherwise) {
@@ -320,23 +320,26 @@ private:
     const double reach = (end - begin) * std::sqrt(squared);
     if((distance(begin) + distance(end)) / 2 - reach > known)
       return known;
-    // it is convex on both sides of a meeting
+    // it is convex on both sides of a meeting, up to the error that is allowed
+    const double precision = m_negligible_error / (2 * std::sqrt(squared));
     const double meeting = on_edge.has_meeting() ? on_edge.meeting() : begin;
     if(!(begin < meeting && meeting < end))
-      return minimum(begin, end, distance);
-    return (std::min)(minimum(begin, meeting, distance), minimum(meeting, end, distance));
+      return minimum(begin, end, precision, distance);
+    return (std::min)(minimum(begin, meeting, precision, distance),
+                      minimum(meeting, end, precision, distance));
   }
 
-  // The smallest value of a convex function, by golden sections.
+  // The smallest value of a convex function, by golden sections that are not larger than
+  // `precision` at the end: close to a point beside the edge, the function is nearly a kink.
   template <typename F>
-  static double minimum(double begin, double end, const F& f)
+  static double minimum(double begin, double end, const double precision, const F& f)
   {
     constexpr double part = 0.6180339887498949;
-    constexpr int number_of_steps = 10;
+    constexpr int most_steps = 50;
     double first = end - part * (end - begin), second = begin + part * (end - begin);
     double at_first = f(first), at_second = f(second);
     double result = (std::min)({f(begin), f(end), at_first, at_second});
-    for(int i = 0; i < number_of_steps; ++i)
+    for(int i = 0; i < most_steps && end - begin > precision; ++i)
     {
       const bool goes_left = at_first < at_second;
       (goes_left ? end : begin) = goes_left ? second : first;
