@@ -78,8 +78,9 @@ inline double smallest_step(const std::vector<double>& distances, const double m
  * shortest paths from several directions meet. The curve is right up to about 1 % of the smallest
  * step between two offsets, also between its points, if steps are not far smaller than edges. Where
  * shortest paths bend at most vertices, as on rough scans, about 1 % of the points are farther off,
- * up to 5 % of a step; this is an estimate, and no bound. At points that have several shortest paths to the sources (the medial axis),
- * offset curves have corners; where three paths or more meet, these may be cut off by up to a face.
+ * up to 5 % of a step; this is an estimate, and no bound. At points that have several shortest
+ * paths to the sources (the medial axis), offset curves have corners; where three paths or more
+ * meet, these may be cut off by up to a face.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam Sources as for `approximate_geodesic_distances()`
