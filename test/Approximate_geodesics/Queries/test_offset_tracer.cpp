@@ -7,6 +7,7 @@
 
 #include "meshes/hostile_meshes.h"
 #include "oracles/distances_to_curves.h"
+#include "threads/Interruption_at.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -16,13 +17,35 @@
 #include <cmath>
 #include <cstddef>
 
-// How offset curves are traced, in any unit.
+// How offset curves are traced: with how much work, and in which unit.
 
 namespace {
 
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
 using Search_from_curve = AG::Surface_search<AG::Saddle_vertex_graph>;
+
+// A curve divides faces around it into parts that are far smaller. Those of a needle follow each
+// other: there are as many as on a long side.
+TEST(Offset_tracer, takes_no_more_triangles_the_longer_needles_are)
+{
+  constexpr int most_checks = 60; // each is for 4096 triangles
+  for(const double aspect : {1e4, 1e6, 1e8})
+  {
+    SCOPED_TRACE(aspect);
+    const AG::Saddle_vertex_graph graph(Triangulation(to_mesh(needles(aspect))));
+    const Intrinsic_triangulation& t = graph.triangulation();
+    Polyline_on_surface column;
+    for(std::size_t v = 3; v < 28; v += 7)
+      column.push_back(Intrinsic_point::at_vertex(t.vertex(v)));
+    Search_from_curve search(graph);
+    search.run_from_curves({{{column}}});
+    const double width = 3 / aspect, step = 0.01;
+    AG::internal::Offset_tracer tracer(search, {width / 1e3, width / 2}, step);
+    const Interruption_at limit(most_checks);
+    EXPECT_NO_THROW(tracer.trace());
+  }
+}
 
 std::size_t number_of_points(const Soup& soup, const double unit)
 {

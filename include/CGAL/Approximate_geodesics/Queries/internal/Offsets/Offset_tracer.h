@@ -166,9 +166,12 @@ private:
     std::size_t start = 0; // of a divided side, whose predecessor is not divided if there are two
     while(!is_divided[start] || (number == 2 && is_divided[(start + 2) % 3]))
       ++start;
-    divide({t[start], t[(start + 1) % 3], t[(start + 2) % 3]},
-           {sides[start], sides[(start + 1) % 3], sides[(start + 2) % 3]}, static_cast<int>(number),
-           depth + 1);
+    const Triangle turned{t[start], t[(start + 1) % 3], t[(start + 2) % 3]};
+    const Sides sides_of_it{sides[start], sides[(start + 1) % 3], sides[(start + 2) % 3]};
+    const auto& [ab, bc, ca] = sides_of_it;
+    if(number == 2 && 2 * ca.length <= (std::min)(ab.length, bc.length))
+      return divide_needle(turned, sides_of_it, depth + 1);
+    divide(turned, sides_of_it, static_cast<int>(number), depth + 1);
   }
 
   // Whether there is an isoline between two distances.
@@ -202,6 +205,67 @@ private:
     divide({a, m, o}, {ab.first_half(), half_bc, ca.second_half()}, depth);
     divide({o, n, c}, {half_ab, bc.second_half(), ca.first_half()}, depth);
     divide({m, n, o}, {half_ca, half_ab, half_bc}, depth);
+  }
+
+  // A part of a side that is not divided further, from one corner to the next.
+  struct Part
+  {
+    Corner start, end;
+    Side side;
+    int depth;
+  };
+
+  // Appends the parts of a side. Isolines may cross it that are as near as `width` to its range.
+  void add_parts(const Corner& a,
+                 const Corner& b,
+                 const Side& side,
+                 const double width,
+                 const int depth,
+                 std::vector<Part>& parts)
+  {
+    const auto [low, high] = std::minmax(m_values[a.number], m_values[b.number]);
+    const double reach = side.length + width;
+    if(depth == DEEPEST || !is_long(a, b, side.length) || !has_isoline(low - reach, high + reach))
+      return parts.push_back({a, b, side, depth});
+    const Corner m = middle(a, b, side);
+    add_parts(a, m, side.first_half(), width, depth + 1, parts);
+    add_parts(m, b, side.second_half(), width, depth + 1, parts);
+  }
+
+  // Divides the first two sides, which are far longer than the third one, into all of their parts
+  // at once: a strip of as many triangles. Divided by halves, each triangle would leave three of
+  // half its length, time and again.
+  void divide_needle(const Triangle& t, const Sides& sides, const int depth)
+  {
+    const auto& [a, b, c] = t;
+    const auto& [ab, bc, ca] = sides;
+    std::vector<Part> to_b, from_b;
+    add_parts(a, b, ab, ca.length, depth, to_b);
+    add_parts(b, c, bc, ca.length, depth, from_b);
+    const double opening = // twice what the cosine of the angle at b is short of 1
+        (std::max)(0., (ca.length - ab.length + bc.length) * (ca.length + ab.length - bc.length)) /
+        (ab.length * bc.length);
+    Corner p = a, q = c; // the corners of the strip that is left
+    Side pq = ca;
+    double x = ab.length, y = bc.length; // how far they are from b
+    auto next = to_b.begin();
+    for(auto last = from_b.rbegin();;)
+    {
+      const bool is_p_last = next + 1 == to_b.end(), is_q_last = last + 1 == from_b.rend();
+      const int deeper = (std::max)(next->depth, last->depth);
+      if(is_p_last && is_q_last)
+        return divide({p, b, q}, {next->side, last->side, pq}, deeper);
+      const bool moves_p = is_q_last || (!is_p_last && (x - next->side.length) * bc.length >=
+                                                           (y - last->side.length) * ab.length);
+      const Part& part = moves_p ? *next++ : *last++;
+      const Corner r = moves_p ? part.end : part.start;
+      (moves_p ? x : y) -= part.side.length;
+      const Side across{std::sqrt((x - y) * (x - y) + x * y * opening)};
+      divide({p, r, q}, moves_p ? Sides{part.side, across, pq} : Sides{across, part.side, pq},
+             part.depth);
+      (moves_p ? p : q) = r;
+      pq = across;
+    }
   }
 
   std::pair<double, double> range(const Triangle& t) const
