@@ -8,6 +8,7 @@
 #include "checks/test_recorder.h"
 #include "meshes/hostile_meshes.h"
 #include "meshes/surface_points.h"
+#include "threads/Interruption_at.h"
 #include "threads/numbers_of_threads.h"
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
@@ -256,26 +257,6 @@ TEST_F(One_search_by_threads, may_be_interrupted)
     expect_within_bound(distances(), expected, epsilon);
   });
 }
-
-// Throws at a certain check.
-class Interruption_at final : public AG::internal::Interruption
-{
-public:
-  explicit Interruption_at(const int number) : m_number(number) { of_this_thread() = this; }
-  ~Interruption_at() { of_this_thread() = nullptr; }
-  Interruption_at(const Interruption_at&) = delete;
-  Interruption_at& operator=(const Interruption_at&) = delete;
-
-  void check() override
-  {
-    if(--m_number < 0)
-      throw std::runtime_error("interrupted");
-  }
-  void set_progress(std::size_t, std::size_t) override {}
-
-private:
-  std::atomic<int> m_number;
-};
 
 // Sights that threads have deferred when one of them throws do not wait for the next search.
 TEST_F(One_search_by_threads, forgets_the_sights_of_an_interrupted_run)

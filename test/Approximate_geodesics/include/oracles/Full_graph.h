@@ -7,14 +7,12 @@
 #define APPROXIMATE_GEODESICS_TEST_FULL_GRAPH_H
 
 #include "oracles/test_oracles.h"
+#include "paths/dijkstra.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace geodesics_test {
@@ -50,31 +48,11 @@ public:
 
   std::vector<double> distances(const Node source) const
   {
-    std::vector<double> result(m_places.size(), infinity);
-    std::vector<bool> is_settled(m_places.size(), false);
-    using Entry = std::pair<double, Node>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    result[source] = 0;
-    queue.push({0, source});
-    while(!queue.empty())
-    {
-      const auto [distance, node] = queue.top();
-      queue.pop();
-      if(is_settled[node])
-        continue;
-      is_settled[node] = true;
-      for(const std::size_t f : m_faces_of_node[node])
-        for(const Node other : m_faces[f].nodes)
-        {
-          const double through = distance + cost(f, node, other);
-          if(through < result[other])
-          {
-            result[other] = through;
-            queue.push({through, other});
-          }
-        }
-    }
-    return result;
+    return textbook_distances<double>(m_places.size(), source, [&](const auto node, const auto& f) {
+      for(const std::size_t face : m_faces_of_node[node])
+        for(const Node other : m_faces[face].nodes)
+          f(other, cost(face, static_cast<Node>(node), other));
+    });
   }
 
   // that of the arc from one node of a face to another
