@@ -521,7 +521,10 @@ private:
       if constexpr(has_prefetch<Graph>)
         m_graph.prefetch(node);
       *end = node;
-      end += static_cast<std::ptrdiff_t>(!is_stale(key, distances[node], node, m_heuristic));
+      if constexpr(needs_order<Heuristic> && can_keep_order<Queue>)
+        ++end; // such a queue lowers keys in place
+      else
+        end += static_cast<std::ptrdiff_t>(!is_stale(key, distances[node], node, m_heuristic));
     }
     order.resize(static_cast<std::size_t>(end - order.data()));
     m_size = order.size() - first;
