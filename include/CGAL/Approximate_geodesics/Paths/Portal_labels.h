@@ -53,7 +53,7 @@ namespace CGAL::Approximate_geodesics {
  *
  * Labels are worth it for very many pairs that are not known beforehand: an object takes more than
  * one search for each node of a separator, and one to two thousand bytes per vertex; section \ref
- * AG_any_pairs of the user manual has figures. Large bounds of the graph are better than small
+ * AG_pair_lists of the user manual has figures. Large bounds of the graph are better than small
  * ones, as long arcs make separators thick.
  *
  * An object never changes after its construction, and may be used by several threads.

@@ -45,13 +45,15 @@ public:
                const Portal_scale& scale,
                const float stretch,
                const Part_nodes& separator,
-               Portal_part& part)
+               Portal_part& part,
+               const std::size_t bytes_of_block = std::size_t(1) << 26)
     : m_searches(searches),
       m_loop(loop),
       m_scale(scale),
       m_stretch(stretch),
       m_separator(separator),
       m_part(part),
+      m_bytes_of_block(bytes_of_block),
       m_targets(part.vertices),
       m_table(separator.size() * separator.size())
   {
@@ -65,7 +67,7 @@ public:
     label_separator();
     const std::size_t size = m_separator.size(),
                       bytes_of_row = m_part.vertices.size() * sizeof(float),
-                      block = (std::max)(SMALLEST_BLOCK, BYTES_OF_BLOCK / (bytes_of_row + 1));
+                      block = (std::max)(SMALLEST_BLOCK, m_bytes_of_block / (bytes_of_row + 1));
     for(m_first = 0; m_first < size; m_first += m_number)
     {
       m_number = (std::min)(block, size - m_first);
@@ -79,10 +81,10 @@ public:
   }
 
 private:
-  static constexpr std::size_t BYTES_OF_BLOCK = std::size_t(1) << 26, SMALLEST_BLOCK = 64,
-                               LANES = 64, // vertices whose distances are near by
-      MOST_CANDIDATES = 32,                // of which the best one is taken
-      MOST_PORTALS = std::size_t(1) << 16;
+  static constexpr std::size_t SMALLEST_BLOCK = 64;
+  static constexpr std::size_t LANES = 64;           // vertices whose distances are near by
+  static constexpr std::size_t MOST_CANDIDATES = 32; // of which the best one is taken
+  static constexpr std::size_t MOST_PORTALS = std::size_t(1) << 16;
 
   // Distances from nodes of the block to the vertices.
   const float* row(const std::size_t i) const { return m_rows.data() + i * m_part.vertices.size(); }
@@ -244,6 +246,7 @@ private:
   float m_stretch;
   const Part_nodes& m_separator;
   Portal_part& m_part;
+  std::size_t m_bytes_of_block;
   Part_nodes m_targets;
   std::vector<float> m_table;            // between all nodes of the separator
   std::size_t m_first = 0, m_number = 0; // nodes of the block

@@ -9,10 +9,12 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Portals/Two_way_arcs.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -54,9 +56,10 @@ inline std::vector<Part_nodes> connected_parts(const Two_way_arcs& arcs)
 /*
  * A separator of a part: nodes such that no arc joins the two sides that are left.
  *
- * Nodes are ranked by the difference of their distances from two nodes that are far from each
- * other. Those below a rank with an arc to one that is not below it are a separator, and the
- * smallest one is taken that leaves no more than about two thirds on one side.
+ * Nodes are ranked by their distances from a node, or by the difference of those from two nodes;
+ * there are three that are far from each other. Nodes below a rank with an arc to one that is not
+ * below it are a separator. Of all rankings and ranks, the smallest separator is taken that leaves
+ * no more than about two thirds on one side.
  */
 class Separator
 {
@@ -65,11 +68,18 @@ class Separator
 public:
   // `search` belongs to the same arcs.
   Separator(const Two_way_arcs& arcs, Two_way_search& search, Part_nodes part)
-    : m_arcs(arcs), m_search(search), m_ranked(std::move(part))
+    : m_search(search), m_part(std::move(part))
   {
-    rank_nodes();
-    find_highest_neighbors();
-    divide(best_rank());
+    std::sort(m_part.begin(), m_part.end());
+    find_neighbors(arcs);
+    find_distances();
+    for(std::size_t i = 0; i < m_distances.size(); ++i)
+    {
+      try_ranking([&](const std::size_t node) { return m_distances[i][node]; });
+      for(std::size_t j = 0; j < i; ++j)
+        try_ranking(
+            [&](const std::size_t node) { return m_distances[i][node] - m_distances[j][node]; });
+    }
     sort_nodes();
   }
 
@@ -79,16 +89,6 @@ public:
   Part_nodes& side(const std::size_t i) { return m_side[i]; }
 
 private:
-  struct Ranked_node
-  {
-    double difference;
-    Node node;
-    bool operator<(const Ranked_node& other) const
-    {
-      return std::make_pair(difference, node) < std::make_pair(other.difference, other.node);
-    }
-  };
-
   void search_from(const Node node, const Part_nodes& targets)
   {
     m_search.run({Seed{node}}, Stop_rule{std::numeric_limits<double>::infinity(), targets});
@@ -96,7 +96,7 @@ private:
 
   double distance(const Node node) const { return m_search.labels().distance(node); }
 
-  // Returns the farthest of some nodes from one of them, after a search from there.
+  // Returns the farthest of some nodes from one of them.
   Node farthest_from(const Node node, const Part_nodes& nodes)
   {
     search_from(node, nodes);
@@ -105,71 +105,99 @@ private:
     });
   }
 
-  void rank_nodes()
+  // Neighbors in the part, by their places there.
+  void find_neighbors(const Two_way_arcs& arcs)
   {
-    std::sort(m_ranked.begin(), m_ranked.end());
-    const Node one = farthest_from(m_ranked.front(), m_ranked);
-    const Node other = farthest_from(one, m_ranked);
-    std::vector<Ranked_node> ranked;
-    for(const Node node : m_ranked)
-      ranked.push_back({distance(node), node});
-    search_from(other, m_ranked);
-    for(Ranked_node& r : ranked)
-      r.difference -= distance(r.node);
-    std::sort(ranked.begin(), ranked.end());
-    std::transform(ranked.begin(), ranked.end(), m_ranked.begin(),
-                   [](const Ranked_node& r) { return r.node; });
-  }
-
-  // For each rank, the highest one among the neighbors of the node.
-  void find_highest_neighbors()
-  {
-    m_by_number.reserve(m_ranked.size());
-    for(std::size_t i = 0; i < m_ranked.size(); ++i)
-      m_by_number.emplace_back(m_ranked[i], i);
-    std::sort(m_by_number.begin(), m_by_number.end());
-    m_highest.resize(m_ranked.size());
-    for(std::size_t i = 0; i < m_ranked.size(); ++i)
+    m_first_neighbor.push_back(0);
+    for(std::size_t i = 0; i < m_part.size(); ++i)
     {
-      m_highest[i] = i;
-      m_arcs.for_each_neighbor(m_ranked[i], [&](const Node node) {
-        const auto found = std::lower_bound(m_by_number.begin(), m_by_number.end(),
-                                            std::make_pair(node, std::size_t(0)));
-        if(found != m_by_number.end() && found->first == node)
-          m_highest[i] = (std::max)(m_highest[i], found->second);
+      check_for_interruption_at(i);
+      arcs.for_each_neighbor(m_part[i], [this](const Node node) {
+        const auto found = std::lower_bound(m_part.begin(), m_part.end(), node);
+        if(found != m_part.end() && *found == node)
+          m_neighbor.push_back(static_cast<Node>(found - m_part.begin()));
       });
+      m_first_neighbor.push_back(m_neighbor.size());
     }
   }
 
-  // Returns where to divide. The node of rank `i` is in the separators at the ranks from `i + 1` to
-  // that of its highest neighbor.
-  std::size_t best_rank() const
+  // Each of the nodes that they are from is far from those before it.
+  void find_distances()
   {
-    const std::size_t size = m_ranked.size();
-    std::vector<std::ptrdiff_t> change(size + 2);
+    std::vector<double> nearest(m_part.size(), infinity);
+    Node next = farthest_from(m_part.front(), m_part);
+    for(std::vector<double>& distances : m_distances)
+    {
+      search_from(next, m_part);
+      distances.resize(m_part.size());
+      for(std::size_t i = 0; i < m_part.size(); ++i)
+      {
+        distances[i] = distance(m_part[i]);
+        nearest[i] = (std::min)(nearest[i], distances[i]);
+      }
+      const auto farthest = std::max_element(nearest.begin(), nearest.end());
+      next = m_part[static_cast<std::size_t>(farthest - nearest.begin())];
+    }
+  }
+
+  // Keeps a separator if it is smaller than those before it.
+  template <typename F>
+  void try_ranking(const F& key_of)
+  {
+    const std::size_t size = m_part.size();
+    std::vector<std::pair<double, std::size_t>> ranked;
+    for(std::size_t i = 0; i < size; ++i)
+      ranked.emplace_back(key_of(i), i);
+    std::sort(ranked.begin(), ranked.end());
+    std::vector<std::size_t> rank_of(size);
+    for(std::size_t i = 0; i < size; ++i)
+      rank_of[ranked[i].second] = i;
+    std::vector<std::size_t> highest = rank_of; // of a node and its neighbors
+    for(std::size_t i = 0; i < size; ++i)
+      for(std::size_t j = m_first_neighbor[i]; j < m_first_neighbor[i + 1]; ++j)
+        highest[i] = (std::max)(highest[i], rank_of[m_neighbor[j]]);
+    const auto [rank, number] = best_rank(rank_of, highest);
+    if(m_side[1].empty() || number < m_nodes.size())
+      divide(rank_of, highest, rank);
+  }
+
+  // Returns where to divide, and the size of the separator. A node is in those at the ranks above
+  // its own, up to that of its highest neighbor.
+  static std::pair<std::size_t, std::size_t> best_rank(const std::vector<std::size_t>& rank_of,
+                                                       const std::vector<std::size_t>& highest)
+  {
+    const std::size_t size = rank_of.size();
+    std::vector<std::size_t> more(size + 2), fewer(size + 2);
     for(std::size_t i = 0; i < size; ++i)
     {
-      ++change[i + 1];
-      --change[m_highest[i] + 1];
+      ++more[rank_of[i] + 1];
+      ++fewer[highest[i] + 1];
     }
-    std::ptrdiff_t number = 0, smallest = (std::numeric_limits<std::ptrdiff_t>::max)();
-    std::size_t result = size / 2;
+    std::size_t number = 0, smallest = size, result = size / 2;
     for(std::size_t rank = 0; rank <= 2 * size / 3; ++rank)
     {
-      number += change[rank];
+      number = number + more[rank] - fewer[rank];
       if(rank >= size / 3 && number < smallest)
       {
         smallest = number;
         result = rank;
       }
     }
-    return result;
+    return {result, smallest};
   }
 
-  void divide(const std::size_t rank)
+  void divide(const std::vector<std::size_t>& rank_of,
+              const std::vector<std::size_t>& highest,
+              const std::size_t rank)
   {
-    for(std::size_t i = 0; i < m_ranked.size(); ++i)
-      (i >= rank ? m_side[1] : m_highest[i] >= rank ? m_nodes : m_side[0]).push_back(m_ranked[i]);
+    m_nodes.clear();
+    m_side[0].clear();
+    m_side[1].clear();
+    for(std::size_t i = 0; i < m_part.size(); ++i)
+      (rank_of[i] >= rank   ? m_side[1]
+       : highest[i] >= rank ? m_nodes
+                            : m_side[0])
+          .push_back(m_part[i]);
   }
 
   // Neighbors in this order are near to each other, so that the same portals serve them.
@@ -177,19 +205,18 @@ private:
   {
     if(m_nodes.empty())
       return;
-    std::sort(m_nodes.begin(), m_nodes.end());
     search_from(farthest_from(m_nodes.front(), m_nodes), m_nodes);
     std::stable_sort(m_nodes.begin(), m_nodes.end(),
                      [this](const Node a, const Node b) { return distance(a) < distance(b); });
   }
 
-  const Two_way_arcs& m_arcs;
   Two_way_search& m_search;
-  Part_nodes m_ranked;                                   // the nodes of the part
-  std::vector<std::pair<Node, std::size_t>> m_by_number; // and their ranks
-  std::vector<std::size_t> m_highest;
+  Part_nodes m_part;
+  std::vector<std::size_t> m_first_neighbor;
+  std::vector<Node> m_neighbor;
+  std::array<std::vector<double>, 3> m_distances;
   Part_nodes m_nodes;
-  Part_nodes m_side[2];
+  std::array<Part_nodes, 2> m_side;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -1,0 +1,377 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Paths/Portal_labels.h>
+
+#include "checks/distance_matrices.h"
+#include "checks/expect_message.h"
+#include "checks/graphs_of_all_kinds.h"
+#include "meshes/hostile_meshes.h"
+#include "meshes/random_soups.h"
+#include "meshes/test_costs.h"
+#include "meshes/test_weights.h"
+#include "threads/numbers_of_threads.h"
+
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <queue>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Intervals from labels at portals contain the distances in the graph, whatever the pair.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+namespace parameters = CGAL::parameters;
+using namespace geodesics_test;
+using AG::Portal_labels;
+using Two_way_arcs = AG::internal::Two_way_arcs;
+
+// By a queue of the standard library, in the unit of the mesh.
+std::vector<double> two_way_distances(const Two_way_arcs& arcs, const std::uint32_t source)
+{
+  using Entry = std::pair<double, std::uint32_t>;
+  std::vector<double> result(arcs.number_of_nodes(), infinity);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  result[source] = 0;
+  queue.emplace(0, source);
+  while(!queue.empty())
+  {
+    const auto [distance, node] = queue.top();
+    queue.pop();
+    if(distance == result[node])
+      arcs.for_each_arc(node, 0, [&, from = distance](const auto target, const double length) {
+        if(from + length < result[target])
+        {
+          result[target] = from + length;
+          queue.emplace(result[target], target);
+        }
+      });
+  }
+  for(double& distance : result)
+    distance *= arcs.unit();
+  return result;
+}
+
+// Some vertices, or all if they are few.
+std::vector<std::uint32_t> some_numbers(const std::size_t number, Random& random)
+{
+  std::vector<std::uint32_t> result;
+  for(const std::size_t i : random.permutation(number))
+    if(result.size() < 60)
+      result.push_back(static_cast<std::uint32_t>(i));
+  return result;
+}
+
+template <typename SurfaceGraph>
+void expect_intervals(const SurfaceGraph& graph, const double epsilon, Random& random)
+{
+  constexpr double rounding = 1e-5;
+  const double smallest = 1e-37 * graph.arc_lengths().longest * graph.unit(); // in single precision
+  const Portal_labels<SurfaceGraph> labels(graph, parameters::epsilon(epsilon));
+  EXPECT_EQ(labels.epsilon(), epsilon);
+  const Two_way_arcs arcs(graph);
+  AG::Propagation<SurfaceGraph> search(graph);
+  const auto n = static_cast<std::uint32_t>(graph.triangulation().number_of_vertices());
+  for(const std::uint32_t v : some_numbers(n, random))
+  {
+    const std::vector<double> distances = two_way_distances(arcs, v);
+    search.run_from(v);
+    for(std::uint32_t w = 0; w < n; ++w)
+    {
+      const auto [lower, upper] = labels.distance_interval(v, w);
+      ASSERT_LE(lower, distances[w]) << v << ' ' << w;
+      ASSERT_GE(upper, distances[w]) << v << ' ' << w;
+      ASSERT_LE(lower, search.distance(w)) << v << ' ' << w;
+      ASSERT_GE(upper * (1 + graph.asymmetry()) * (1 + 1e-12) + smallest, search.distance(w));
+      if(lower > smallest)
+      {
+        ASSERT_LE(upper, (1 + epsilon) * (1 + rounding) * lower);
+      }
+      ASSERT_EQ(labels.distance_interval(w, v), std::make_pair(lower, upper));
+      ASSERT_EQ(std::isinf(lower), std::isinf(search.distance(w)));
+    }
+  }
+}
+
+TEST(Portal_labels, contain_distances)
+{
+  Random random(test_seed());
+  for(const Named_mesh& row : generated_meshes(test_seed()))
+  {
+    SCOPED_TRACE(row.name);
+    const Triangulation triangulation(row.mesh);
+    for(const double epsilon : {0.001, 0.02, 0.5})
+      expect_intervals(edge_graph().make(triangulation), epsilon, random);
+    expect_intervals(discrete_geodesic_graph(0.2).make(triangulation), 0.02, random);
+  }
+}
+
+TEST(Portal_labels, contain_distances_on_random_soups)
+{
+  Random random(test_seed());
+  for(std::uint64_t i = 0; i < number_of_kinds_of_soups; ++i)
+  {
+    SCOPED_TRACE(test_seed() + i);
+    const Triangulation triangulation(to_mesh(random_small_soup(test_seed() + i)));
+    expect_intervals(edge_graph().make(triangulation), 0.05, random);
+    expect_intervals(discrete_geodesic_graph(0.3).make(triangulation), 0.05, random);
+  }
+}
+
+TEST(Portal_labels, contain_distances_on_hostile_meshes)
+{
+  Random random(test_seed());
+  for(const Hostile_mesh& row : accepted_meshes())
+  {
+    SCOPED_TRACE(row.name);
+    const Triangulation triangulation(row.mesh);
+    expect_intervals(edge_graph().make(triangulation), 0.02, random);
+    if(row.refusal_across_faces.empty() && row.mesh.number_of_vertices() < 500)
+      expect_intervals(discrete_geodesic_graph(0.2).make(triangulation), 0.02, random);
+  }
+}
+
+TEST(Portal_labels, heed_weights)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(14, 12, random));
+  const Weights weights = random_weights(mesh, random, 0.5, 4, 0.1);
+  expect_intervals(steiner_graph(mesh, weights, Fixed_number_of_points(1)), 0.03, random);
+}
+
+// Straight lines in the plane are shortest.
+TEST(Portal_labels, contain_distances_in_the_plane)
+{
+  constexpr double bound = 0.05, epsilon = 0.02, rounding = 1 + 1e-5;
+  const Mesh mesh = to_mesh(flat_grid(35, 30));
+  const auto graph = discrete_geodesic_graph(bound).make(Triangulation(mesh));
+  const Portal_labels<Discrete_geodesic_graph> labels(graph);
+  EXPECT_EQ(labels.epsilon(), epsilon);
+  for(const Vertex v : mesh.vertices())
+    for(const Vertex w : mesh.vertices())
+    {
+      const double exact = std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
+      const Triangulation& t = graph.triangulation();
+      const auto [lower, upper] = labels.distance_interval(t.vertex(v.idx()), t.vertex(w.idx()));
+      ASSERT_LE(exact, upper * rounding);
+      ASSERT_LE(upper, (1 + bound) * (1 + epsilon) * rounding * exact);
+      ASSERT_LE(lower, (1 + bound) * rounding * exact);
+      ASSERT_LE(exact, (1 + epsilon) * rounding * lower * (1 + bound));
+    }
+}
+
+TEST(Portal_labels, know_what_is_not_connected)
+{
+  Soup soup = flat_grid(20, 20);
+  soup.append(flat_grid(3, 3));
+  soup.points.push_back(Point(7, 7, 7));
+  const AG::Edge_graph graph{Triangulation(to_mesh(soup))};
+  const Portal_labels<AG::Edge_graph> labels(graph);
+  const Triangulation& t = graph.triangulation();
+  const auto distance = [&](const std::size_t i, const std::size_t j) {
+    return labels.distance_interval(t.vertex(i), t.vertex(j)).second;
+  };
+  EXPECT_EQ(distance(3, 401), infinity);
+  EXPECT_EQ(distance(409, 3), infinity);
+  EXPECT_EQ(distance(409, 409), 0);
+  EXPECT_NEAR(distance(400, 402), 2, 1e-5);
+  AG::Surface_search<AG::Edge_graph> search(graph);
+  EXPECT_EQ(labels.distance(t.vertex(3), t.vertex(409), 0, search), infinity);
+  const AG::Edge_graph empty;
+  EXPECT_EQ(Portal_labels<AG::Edge_graph>(empty).number_of_labels(), 0u);
+}
+
+TEST(Portal_labels, have_the_same_bits_by_all_threads)
+{
+  Random random(test_seed());
+  const auto graph =
+      discrete_geodesic_graph(0.2).make(Triangulation(to_mesh(terrain(32, 30, random))));
+  const auto n = static_cast<std::uint32_t>(graph.triangulation().number_of_vertices());
+  const Portal_labels<Discrete_geodesic_graph> expected(graph);
+  for_each_number_of_threads([&](const auto& tag) {
+    const Portal_labels<Discrete_geodesic_graph> labels(graph, tag);
+    EXPECT_EQ(labels.number_of_labels(), expected.number_of_labels());
+    EXPECT_EQ(labels.memory(), expected.memory());
+    for(std::uint32_t v = 0; v < n; v += 7)
+      for(std::uint32_t w = 0; w < n; w += 3)
+        ASSERT_EQ(labels.distance_interval(v, w), expected.distance_interval(v, w));
+  });
+}
+
+TEST(Portal_labels, leave_the_rest_to_a_search)
+{
+  Random random(test_seed());
+  const auto graph =
+      discrete_geodesic_graph(0.2).make(Triangulation(to_mesh(terrain(25, 20, random))));
+  const Portal_labels<Discrete_geodesic_graph> labels(graph, parameters::epsilon(0.1));
+  AG::Surface_search<Discrete_geodesic_graph> search(graph), other(graph);
+  const AG::Landmarks<Discrete_geodesic_graph> landmarks(graph, 4);
+  for(std::uint32_t v = 0; v < 500; v += 41)
+  {
+    other.run({{Intrinsic_point::at_vertex(v)}});
+    for(std::uint32_t w = 0; w < 500; w += 3)
+    {
+      const double expected = other.distance(Intrinsic_point::at_vertex(w));
+      const auto [lower, upper] = labels.distance_interval(v, w);
+      for(const double ratio : {0., 0.01, 0.2})
+      {
+        const double found = labels.distance(v, w, ratio, search);
+        ASSERT_LE(found, (1 + ratio) * expected * (1 + 1e-12));
+        ASSERT_GE(found * (1 + graph.asymmetry()), expected);
+        ASSERT_GE(found, lower);
+        if(ratio > 0.11) // no search
+        {
+          ASSERT_EQ(found, upper);
+        }
+      }
+    }
+    if(v > 200)
+      search.use_landmarks(landmarks);
+  }
+}
+
+TEST(Portal_labels, are_those_of_the_graph_as_it_was)
+{
+  const Mesh mesh = to_mesh(flat_grid(12, 12));
+  auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 4), Fixed_number_of_points(1));
+  using Weighted_graph = Steiner_graph<Fixed_number_of_points>;
+  const Portal_labels<Weighted_graph> labels(graph);
+  AG::Surface_search<Weighted_graph> search(graph);
+  const double before = labels.distance(0, 143, 1, search);
+  EXPECT_TRUE(labels.are_valid());
+  std::vector<AG::Weight_change> changes;
+  for(std::uint32_t h = 0; h < graph.triangulation().number_of_halfedges(); ++h)
+    if(!graph.triangulation().is_border(h))
+      changes.push_back({h, 1});
+  graph.set_weights(changes);
+  EXPECT_FALSE(labels.are_valid());
+  EXPECT_NEAR(labels.distance(0, 143, 1, search), before / 4, 0.03 * before);
+}
+
+TEST(Portal_labels, take_more_memory_for_smaller_bounds)
+{
+  const AG::Edge_graph graph{Triangulation(to_mesh(flat_grid(40, 40)))};
+  std::size_t most = 0;
+  for(const double epsilon : {10., 0.1, 0.01, 1e-12})
+  {
+    const Portal_labels<AG::Edge_graph> labels(graph, parameters::epsilon(epsilon));
+    EXPECT_GE(labels.number_of_labels(), most);
+    EXPECT_GE(labels.memory(), labels.number_of_labels() * 6);
+    most = labels.number_of_labels();
+  }
+  EXPECT_LT(most, 1600u * 200);
+}
+
+TEST(Portal_labels, refuse_bad_input)
+{
+  const Mesh mesh = to_mesh(flat_grid(5, 4));
+  const AG::Edge_graph graph{Triangulation(mesh)}, other{Triangulation(mesh)};
+  using Labels = Portal_labels<AG::Edge_graph>;
+  for(const double epsilon : {0., -1., infinity, std::nan("")})
+    expect_message<std::invalid_argument>([&] { Labels(graph, parameters::epsilon(epsilon)); },
+                                          "epsilon is", "finite number larger than 0");
+  const Labels labels(graph);
+  expect_message<std::invalid_argument>([&] { labels.distance_interval(20, 0); },
+                                        "vertex 20 does not exist", "20 vertices");
+  expect_message<std::invalid_argument>([&] { labels.distance_interval(0, 4000000000u); },
+                                        "vertex 4000000000 does not exist");
+  AG::Surface_search<AG::Edge_graph> search(graph), search_of_other(other);
+  for(const double ratio : {-0.1, std::nan("")})
+    expect_message<std::invalid_argument>([&] { labels.distance(0, 1, ratio, search); },
+                                          "the ratio is");
+  expect_message<std::invalid_argument>([&] { labels.distance(0, 1, 1, search_of_other); },
+                                        "another graph");
+}
+
+TEST(Portal_labels, refuse_directions_and_barriers)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(flat_grid(5, 4));
+  const Dense_graph graph = dense_graph(mesh, cost_of_faces(random_slants(mesh, random, 0.5)), 1);
+  expect_message<std::invalid_argument>([&] { Portal_labels<Dense_graph>{graph}; }, "direction");
+  const Barriers barriers = random_barriers(mesh, 0.3, random);
+  const Steiner_graph<Fixed_number_of_points> with_walls(
+      Triangulation(mesh, with_barriers(barriers)), Fixed_number_of_points(1));
+  expect_message<std::invalid_argument>(
+      [&] { Portal_labels<Steiner_graph<Fixed_number_of_points>>{with_walls}; }, "barriers");
+}
+
+// No arc leads from one side to the other, and none of the nodes is lost.
+TEST(Portal_separators, separate)
+{
+  Random random(test_seed());
+  for(const Named_mesh& row : generated_meshes(test_seed()))
+  {
+    SCOPED_TRACE(row.name);
+    const Two_way_arcs arcs(discrete_geodesic_graph(0.2).make(Triangulation(row.mesh)));
+    AG::internal::Two_way_search search(arcs);
+    for(const AG::internal::Part_nodes& part : AG::internal::connected_parts(arcs))
+    {
+      AG::internal::Separator separator(arcs, search, part);
+      std::vector<int> side(arcs.number_of_nodes(), -1);
+      for(const int i : {0, 1})
+        for(const auto node : separator.side(std::size_t(i)))
+          side[node] = i;
+      EXPECT_EQ(separator.nodes().size() + separator.side(0).size() + separator.side(1).size(),
+                part.size());
+      EXPECT_LE(3 * separator.side(1).size(), 2 * part.size() + 3);
+      for(const auto node : part)
+        arcs.for_each_neighbor(node, [&](const auto other) {
+          EXPECT_FALSE(side[node] + side[other] == 1 && side[node] * side[other] == 0 &&
+                       side[node] >= 0 && side[other] >= 0);
+        });
+    }
+  }
+}
+
+// Also where rows of distances are found in several blocks.
+TEST(Portal_cover, covers_all_nodes)
+{
+  Random random(test_seed());
+  const Two_way_arcs arcs(
+      discrete_geodesic_graph(0.1).make(Triangulation(to_mesh(terrain(60, 20, random)))));
+  AG::internal::Workspaces<AG::internal::Two_way_search> searches(arcs);
+  AG::internal::Part_nodes separator;
+  for(std::uint32_t node = 0; node < 1200; node += 7)
+    separator.push_back(node);
+  constexpr float stretch = 1.02f;
+  const AG::internal::Portal_scale scale(arcs.arc_lengths().longest);
+  std::vector<std::vector<double>> rows;
+  for(const auto node : separator)
+    rows.push_back(two_way_distances(arcs, node));
+  for(const std::size_t bytes : {0u, 1u << 26})
+  {
+    AG::internal::Portal_part part;
+    for(std::uint32_t node = 0; node < 1200; ++node)
+      part.vertices.push_back(node);
+    AG::internal::Portal_cover(searches, {}, scale, stretch, separator, part, bytes).run();
+    ASSERT_EQ(part.size, separator.size()); // each has a label at itself
+    for(std::uint32_t v = 0; v < 1200; ++v)
+      for(std::size_t q = 0; q < separator.size(); ++q)
+      {
+        double smallest = infinity;
+        for(const auto& label : part.labels[v])
+        {
+          EXPECT_NEAR(scale.label(label.distance) * arcs.unit(), rows[label.portal][v],
+                      1e-6 * rows[label.portal][v]);
+          smallest = (std::min)(smallest, rows[label.portal][v] + rows[label.portal][separator[q]]);
+        }
+        ASSERT_LE(smallest, 1.02 * (1 + 1e-6) * rows[q][v]);
+      }
+  }
+}
+
+} // namespace
