@@ -121,8 +121,9 @@ private:
   Part_nodes divide(Open_part& open, const std::size_t number_of_vertices)
   {
     const auto search = m_searches.borrow();
-    Separator separator(m_arcs, *search, open.nodes);
-    if(number_of_vertices > SIZE_TO_DIVIDE || 3 * separator.nodes().size() < open.nodes.size())
+    const std::size_t size = open.nodes.size();
+    Separator separator(m_arcs, *search, std::move(open.nodes));
+    if(number_of_vertices > SIZE_TO_DIVIDE || 3 * separator.nodes().size() < size)
       open.sides = {std::move(separator.side(0)), std::move(separator.side(1))};
     return std::move(separator.nodes());
   }

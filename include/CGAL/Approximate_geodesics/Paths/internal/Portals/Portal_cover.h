@@ -136,6 +136,7 @@ private:
 
   void cover_vertices(const std::size_t first, const std::size_t beyond)
   {
+    check_for_interruption();
     std::vector<float> columns(LANES * m_number), limits(m_number);
     for(std::size_t i = 0; i < m_number; ++i)
       for(std::size_t v = first; v < beyond; ++v)

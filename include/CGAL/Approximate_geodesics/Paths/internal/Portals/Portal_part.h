@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Paths/internal/Portals/Separators.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,13 +25,16 @@ class Portal_scale
 {
 public:
   explicit Portal_scale(const double longest_arc = 1)
-    : m_exponent(longest_arc > 0 ? std::ilogb(longest_arc) : 0)
   {
+    constexpr int largest = 1000; // the factors are finite numbers
+    if(longest_arc > 0)
+      m_exponent = (std::max)(-largest, (std::min)(largest, std::ilogb(longest_arc)));
+    m_factor = std::scalbn(1., -m_exponent);
   }
 
   float stored(const double label) const
   {
-    const double exact = std::scalbn(label, -m_exponent);
+    const double exact = label * m_factor;
     const auto result = static_cast<float>(exact);
     return result < exact ? std::nextafter(result, std::numeric_limits<float>::infinity()) : result;
   }
@@ -38,7 +42,8 @@ public:
   double label(const double stored) const { return std::scalbn(stored, m_exponent); }
 
 private:
-  int m_exponent;
+  int m_exponent = 0;
+  double m_factor = 1;
 };
 
 // A portal of a vertex, by its place in the separator, and its distance.
@@ -61,7 +66,7 @@ struct Portal_part
   bool is_last = true;
   Part_nodes vertices;
   std::vector<std::vector<Portal_label>> labels; // of each vertex
-  std::vector<bool> is_in_separator;             // for each vertex; their parts end here
+  std::vector<bool> is_in_separator;             // for each vertex
   std::size_t size = 0;                          // the number of portals, or of vertices
   std::vector<float> table;                      // row by row; of a last part, below the diagonal
 };
