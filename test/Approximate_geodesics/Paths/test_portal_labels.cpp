@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -273,6 +274,45 @@ TEST(Portal_labels, take_more_memory_for_smaller_bounds)
     most = labels.number_of_labels();
   }
   EXPECT_LT(most, 1600u * 200);
+}
+
+// Throws at one of the checks.
+class Interruption_of_labels final : public AG::internal::Interruption
+{
+public:
+  struct Interrupted
+  {
+  };
+
+  explicit Interruption_of_labels(const int number) : m_number_left(number)
+  {
+    of_this_thread() = this;
+  }
+  ~Interruption_of_labels() { of_this_thread() = nullptr; }
+  Interruption_of_labels(const Interruption_of_labels&) = delete;
+  Interruption_of_labels& operator=(const Interruption_of_labels&) = delete;
+
+  void check() override
+  {
+    if(--m_number_left < 0)
+      throw Interrupted();
+  }
+  void set_progress(std::size_t /* number_done */, std::size_t /* number */) override {}
+
+private:
+  std::atomic<int> m_number_left;
+};
+
+TEST(Portal_labels, can_be_interrupted)
+{
+  const AG::Edge_graph graph{Triangulation(to_mesh(flat_grid(30, 20)))};
+  for_each_number_of_threads([&](const auto& tag) {
+    for(const int number : {0, 1, 5, 40, 300})
+    {
+      const Interruption_of_labels interruption(number);
+      EXPECT_THROW(Portal_labels<AG::Edge_graph>(graph, tag), Interruption_of_labels::Interrupted);
+    }
+  });
 }
 
 TEST(Portal_labels, refuse_bad_input)
