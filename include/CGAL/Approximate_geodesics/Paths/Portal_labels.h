@@ -45,16 +45,16 @@ namespace CGAL::Approximate_geodesics {
  * \varepsilon)\, d(v,q)\f$. The distances between the portals of a separator are in a table. So the
  * distance of a pair is at most the smallest sum over portals of both, and at least this sum
  * divided by \f$1 + \varepsilon\f$: see the report \cgalCite{ag-report}. Pairs that no separator
- * divides are in a table of their own. Where all nodes of separators are kept, and not those that
- * are worth it for a vertex, labels are hub labels \cgalCite{adgw-hlarn-11}.
+ * divides are in a table of their own. Hub labels \cgalCite{adgw-hlarn-11} keep nodes that shortest
+ * paths of both vertices have in common instead, which are exact, and far more on a surface.
  *
  * Distances are those in the graph whose arcs all lead back, too. They are at most
  * `asymmetry()` smaller, relatively, than those in `graph`, and paths on the surface all the same.
  *
- * Labels are worth it for very many pairs that are not known beforehand: an object takes more than
- * one search for each node of a separator, and one to two thousand bytes per vertex; section \ref
- * AG_pair_lists of the user manual has figures. Large bounds of the graph are better than small
- * ones, as long arcs make separators thick.
+ * Labels are worth it for very many pairs that are not known beforehand. An object takes a search
+ * for each node of a separator, which most vertices are if arcs are long, and one to two thousand
+ * bytes per vertex; section \ref AG_pair_lists of the user manual has figures. A graph with a large
+ * bound is better than one with a small bound, as its arcs make thinner separators.
  *
  * An object never changes after its construction, and may be used by several threads.
  *
@@ -86,9 +86,12 @@ public:
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{epsilon}
-   *     \cgalParamDescription{the ends of an interval differ by the factor \f$1 + \varepsilon\f$,
-   * up to rounding to single precision} \cgalParamType{a number type convertible by
-   * `CGAL::to_double()`} \cgalParamDefault{`0.02`} \cgalParamNEnd \cgalParamNBegin{concurrency_tag}
+   *     \cgalParamDescription{the ends of an interval differ by the factor
+   *                           \f$1 + \varepsilon\f$, up to rounding to single precision}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{`0.02`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{concurrency_tag}
    *     \cgalParamDescription{whether several threads work at the same time. The result is the
    *                           same.}
    *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
