@@ -46,7 +46,7 @@ namespace CGAL::Approximate_geodesics {
  * distance of a pair is at most the smallest sum over portals of both, and at least this sum
  * divided by \f$1 + \varepsilon\f$: see the report \cgalCite{ag-report}. Pairs that no separator
  * divides are in a table of their own. Hub labels \cgalCite{adgw-hlarn-11} keep nodes that shortest
- * paths of both vertices have in common instead, which are exact, and far more on a surface.
+ * paths of both vertices have in common instead, which makes them exact, and larger.
  *
  * Distances are those in the graph whose arcs all lead back, too. They are at most
  * `asymmetry()` smaller, relatively, than those in `graph`, and paths on the surface all the same.
