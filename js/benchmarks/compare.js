@@ -1,5 +1,6 @@
 // Measures the package beside the native solver, in the same run: the size of its module, and the
-// least times of constructions and searches; and the first ones, without and with `warmUp`.
+// least times of constructions and searches, of well compiled code; and the first ones, without and
+// with `warmUp`.
 //
 // Usage: node compare.js NATIVE_SOLVER MESH [RUNS]       (MESH: an OFF file of triangles)
 
@@ -46,7 +47,7 @@ const time = (f) => {
   return (user + system) / 1000;
 };
 
-/** In a process of its own, whose engine has compiled nothing yet. */
+/** In a process of its own, whose engine has compiled nothing yet, or compiles all well at once. */
 async function measureHere(file, epsilon, runs, warmUp) {
   const { Solver } = await loadGeodesics({ warmUp });
   const { vertices, faces } = read(file);
@@ -58,11 +59,9 @@ async function measureHere(file, epsilon, runs, warmUp) {
   };
   const constructions = [];
   const searches = [];
-  for (let i = 0; i < runs; ++i) {
-    constructions.push(time(make));
-    searches.push(time(() => solver.distances(0)));
-    await new Promise((done) => setTimeout(done, 5)); // what was compiled is taken
-  }
+  for (let i = 0; i < runs; ++i) constructions.push(time(make));
+  // of one solver, as the native ones: a workspace learns from its searches
+  for (let i = 0; i < runs; ++i) searches.push(time(() => solver.distances(0)));
   return { constructions, searches };
 }
 
@@ -77,8 +76,9 @@ function measureNative(program, file, epsilon, runs) {
   return result;
 }
 
-function measureInProcess(...parameters) {
-  const text = execFileSync(process.execPath, [script, '--child', ...parameters.map(String)]);
+function measureInProcess(flags, ...parameters) {
+  const child = [...flags, script, '--child', ...parameters.map(String)];
+  const text = execFileSync(process.execPath, child);
   return JSON.parse(text.toString());
 }
 
@@ -98,11 +98,12 @@ function compare(program, mesh, runs) {
   printRow('epsilon', 'milliseconds', 'native', 'here', 'ratio', 'first', 'warmed up');
   for (const epsilon of EPSILONS) {
     const native = measureNative(program, file, epsilon, runs);
-    const cold = measureInProcess(file, epsilon, runs, false);
-    const warm = measureInProcess(file, epsilon, runs, true);
+    const compiled = measureInProcess(['--no-liftoff'], file, epsilon, runs, false);
+    const cold = measureInProcess([], file, epsilon, 1, false);
+    const warm = measureInProcess([], file, epsilon, 1, true);
     for (const name of ['constructions', 'searches']) {
       const there = Math.min(...native[name]);
-      const here = Math.min(...cold[name], ...warm[name]);
+      const here = Math.min(...compiled[name]);
       printRow(epsilon, name, there, here, here / there, cold[name][0], warm[name][0]);
     }
   }

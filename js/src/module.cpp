@@ -37,8 +37,8 @@
 
 #include "calls.h"
 
-// That of CGAL prints by a stream, whose locales would be a tenth of the module. Its only user is
-// the AABB tree, in a case that does not occur.
+// That of CGAL prints by a stream, whose locales would be a tenth of the module. It is
+// called by the AABB tree and by intersections only, in cases that do not occur.
 #include <CGAL/assertions.h>
 #undef CGAL_error
 #define CGAL_error() std::abort()

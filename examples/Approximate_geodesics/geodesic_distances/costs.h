@@ -49,10 +49,11 @@ inline std::vector<double> weights_of_file(const std::string& file)
 }
 
 template <typename Number>
-std::optional<std::vector<double>> weights_of_property(const Mesh& mesh, const std::string& name)
+std::optional<std::vector<double>> weights_of_property(Mesh& mesh, const std::string& name)
 {
-  const auto [property, is_there] = mesh.property_map<Mesh::Face_index, Number>(name);
-  if(!is_there)
+  // returns one that exists; what `property_map()` returns differs between CGAL 5 and 6
+  const auto [property, is_new] = mesh.add_property_map<Mesh::Face_index, Number>(name);
+  if(is_new)
     return std::nullopt;
   std::vector<double> result;
   for(const auto f : mesh.faces())

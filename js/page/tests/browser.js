@@ -53,16 +53,23 @@ export class Opened {
     });
   }
 
-  /** Waits until nothing is searched any more. */
+  /** Waits until nothing is searched any more, and what was found is shown, some frames later. */
   async idle() {
     await this.page.waitForSelector('#stage[aria-busy="false"] .handle');
-    await this.page.waitForFunction(() => {
-      const stage = /** @type {any} */ (document.getElementById('stage'));
-      const now = performance.now();
-      if (stage.getAttribute('aria-busy') !== 'false') stage.idleSince = undefined;
-      else stage.idleSince ??= now;
-      return now - stage.idleSince > 150;
-    }, undefined, { polling: 'raf' });
+    await this.page.evaluate(
+      () =>
+        new Promise(done => {
+          const stage = document.getElementById('stage');
+          let since = performance.now(), frames = 0;
+          const look = () => {
+            if (stage?.getAttribute('aria-busy') === 'false') ++frames;
+            else [since, frames] = [performance.now(), 0];
+            if (frames > 3 && performance.now() - since > 150) done(undefined);
+            else requestAnimationFrame(look);
+          };
+          requestAnimationFrame(look);
+        })
+    );
   }
 
   /**
@@ -104,6 +111,14 @@ export class Opened {
    */
   cell(method, column) {
     return this.page.locator(`#methods tr.${method} .${column}`).innerText();
+  }
+
+  /**
+   * Waits for the length of a path.
+   * @param {string} method
+   */
+  async found(method) {
+    await this.page.locator(`#methods tr.${method} .path`, { hasText: /^\d/ }).waitFor();
   }
 
   /** @param {string} name */

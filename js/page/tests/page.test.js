@@ -82,7 +82,7 @@ onPage('every format is read', 'plane', async page => {
     await page.page.waitForFunction(start => document.getElementById('summary')?.textContent?.startsWith(start), name);
     await page.idle();
     assert.equal(await page.text('summary'), `${name} · 144 vertices · 242 faces`);
-    assert.match(await page.cell('exact', 'path'), /^\d/, name);
+    await page.found('exact');
     assert.ok(await page.page.locator('#alert').isHidden());
   }
 });
@@ -138,7 +138,7 @@ onPage('coordinates can be large, small, and far from the origin', 'plane', asyn
     await page.load(name, FILES['bumps.off']({ ...mesh, vertices: mesh.vertices.map(v => v.map(change)) }));
     await page.page.waitForFunction(start => document.getElementById('summary')?.textContent?.startsWith(start), name);
     await page.idle();
-    assert.match(await page.cell('exact', 'path'), /^\d/, name);
+    await page.found('exact');
   }
 });
 
@@ -277,9 +277,18 @@ onPage('fingers move points, turn the surface, and zoom', 'plane', async page =>
 onPage('a long search can be stopped, and another one starts', 'large_terrain', async page => {
   assert.match(await page.text('summary'), /435,600 vertices/);
   assert.ok(!(await page.page.locator('#compares').isChecked()));
+  // at once: where frames are slow, the button may be gone before it is looked for
+  await page.page.evaluate(() => {
+    const stop = /** @type {HTMLButtonElement} */ (document.getElementById('stop'));
+    const stopIfSeen = () => {
+      if (stop.hidden || stop.dataset.isPressed) return;
+      stop.dataset.isPressed = 'true';
+      stop.click();
+    };
+    new MutationObserver(stopIfSeen).observe(stop, { attributeFilter: ['hidden'] });
+  });
   await page.page.keyboard.press('3');
-  await page.page.waitForSelector('#stop:not([hidden])');
-  await page.page.evaluate(() => document.getElementById('stop')?.click());
+  await page.page.waitForSelector('#stop[data-is-pressed]', { state: 'attached' });
   await page.idle();
   assert.ok(await page.page.locator('#methods tr.edges input[type=radio]').isChecked());
   assert.match(await page.cell('edges', 'path'), /^\d/);

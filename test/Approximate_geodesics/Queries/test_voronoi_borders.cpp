@@ -11,10 +11,12 @@
 #include "checks/expect_message.h"
 #include "meshes/hostile_meshes.h"
 #include "meshes/sample_meshes.h"
+#include "oracles/test_oracles.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -296,6 +298,39 @@ TEST(VoronoiBorders, are_found_where_four_cells_meet)
                                    [](const auto& c) { return c.sources.size() == 4; });
   ASSERT_NE(middle, cells.corners.end());
   EXPECT_EQ(middle->sources, (std::vector<std::size_t>{0, 1, 3, 2})); // counterclockwise
+}
+
+// Two points of three cells each, so close to each other that they are one: no cell is repeated.
+TEST(VoronoiBorders, list_cells_once_around_corners_that_are_one)
+{
+  using Arc = AG::internal::Border_arc;
+  const Triangulation triangulation(to_mesh(fan(6)));
+  const std::array<double, 3> hub{1, 0, 0}, rim{0, 0.5, 0.5};
+  std::vector<Arc> arcs;
+  const unsigned center = triangulation.vertex(0);
+  for(unsigned h = triangulation.first_halfedge(center); h < triangulation.beyond_halfedge(center);
+      ++h)
+  {
+    const std::size_t i = arcs.size() % 3, first = arcs.size() - i;
+    const AG::internal::Face_point from{h, hub}, to{h, rim};
+    const unsigned face = triangulation.first_of_face(h);
+    Arc arc{face, first + (i == 1 ? 1 : 0), first + (i == 0 ? 1 : 2), {}};
+    for(const auto& p : {from, to})
+      arc.points.push_back(p.seen_from(triangulation, face).weight);
+    if(i != 2) // around the hub, 0, 1 and 2 follow each other, and so do 3, 4 and 5
+      std::reverse(arc.points.begin(), arc.points.end());
+    arcs.push_back(arc);
+  }
+  ASSERT_EQ(arcs.size(), 6u);
+  const AG::internal::Cell_network network(triangulation, arcs);
+  std::size_t number_of_hubs = 0;
+  for(const auto& corner : network.corners())
+    if(corner.sources.size() > 2)
+    {
+      ++number_of_hubs;
+      EXPECT_EQ(corner.sources, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));
+    }
+  EXPECT_EQ(number_of_hubs, 1u);
 }
 
 // The triangle of three points is counterclockwise also where the cells meet at the border.

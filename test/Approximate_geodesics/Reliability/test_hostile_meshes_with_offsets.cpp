@@ -73,7 +73,8 @@ bool is_on_border(const Intrinsic_triangulation& t, const Intrinsic_point& p)
 }
 
 // Expects that the corners of a face to the left of a piece that crosses it are nearer, and those
-// to the right are farther, if the face is far from the sources: there, faces are not divided.
+// to the right are farther, if the face is far from the sources: there, faces are not divided, but
+// pieces may be, in the face.
 // Returns the number of corners.
 std::size_t expect_sides_of_piece(const Exact_search_from_curves& search,
                                   const Intrinsic_point& p,
@@ -81,6 +82,11 @@ std::size_t expect_sides_of_piece(const Exact_search_from_curves& search,
                                   const double offset)
 {
   const Intrinsic_triangulation& t = search.graph().triangulation();
+  const auto is_in_face = [](const Intrinsic_point& x) {
+    return !x.is_vertex() && !x.is_on_edge();
+  };
+  if(is_in_face(p) || is_in_face(q))
+    return 0;
   std::size_t result = 0;
   AG::internal::for_each_segment(t, p, q, [&](const AG::internal::Curve_segment& segment) {
     const AG::internal::Segment_layout layout(t, segment);

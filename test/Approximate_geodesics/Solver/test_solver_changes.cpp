@@ -92,6 +92,25 @@ TEST_F(Solver_changes, of_barriers_open_doors_and_close_them)
   EXPECT_EQ(solver_distances(solver), closed);
 }
 
+// A graph for barriers is not saved, so that another one has to be built.
+TEST_F(Solver_changes, of_the_last_barriers_can_be_saved)
+{
+  Solver_options options = bound(0.1);
+  options.barriers = m_wall.data();
+  options.number_of_barriers = 2;
+  Solver_of solver(m_arrays, options);
+  const std::array<bool, 2> open{false, false};
+  solver.set_barriers(m_wall.data(), open.data(), 2);
+  const double distance = solver_distances(solver).back();
+  std::stringstream file, second_file;
+  solver.save(file);
+  const Solver read(file);
+  EXPECT_FALSE(read.has_barriers());
+  EXPECT_NEAR(solver_distances(read).back(), distance, 0.1 * distance);
+  read.save(second_file);
+  EXPECT_EQ(solver_distances(Solver(second_file)), solver_distances(read));
+}
+
 TEST_F(Solver_changes, are_refused_if_they_are_wrong)
 {
   Solver_of solver(m_arrays, options(m_weights));

@@ -74,11 +74,13 @@ inline double smallest_step(const std::vector<double>& distances, const double m
  * each other.
  *
  * Distances are exact at vertices, and so are their slopes along edges, from the directions in
- * which shortest paths arrive. Where an offset curve crosses an edge, its distance is right up to
- * about 1 % of the smallest step between two offsets, but for steps below a thousandth of a mean
- * edge, or 1e-5 times the largest offset. Between these points, it is straight; faces near
- * the sources are divided for that. At points that have several shortest paths to the sources (the
- * medial axis), offset curves have corners, which may be cut off by up to a face.
+ * which shortest paths arrive. The distances of points between follow from these, also where
+ * shortest paths from several directions meet. The curve is right up to about 1 % of the smallest
+ * step between two offsets, also between its points, if steps are not far smaller than edges. Where
+ * shortest paths bend at most vertices, as on rough scans, about 1 % of the points are farther off,
+ * up to 5 % of a step; this is an estimate, and no bound. At points that have several shortest
+ * paths to the sources (the medial axis), offset curves have corners; where three paths or more
+ * meet, these may be cut off by up to a face.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam Sources as for `approximate_geodesic_distances()`
@@ -104,9 +106,8 @@ inline double smallest_step(const std::vector<double>& distances, const double m
  * if a distance is not finite or not larger than `0`. Nothing is written then.
  *
  * Run time is that of an exact search up to the largest distance, linear in the number of vertices
- * and points after it, and that of a query of the search for each point whose distance does not
- * follow from the vertices around it, as in faces that contain sources, and on edges that the
- * medial axis crosses.
+ * and points after it, and that of a query of the search for each point in faces near sources.
+ * Where the medial axis crosses an edge, paths are followed back over the edges around.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `isolines()`

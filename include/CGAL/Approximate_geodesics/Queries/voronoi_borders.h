@@ -60,7 +60,8 @@ struct Voronoi_corner
   Face_location<TriangleMesh> point;
 
   /// the sources whose cells meet, counterclockwise if there are three or more, seen from outside;
-  /// in increasing order if a cell comes to the corner from several sides.
+  /// in increasing order if a cell comes to the corner from several sides, or if several corners
+  /// are one, up to rounding.
   std::vector<std::size_t> sources;
 };
 

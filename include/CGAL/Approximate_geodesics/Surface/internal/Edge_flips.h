@@ -260,7 +260,17 @@ private:
   bool has_sound_flip(const Quad& q) const;
 
   // If `h` is the signpost of an added vertex, makes the next halfedge clockwise its signpost.
-  void turn_signpost(Index h);
+  void turn_signpost(const Index h)
+  {
+    const std::size_t number_of_others = m_number_of_vertices - m_signposts.size();
+    const Index v = source(h);
+    if(v < number_of_others || m_signposts[v - number_of_others].halfedge != h)
+      return;
+    Signpost& signpost = m_signposts[v - number_of_others];
+    const Index next = m_halfedges[h].clockwise;
+    signpost = {next, signpost.angle -
+                          angle_of({m_halfedges[next].corner, m_halfedges[next].doubled_area})};
+  }
 
   void remove(const Index h)
   {

@@ -68,6 +68,13 @@ struct Focal_curve
 
   double at(const Plane_vector u) const { return constant + dot(linear, u); }
 
+  // Whether it is positive in the middle of a range.
+  bool is_positive_within(const Direction_range& range) const
+  {
+    const Plane_vector sum = range.begin + range.end;
+    return constant * length(sum) + dot(linear, sum) > 0;
+  }
+
   Plane_vector point(const Plane_vector u) const { return inverse(at(u)) * u; }
 
   friend Focal_curve operator-(const Focal_curve& a, const Focal_curve& b)
@@ -79,6 +86,9 @@ struct Focal_curve
   template <typename F>
   void for_each_root(const Direction_range& range, F f) const
   {
+    const double at_begin = at(range.begin), at_end = at(range.end);
+    if(at_begin * at_end > 0 && !range.contains(at_begin > 0 ? -1. * linear : linear))
+      return; // it is largest or smallest at the ends
     const double squared = dot(linear, linear), rest = squared - constant * constant;
     if(!(rest > 0))
       return;

@@ -100,18 +100,6 @@ inline Index Edge_flips::insert(const Index h, const Plane_vector p, const Plane
   return first;
 }
 
-inline void Edge_flips::turn_signpost(const Index h)
-{
-  const std::size_t number_of_others = m_number_of_vertices - m_signposts.size();
-  const Index v = source(h);
-  if(v < number_of_others || m_signposts[v - number_of_others].halfedge != h)
-    return;
-  Signpost& signpost = m_signposts[v - number_of_others];
-  const Index next = m_halfedges[h].clockwise;
-  signpost = {next, signpost.angle -
-                        angle_of({m_halfedges[next].corner, m_halfedges[next].doubled_area})};
-}
-
 inline bool Edge_flips::has_sound_flip(const Quad& q) const
 {
   const auto [left, right, far_left, far_right] = other_diagonal(q);

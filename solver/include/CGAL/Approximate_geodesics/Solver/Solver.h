@@ -174,6 +174,8 @@ public:
     options.number_of_threads = number_of_threads;
     if(file.weights)
       options.face_weights = file.weights->data();
+    // A graph for barriers is not saved, and without any, another one is built.
+    const bool has_lost_barriers = file.barriers && file.barriers->empty();
     if(file.barriers)
     {
       options.barriers = file.barriers->data();
@@ -183,7 +185,7 @@ public:
        (file.weights && file.weights->size() != file.corners.size() / 3))
       internal::reject("the file of the solver has arrays of inconsistent sizes");
     build(file.coordinates.data(), file.coordinates.size() / 3, file.corners.data(),
-          file.corners.size() / 3, options, &get);
+          file.corners.size() / 3, options, has_lost_barriers ? nullptr : &get);
     visitor.finish();
   }
 
@@ -244,7 +246,7 @@ public:
   }
 
   /// returns the mesh, in which vertices and faces have their array indices, for functions of
-  /// \cgal.
+  /// \cgal. It refers to arrays of the solver, and so do copies of it.
   const Mesh& mesh() const { return m_mesh; }
 
   /// returns a point in terms of `mesh()`. Messages about invalid points begin with `role`.

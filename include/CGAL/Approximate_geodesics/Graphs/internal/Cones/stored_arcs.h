@@ -302,9 +302,10 @@ public:
   void for_each_arc(const Node node, F f) const
   {
     // copies, which compilers keep in registers
-    for_each_stored_arc(node, [f, unit = m_unit](const Node target, const float length) mutable {
-      f(target, static_cast<double>(length) * unit);
-    });
+    for_each_stored_arc(
+        node, [f = std::move(f), unit = m_unit](const Node target, const float length) mutable {
+          f(target, static_cast<double>(length) * unit);
+        });
   }
 
   template <typename F>

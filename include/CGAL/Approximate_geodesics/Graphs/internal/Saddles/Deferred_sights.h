@@ -52,7 +52,7 @@ class Deferred_sights
 public:
   using List = std::vector<Deferred_sight>;
 
-  // Whether there are so many saddle vertices that most sights are useless.
+  // Whether paths bend so often that most sights are useless.
   static bool is_rough(const Bends& bends)
   {
     constexpr double rough = 0.005; // mean excess

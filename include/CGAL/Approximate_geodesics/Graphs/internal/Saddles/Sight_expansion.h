@@ -20,13 +20,14 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// The base of visitors of sights, which are notified neither of faces nor of sights, and defer
-// none.
+// The base of visitors of sights, which are notified neither of faces nor of sights, and end and
+// defer none.
 struct Sight_visitor_base
 {
   static constexpr bool knows_arrivals = false;
   static constexpr bool wants_sights = false;
   static constexpr bool wants_faces = false;
+  static constexpr bool ends_sights = false;
   static constexpr bool defers_sights = false;
 };
 
@@ -42,6 +43,7 @@ struct Sight_visitor_base
  *   whether their last line starts from a node, and how they arrive; the latter two are asked for
  *   where the first is finite;
  * - `on_sight(sight)` and `on_face(sight, apex)`, if it has to be notified;
+ * - `is_end(sight)`, if it ends sights before a face;
  * - `horizon` and `defer(sight, milestone)`, if it defers sights through edges with both ends
  *   farther than the horizon from where the search starts; `defer()` returns whether it does.
  */
@@ -112,6 +114,9 @@ private:
       m_visitor.on_sight(sight);
     if(has_returned(sight, step.across))
       return false;
+    if constexpr(Visitor::ends_sights)
+      if(m_visitor.is_end(sight))
+        return false;
     const Plane_vector left_edge = step.left_side(sight.edge), p = sight.apex(left_edge, step);
     const Apex apex{step, left_edge, p, length(p), bound(step.apex)};
     if constexpr(Visitor::wants_faces)

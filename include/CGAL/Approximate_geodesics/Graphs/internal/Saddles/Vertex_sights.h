@@ -242,10 +242,10 @@ public:
     return {};
   }
 
-  // Calls `f(h, angle)` for the halfedges from the vertex: with the angle to the line on that side
-  // where it is smaller, up to pi.
+  // Calls `f(h, cosine)` for the halfedges from the vertex: with the cosine of the angle to the
+  // line on that side where it is smaller, up to pi.
   template <typename F>
-  void for_each_angle(const Arrival& arrival, F f) const;
+  void for_each_cosine(const Arrival& arrival, F f) const;
 
 private:
   // `angle` is small

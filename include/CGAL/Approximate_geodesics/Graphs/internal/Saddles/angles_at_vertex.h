@@ -20,34 +20,44 @@ namespace CGAL::Approximate_geodesics::internal {
 // The member function of `Bend_sectors` for distances beside a line, which offsets of curves need.
 
 template <typename F>
-void Bend_sectors::for_each_angle(const Arrival& arrival, F f) const
+void Bend_sectors::for_each_cosine(const Arrival& arrival, F f) const
 {
   const Index first = m_triangulation.first_halfedge(m_vertex), start = side(arrival);
   const std::size_t degree = m_triangulation.degree(m_vertex);
-  boost::container::small_vector<double, 16> angles(degree, straight_angle);
-  const auto lower = [&](const Index h, const double angle) {
-    angles[h - first] = (std::min)(angles[h - first], angle);
+  boost::container::small_vector<double, 16> cosines(degree, -1.);
+  const auto raise = [&](const Index h, const Plane_vector angle) {
+    double& cosine = cosines[h - first];
+    cosine = (std::max)(cosine, angle.x);
   };
-  const double to_start = angle_of(way_back(arrival));
-  lower(start, to_start);
-  double angle = -to_start;
+  const Plane_vector to_start = way_back(arrival);
+  raise(start, to_start);
   Index h = start;
-  for(std::size_t n = degree; n > 1 && m_steps[h].has_face() && angle < straight_angle; --n)
+  if(degree > 1 && m_steps[h].has_face())
   {
-    angle += angle_of(corner(h));
+    Plane_vector angle = turned_right(corner(h), to_start);
     h = m_triangulation.counterclockwise(m_vertex, h);
-    lower(h, angle);
+    raise(h, angle);
+    for(std::size_t n = degree; n > 2 && m_steps[h].has_face(); --n)
+    {
+      angle = turned_left({angle.x, (std::max)(angle.y, 0.)}, corner(h)); // it was rounded
+      if(angle.y < 0)                                                     // more than pi
+        break;
+      h = m_triangulation.counterclockwise(m_vertex, h);
+      raise(h, angle);
+    }
   }
-  angle = to_start;
+  Plane_vector angle = to_start;
   h = m_triangulation.clockwise(m_vertex, start);
-  for(std::size_t n = degree; n > 1 && m_steps[h].has_face() && angle < straight_angle; --n)
+  for(std::size_t n = degree; n > 1 && m_steps[h].has_face(); --n)
   {
-    angle += angle_of(corner(h));
-    lower(h, angle);
+    angle = turned_left(angle, corner(h));
+    if(angle.y < 0)
+      break;
+    raise(h, angle);
     h = m_triangulation.clockwise(m_vertex, h);
   }
   for(std::size_t i = 0; i < degree; ++i)
-    f(static_cast<Index>(first + i), angles[i]);
+    f(static_cast<Index>(first + i), cosines[i]);
 }
 
 } // namespace CGAL::Approximate_geodesics::internal

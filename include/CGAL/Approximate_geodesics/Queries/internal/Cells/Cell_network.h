@@ -293,7 +293,8 @@ private:
   }
 
   // Begins with a cell that comes after no other, if there is one, at the border of the surface;
-  // each number in `after` follows that in `before`. Ends where more than one follows.
+  // each number in `after` follows that in `before`. Ends where more than one follows, or one that
+  // is there already: two nodes that are next to each other, up to rounding, are one.
   static std::vector<std::size_t> in_order(const std::vector<std::size_t>& cells,
                                            const std::vector<std::size_t>& before,
                                            const std::vector<std::size_t>& after)
@@ -303,15 +304,15 @@ private:
       return std::count(after.begin(), after.end(), cell) == 0;
     });
     std::size_t cell = first == cells.end() ? cells.front() : *first;
-    for(;;)
+    while(std::count(result.begin(), result.end(), cell) == 0)
     {
       result.push_back(cell);
       const auto it = std::find(before.begin(), before.end(), cell);
-      const bool is_last = it == before.end();
-      if(is_last || std::count(it, before.end(), cell) > 1 || result.size() == cells.size())
-        return result;
+      if(std::count(it, before.end(), cell) != 1)
+        break;
       cell = after[static_cast<std::size_t>(it - before.begin())];
     }
+    return result;
   }
 
   using Incidence = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>;

@@ -175,8 +175,10 @@ private:
     {
       is_right = is_right && cross(v.right, p - tip) <= 0;
       is_left = is_left && cross(v.left, p - tip) >= 0;
+      if(!is_right && !is_left)
+        return false;
     }
-    return is_right || is_left;
+    return true;
   }
 
   void cut(const std::size_t other)
@@ -288,8 +290,6 @@ private:
   // Replaces the pieces that are farther than `piece`.
   void merge(const Cell_piece& piece)
   {
-    if(!is_anywhere_nearer(piece))
-      return;
     m_merged.clear();
     for(const Cell_piece& old : m_pieces)
     {
@@ -310,7 +310,7 @@ private:
       for(std::size_t i = 1; i < ends.size(); ++i)
       {
         const Direction_range part{ends[i - 1], ends[i]};
-        append(difference.at(part.middle()) > 0 ? piece : old, part);
+        append(difference.is_positive_within(part) ? piece : old, part);
       }
       append(old, {common.end, old.range.end});
     }

@@ -9,7 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Distances_on_edges.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
@@ -35,7 +34,7 @@ public:
   // The face is that to the left of `h`.
   template <typename DistancesOnEdges>
   Distances_in_face(const Intrinsic_triangulation& triangulation,
-                    DistancesOnEdges& on_edges,
+                    const DistancesOnEdges& on_edges,
                     const Index h)
   {
     const Face_layout layout(triangulation, h);
@@ -53,8 +52,6 @@ public:
     }
     if(nearest > longest) // or else there may be sources in the face
       choose_model(longest);
-    if(m_is_smallest && m_estimated_error > on_edges.negligible_error())
-      m_estimated_error = error_at_meetings(triangulation, on_edges, layout);
   }
 
   // An estimate of the largest error of `at()`, and no bound; infinity where a direction is not
@@ -129,52 +126,6 @@ private:
       }
     m_is_smallest = smallest >= -rounding * longest;
     m_estimated_error = largest;
-  }
-
-  // Where another point is nearest, it is so where the shortest paths from two points meet on a
-  // side, or where those from three points meet.
-  template <typename DistancesOnEdges>
-  double error_at_meetings(const Intrinsic_triangulation& triangulation,
-                           DistancesOnEdges& on_edges,
-                           const Face_layout& layout) const
-  {
-    double result = 0;
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      auto on_edge = on_edges[layout.halfedge(i)];
-      on_edges.ask_at_meeting(layout.halfedge(i), on_edge);
-      result = (std::max)(result, on_edge.estimated_error());
-    }
-    const std::array<double, 3> w = meeting();
-    if(!(w[0] > 0 && w[1] > 0 && w[2] > 0)) // outside, or nowhere
-      return result;
-    const Face_point p{layout.halfedge(0), w};
-    const Intrinsic_point point = Curve_segment{p, p}.point(triangulation, 0);
-    return (std::max)(result, std::abs(on_edges.distance(point, at(w)) - at(w)));
-  }
-
-  // The weights of the point that has the same distance on all three paths, whose squares differ by
-  // linear functions.
-  std::array<double, 3> meeting() const
-  {
-    std::array<double, 3> a{}, b{}; // differences from the first, at the corners
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      const auto square = [&](const std::size_t j) {
-        const double distance = m_corners[j].distance_of(m_corners[i].position);
-        return distance * distance;
-      };
-      a[i] = square(1) - square(0);
-      b[i] = square(2) - square(0);
-    }
-    std::array<double, 3> result{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                                 a[0] * b[1] - a[1] * b[0]};
-    const double sum = result[0] + result[1] + result[2];
-    if(sum == 0) // there is no such point
-      return {};
-    for(double& weight : result)
-      weight /= sum;
-    return result;
   }
 
   std::array<Corner, 3> m_corners = {};

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/angles_at_vertex.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
@@ -19,7 +20,6 @@
 #include <cstddef>
 #include <limits>
 #include <tuple>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -51,15 +51,15 @@ public:
   Distances_on_edge(const End& start, const End& end, const double length)
     : m_start(start), m_end(end), m_length(length)
   {
-    if((std::min)(start.distance, end.distance) > length) // or else, sources may be beside the edge
+    if(!is_near_source())
       choose_model();
   }
 
+  // Whether sources may be beside the edge.
+  bool is_near_source() const { return !((std::min)(m_start.distance, m_end.distance) > m_length); }
+
   // An estimate of the largest error of `at()`, and no bound. Infinity where nothing is known.
   double estimated_error() const { return m_estimated_error; }
-
-  // For an estimate that is better than those from the ends.
-  void set_estimated_error(const double error) { m_estimated_error = error; }
 
   // The same at a part of the way. Where paths meet, those from a third point may be shorter. The
   // squares of distances from points of a plane differ by linear functions: so the error is largest
@@ -68,7 +68,7 @@ public:
   {
     if(!has_meeting() || !(m_estimated_error > 0))
       return m_estimated_error;
-    return m_estimated_error * (t < m_meeting ? t / m_meeting : (1 - t) / (1 - m_meeting));
+    return m_estimated_error * (t <= m_meeting ? t / m_meeting : (1 - t) / (1 - m_meeting));
   }
 
   // Whether paths from two points, and not from segments of curves, meet on the edge.
@@ -148,7 +148,7 @@ private:
 /*
  * What an exact search knows of the distances of all edges: those of vertices, and the directions
  * in which paths arrive there, which give the slopes along edges. Where this leaves a third
- * direction open, the search is asked once.
+ * direction open, paths are followed back to edges where it does not.
  */
 template <typename Search>
 class Distances_on_edges
@@ -189,32 +189,21 @@ public:
   }
 
   // The distance at a part of the way along an edge.
-  double at(const Index h, Distances_on_edge& on_edge, const double t)
+  double at(const Index h, const Distances_on_edge& on_edge, const double t) const
   {
-    if(on_edge.estimated_error(t) > m_negligible_error)
-      ask_at_meeting(h, on_edge);
     return on_edge.estimated_error(t) <= m_negligible_error
                ? on_edge.at(t)
                : distance(Intrinsic_point::on_edge(h, t).reduced(m_triangulation), on_edge.at(t));
   }
 
-  // Improves the estimate of the error where paths meet.
-  void ask_at_meeting(const Index h, Distances_on_edge& on_edge)
-  {
-    if(!on_edge.has_meeting() || !(on_edge.estimated_error() > m_negligible_error))
-      return;
-    const auto [it, is_new] =
-        m_errors.try_emplace((std::min)(h, m_triangulation.opposite(h)), infinity);
-    if(is_new)
-      it->second = error_at_meeting(h, on_edge);
-    on_edge.set_estimated_error(it->second);
-  }
-
-  // The distance of a point, by the search. Takes less time the better the estimate.
+  // The distance of a point: over edges around whose distances are known well enough, or by the
+  // search, which takes far longer. Takes less time the better the estimate.
   double distance(const Intrinsic_point& point, const double estimate) const
   {
+    double result = distance_over_edges(point, estimate + m_negligible_error);
+    if(result < infinity)
+      return result;
     const double largest = (estimate + m_negligible_error) * m_triangulation.unit();
-    double result = infinity;
     if(largest < infinity)
       result = m_search.nearest(point, largest).distance;
     if(!(result <= largest))
@@ -258,22 +247,118 @@ private:
                                      : m_search.curves()[source].distance;
   }
 
-  // Looks only for paths that are shorter than those known, which takes less time.
-  double error_at_meeting(const Index h, const Distances_on_edge& on_edge) const
+  // Follows the sights from a point to edges with known distances.
+  struct Visitor : Sight_visitor_base
   {
-    const double known = on_edge.at(on_edge.meeting()), largest = known - m_negligible_error;
-    const double unit = m_triangulation.unit();
-    const Intrinsic_point meeting = Intrinsic_point::on_edge(h, on_edge.meeting());
-    const double found = m_search.nearest(meeting, largest * unit).distance / unit;
-    return (std::max)(known - found, m_negligible_error);
+    static constexpr bool ends_sights = true;
+    static constexpr int most_faces = 200;
+
+    // of the line to a vertex
+    double bound(const Index v) const
+    {
+      return largest - (std::min)(largest, on_edges.m_labels.distance(v));
+    }
+
+    void consider(const double distance) { smallest = (std::min)(smallest, distance); }
+
+    void on_vertex(const Index v, const Sight_path& path, const Sight&, Plane_vector, Plane_vector)
+    {
+      consider(on_edges.m_labels.distance(v) + path.length);
+    }
+
+    bool is_end(const Sight& sight)
+    {
+      const Distances_on_edge on_edge = on_edges[sight.halfedge];
+      is_known = is_known && ++number_of_faces < most_faces && !on_edge.is_near_source();
+      const bool is_good = on_edge.estimated_error() <= on_edges.m_negligible_error / 2;
+      if(is_known && is_good)
+        consider(on_edges.smallest_distance(sight, on_edge, smallest));
+      return !is_known || is_good;
+    }
+
+    const Distances_on_edges& on_edges;
+    double largest, smallest = infinity;
+    bool is_known = true;
+    int number_of_faces = 0;
+  };
+
+  // Infinity if there may be sources around, or too many edges have distances that are not known.
+  double distance_over_edges(const Intrinsic_point& point, const double largest) const
+  {
+    if(point.is_vertex())
+      return m_labels.distance(point.vertex);
+    if(!(largest < infinity))
+      return infinity;
+    const Sight_tables& tables = m_search.search().graph_run().tables();
+    Visitor visitor{{}, *this, largest * (1 + Sight::ROUNDING)};
+    Sight_expansion<Visitor> expansion(tables, 0, visitor);
+    const Lines_of_sight lines(m_triangulation, tables, point);
+    const auto on_corner = [&](const Index v, const double length, const Arrival&) {
+      visitor.consider(m_labels.distance(v) + length);
+    };
+    lines.for_each_corner(on_corner);
+    lines.for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
+      expansion.look(sight, left_end, right_end);
+    });
+    return visitor.is_known && visitor.smallest <= largest ? visitor.smallest : infinity;
+  }
+
+  // On paths from the tip of a sight through what it sees of an edge, if it is below `known`.
+  double
+  smallest_distance(const Sight& sight, const Distances_on_edge& on_edge, const double known) const
+  {
+    const double squared = dot(sight.edge, sight.edge);
+    const auto part = [&](const Sight_ray& ray, const double otherwise) {
+      const Plane_vector way = sight.crossing(ray, otherwise) - sight.left;
+      return (std::clamp)(dot(way, sight.edge) / squared, 0., 1.);
+    };
+    const double begin = part(sight.left_ray, 0), end = part(sight.right_ray, 1);
+    const auto distance = [&](const double t) {
+      return length(sight.left + t * sight.edge) + on_edge.at(t);
+    };
+    // both of its terms grow no faster than one walks
+    const double reach = (end - begin) * std::sqrt(squared);
+    if((distance(begin) + distance(end)) / 2 - reach > known)
+      return known;
+    // it is convex on both sides of a meeting, up to the error that is allowed
+    const double precision = m_negligible_error / (2 * std::sqrt(squared));
+    const double meeting = on_edge.has_meeting() ? on_edge.meeting() : begin;
+    if(!(begin < meeting && meeting < end))
+      return minimum(begin, end, precision, distance);
+    return (std::min)(minimum(begin, meeting, precision, distance),
+                      minimum(meeting, end, precision, distance));
+  }
+
+  // The smallest value of a convex function, by golden sections that are not larger than
+  // `precision` at the end: close to a point beside the edge, the function is nearly a kink.
+  template <typename F>
+  static double minimum(double begin, double end, const double precision, const F& f)
+  {
+    constexpr double part = 0.6180339887498949;
+    constexpr int most_steps = 50;
+    double first = end - part * (end - begin), second = begin + part * (end - begin);
+    double at_first = f(first), at_second = f(second);
+    double result = (std::min)({f(begin), f(end), at_first, at_second});
+    for(int i = 0; i < most_steps && end - begin > precision; ++i)
+    {
+      const bool goes_left = at_first < at_second;
+      (goes_left ? end : begin) = goes_left ? second : first;
+      (goes_left ? second : first) = goes_left ? first : second;
+      (goes_left ? at_second : at_first) = goes_left ? at_first : at_second;
+      double& next = goes_left ? first : second;
+      next = goes_left ? end - part * (end - begin) : begin + part * (end - begin);
+      (goes_left ? at_first : at_second) = f(next);
+      result = (std::min)({result, at_first, at_second});
+    }
+    return result;
   }
 
   void set_slopes(const Index v, const Arrival& arrival, const Face_steps& steps)
   {
     if(!arrival.is_none() && (arrival.is_along_halfedge() || arrival.has_direction()))
       Bend_sectors(m_triangulation, steps, v)
-          .for_each_angle(
-              arrival, [&](const Index h, const double angle) { m_slopes[h] = -std::cos(angle); });
+          .for_each_cosine(arrival,
+                           [&](const Index h, const double cosine) { m_slopes[h] = -cosine; });
   }
 
   const Search& m_search;
@@ -282,7 +367,6 @@ private:
   const Labels& m_labels;
   std::vector<double> m_slopes;   // by halfedge, at its source
   std::vector<double> m_straight; // by vertex: the length of the last line of the path to it
-  std::unordered_map<Index, double> m_errors; // where paths meet, by edge
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

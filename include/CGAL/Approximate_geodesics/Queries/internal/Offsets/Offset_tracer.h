@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Distances_in_face.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Distances_on_edges.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Offset_lines.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Offset_piece.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
 #include <algorithm>
@@ -94,17 +95,23 @@ private:
     return result;
   }
 
-  // In steps: of distances found from slopes, and of those that have to be equal to another.
-  static constexpr double LARGEST_ERROR = 1e-2, LARGEST_DIFFERENCE = 2e-3;
+  // In steps: of distances found from slopes, of those that have to be equal to another, and of
+  // those of middles of chords.
+  static constexpr double LARGEST_ERROR = 8e-3, LARGEST_DIFFERENCE = 2e-3, LARGEST_HEIGHT = 5e-3;
 
-  double value(const Corner& c)
+  const Distances_in_face& in_face()
   {
     if(m_face_of_distances != m_face)
     {
       m_in_face = Distances_in_face(m_triangulation, m_on_edges, m_face);
       m_face_of_distances = m_face;
     }
-    const double estimate = m_in_face.at(c.weight);
+    return m_in_face;
+  }
+
+  double value(const Corner& c)
+  {
+    const double estimate = in_face().at(c.weight);
     return m_triangulation.unit() * (is_small(m_in_face.estimated_error())
                                          ? estimate
                                          : m_on_edges.distance(point(c), estimate));
@@ -198,14 +205,14 @@ private:
     return std::sqrt((std::max)(0., (second * second + third * third) / 2 - side * side / 4));
   }
 
-  // Whether chords are farther from isolines there than 2 % of a step, or could miss them: a chord
-  // of length l of a circle of radius r is up to l * l / (8 r) away. Half of that takes twice as
-  // long.
+  // Whether isolines there could be missed, or chords that cannot be divided in a triangle be
+  // farther from them than 1 % of a step: a chord of length l of a circle of radius r is up to l *
+  // l / (8 r) away.
   bool is_long(const Corner& a, const Corner& b, const double length) const
   {
     const double nearest = (std::min)(m_values[a.number], m_values[b.number]);
     const double smallest = m_step / 4;
-    return length > smallest && (nearest < length || length * length > 0.16 * m_step * nearest);
+    return length > smallest && (nearest < length || length * length > 0.08 * m_step * nearest);
   }
 
   Corner between(const Corner& a, const Corner& b, const double t, const std::uint32_t number) const
@@ -224,7 +231,8 @@ private:
       number = static_cast<std::uint32_t>(m_values.size());
     const Corner result = between(a, b, 0.5, number);
     if(is_new)
-      m_values.push_back(with_distances(side, a, b, [](const auto& at) { return at(0.5); }));
+      m_values.push_back(with_distances(
+          side, a, b, [](const auto& /* estimate */, const auto& at) { return at(0.5); }));
     return result;
   }
 
@@ -241,10 +249,61 @@ private:
         ++way_in;
       while(!is_above(way_out) || is_above(way_out + 1))
         ++way_out;
-      const std::size_t from = crossing(t[way_in], t[(way_in + 1) % 3], sides[way_in], number);
-      m_lines.add_piece(
-          from, crossing(t[(way_out + 1) % 3], t[way_out], reversed(sides[way_out]), number));
+      const std::size_t way_in_end = (way_in + 1) % 3, way_out_end = (way_out + 1) % 3;
+      const std::size_t from = crossing(t[way_in], t[way_in_end], sides[way_in], number),
+                        to = crossing(t[way_out_end], t[way_out], reversed(sides[way_out]), number);
+      Weights p{}, q{};
+      p[way_in] = 1 - m_parts[from];
+      p[way_in_end] = m_parts[from];
+      q[way_out_end] = 1 - m_parts[to];
+      q[way_out] = m_parts[to];
+      add_piece(t,
+                {from, to, p, q, way_in_end == way_out ? way_out : way_in, way_in_end == way_out},
+                number);
     }
+  }
+
+  using Weights = std::array<double, 3>;
+
+  // From one crossing to another.
+  struct Piece
+  {
+    std::size_t from, to;
+    Weights begin, end; // of the corners of the triangle
+    std::size_t corner; // that it cuts off
+    bool is_corner_farther;
+  };
+
+  // Adds a piece, with points in the triangle where it is curved.
+  void add_piece(const Triangle& t, const Piece& piece, const std::size_t number)
+  {
+    const auto corner = [&](const Weights& w) {
+      Corner result{0, {0, 0, 0}};
+      for(std::size_t i = 0; i < 3; ++i)
+        for(std::size_t j = 0; j < 3; ++j)
+          result.weight[i] += w[j] * t[j].weight[i];
+      return result;
+    };
+    std::size_t last = piece.from;
+    const auto go_to = [&](const std::size_t next) {
+      m_lines.add_piece(last, next);
+      last = next;
+    };
+    const auto difference = [&](const Weights& w) {
+      return value(corner(w)) - m_distances[number];
+    };
+    Offset_piece(difference, piece.corner, piece.is_corner_farther, LARGEST_HEIGHT * m_step)
+        .for_each_between(piece.begin, piece.end, [&](const Weights& w) {
+          add_point(number, corner(w), 0);
+          go_to(m_lines.number_of_points() - 1);
+        });
+    go_to(piece.to);
+  }
+
+  void add_point(const std::size_t number, const Corner& c, const double part)
+  {
+    m_lines.add_point(number, point(c));
+    m_parts.push_back(part);
   }
 
   // The number of the first distance that is larger than a value.
@@ -265,9 +324,12 @@ private:
     {
       result = static_cast<std::uint32_t>(m_lines.number_of_points());
       const std::size_t beyond = first_above(m_values[above.number]);
-      with_distances(side, below, above, [&](const auto& at) {
+      with_distances(side, below, above, [&](const auto& estimate, const auto& at) {
         for(std::size_t i = first; i < beyond; ++i)
-          m_lines.add_point(i, point(between(below, above, part(below, above, i, at), 0)));
+        {
+          const double t = part(below, above, i, estimate, at);
+          add_point(i, between(below, above, t, 0), t);
+        }
       });
     }
     return result + (number - first);
@@ -280,44 +342,41 @@ private:
     return {side.length, m_triangulation.opposite(side.halfedge), 1 - side.end, 1 - side.begin};
   }
 
-  // Returns `f(at)`, where `at(t)` is the distance at a part `t` of the way along a side.
+  // Returns `f(estimate, at)`, where `at(t)` is the distance at a part `t` of the way along a side,
+  // and `estimate(t)` what it is without a query of the search.
   template <typename F>
   auto with_distances(const Side& side, const Corner& from, const Corner& to, const F& f)
   {
+    const double unit = m_triangulation.unit();
     if(!side.is_part_of_edge())
-      return f([&](const double t) { return value(between(from, to, t, 0)); });
-    Distances_on_edge on_edge = m_on_edges[side.halfedge];
-    return f([&](const double t) {
-      return m_on_edges.at(side.halfedge, on_edge, side.begin + t * (side.end - side.begin)) *
-             m_triangulation.unit();
-    });
+      return f([&](const double t) { return unit * in_face().at(between(from, to, t, 0).weight); },
+               [&](const double t) { return value(between(from, to, t, 0)); });
+    const Distances_on_edge on_edge = m_on_edges[side.halfedge];
+    const auto part_of_edge = [&](const double t) {
+      return side.begin + t * (side.end - side.begin);
+    };
+    return f([&](const double t) { return unit * on_edge.at(part_of_edge(t)); },
+             [&](const double t) {
+               return unit * m_on_edges.at(side.halfedge, on_edge, part_of_edge(t));
+             });
   }
 
-  // The part of the way along a side at which an isoline crosses it, by regula falsi (the Illinois
-  // method).
-  template <typename Value>
+  // The part of the way along a side at which an isoline crosses it.
+  template <typename Estimate, typename Value>
   double part(const Corner& below,
               const Corner& above,
               const std::size_t number,
+              const Estimate& estimate,
               const Value& value_at) const
   {
     constexpr double rounding = 1e-9;
-    const double wanted = m_distances[number];
-    double start = 0, end = 1;
-    double at_start = m_values[below.number] - wanted, at_end = m_values[above.number] - wanted;
-    double result = -at_start / (at_end - at_start), before = 0;
-    for(int i = 0; i < 8; ++i)
-    {
-      const double here = value_at(result) - wanted;
-      if(!(std::abs(here) > LARGEST_DIFFERENCE * m_step))
-        break;
-      (here < 0 ? start : end) = result;
-      (here < 0 ? at_start : at_end) = here;
-      if(here * before > 0)
-        (here < 0 ? at_end : at_start) /= 2;
-      before = here;
-      result = start + (end - start) * (-at_start / (at_end - at_start));
-    }
+    const double wanted = m_distances[number], largest = LARGEST_DIFFERENCE * m_step;
+    const double at_start = m_values[below.number] - wanted,
+                 at_end = m_values[above.number] - wanted;
+    const double estimated = regula_falsi(at_start, at_end, largest,
+                                          [&](const double t) { return estimate(t) - wanted; });
+    const double result = regula_falsi(
+        at_start, at_end, largest, [&](const double t) { return value_at(t) - wanted; }, estimated);
     return result < rounding ? 0 : result > 1 - rounding ? 1 : result; // so that points coincide
   }
 
@@ -366,6 +425,7 @@ private:
   Numbers_of_sides m_middles, m_first_crossings;
   std::size_t m_number_of_triangles = 0;
   Offset_lines m_lines;
+  std::vector<double> m_parts; // of the way along the side that a point of a line is on, by point
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -165,7 +165,7 @@ inline Cost_function cost_function(const Solver_cost& cost, const std::size_t nu
 }
 
 /*
- * The face costs and the barriers of a mesh, as property maps.
+ * The face costs and the barriers of a mesh.
  */
 class Array_costs
 {

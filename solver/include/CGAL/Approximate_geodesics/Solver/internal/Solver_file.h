@@ -56,13 +56,19 @@ struct Solver_file
       for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
         corners.push_back(source(h, mesh));
     if(costs.has_weights())
+    {
+      weights.emplace();
       for(const auto f : faces(mesh))
-        some(weights).push_back(costs.weight(f));
-    if(costs.has_barriers())
+        weights->push_back(costs.weight(f));
+    }
+    if(costs.has_barriers()) // perhaps all of them have been removed since the graph was built
+    {
+      barriers.emplace();
       for(const auto e : edges(mesh))
         if(costs.is_barrier(e))
           for(const auto v : {target(e, mesh), source(e, mesh)})
-            some(barriers).push_back(v);
+            barriers->push_back(v);
+    }
   }
 
   void write(const Put_bytes& put) const
@@ -106,12 +112,6 @@ struct Solver_file
   }
 
 private:
-  template <typename T>
-  static T& some(std::optional<T>& value)
-  {
-    return value ? *value : value.emplace();
-  }
-
   template <typename T>
   static void write(Binary_writer& writer, const std::vector<T>& values)
   {
