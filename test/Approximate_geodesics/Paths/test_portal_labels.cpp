@@ -24,7 +24,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <ios>
+#include <map>
 #include <queue>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -38,7 +41,9 @@ namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
 using AG::Portal_labels;
-using Two_way_arcs = AG::internal::Two_way_arcs;
+using AG::internal::Part_nodes;
+using AG::internal::Two_way_arcs;
+using AG::internal::Two_way_search;
 
 // By a queue of the standard library, in the unit of the mesh.
 std::vector<double> two_way_distances(const Two_way_arcs& arcs, const std::uint32_t source)
@@ -64,6 +69,14 @@ std::vector<double> two_way_distances(const Two_way_arcs& arcs, const std::uint3
   for(double& distance : result)
     distance *= arcs.unit();
   return result;
+}
+
+Two_way_arcs arcs_of_part(const Two_way_arcs& arcs, const Part_nodes& part)
+{
+  Part_nodes place(arcs.number_of_nodes(), Two_way_search::null_node);
+  for(std::uint32_t i = 0; i < part.size(); ++i)
+    place[part[i]] = i;
+  return {arcs, part, place};
 }
 
 // Some vertices, or all if they are few.
@@ -259,6 +272,8 @@ TEST(Portal_labels, are_those_of_the_graph_as_it_was)
       changes.push_back({h, 1});
   graph.set_weights(changes);
   EXPECT_FALSE(labels.are_valid());
+  std::ostringstream out;
+  expect_message<std::invalid_argument>([&] { labels.save(out); }, "the graph has changed");
   EXPECT_NEAR(labels.distance(0, 143, 1, search), before / 4, 0.03 * before);
 }
 
@@ -274,6 +289,149 @@ TEST(Portal_labels, take_more_memory_for_smaller_bounds)
     most = labels.number_of_labels();
   }
   EXPECT_LT(most, 1600u * 200);
+}
+
+// Arcs that are left out in one direction lead back, and none is there twice.
+TEST(Two_way_arcs, are_those_of_the_graph)
+{
+  Random random(test_seed());
+  const auto graph =
+      discrete_geodesic_graph(0.3).make(Triangulation(to_mesh(terrain(15, 12, random))));
+  const Two_way_arcs arcs(graph);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> expected, found;
+  for(std::uint32_t v = 0; v < graph.number_of_nodes(); ++v)
+    graph.for_each_arc(v, 0, [&](const std::uint32_t w, const double length) {
+      for(const auto& ends : {std::make_pair(v, w), std::make_pair(w, v)})
+      {
+        const auto place = expected.emplace(ends, length).first;
+        place->second = (std::min)(place->second, length);
+      }
+    });
+  for(std::uint32_t v = 0; v < arcs.number_of_nodes(); ++v)
+    arcs.for_each_arc(v, 0, [&](const std::uint32_t w, const double length) {
+      EXPECT_TRUE(found.emplace(std::make_pair(v, w), length).second);
+    });
+  EXPECT_EQ(found, expected);
+}
+
+// A last part may be bent around a hole of others.
+TEST(Portal_labels, know_paths_that_leave_a_last_part)
+{
+  AG::internal::Portal_part whole, last;
+  whole.is_last = false;
+  whole.vertices = {0, 1, 2};
+  whole.labels = {{{0, 1}}, {{0, 1}}, {{0, 0}}};
+  whole.size = 1;
+  whole.table = {0};
+  last.parent = 0;
+  last.depth = 1;
+  last.vertices = {0, 1};
+  last.size = 2;
+  for(const float within : {1.f, 2.f, 2.01f, 2.2f, 9.f})
+  {
+    last.table = {within};
+    const AG::internal::Portal_tables tables({whole, last}, 3, AG::internal::Portal_scale(), 0.1);
+    const auto [lower, upper] = tables.interval(0, 1);
+    EXPECT_NEAR(upper, (std::min)(2.f, within), 1e-5);
+    EXPECT_NEAR(lower, (std::min)(2 / 1.1f, within), 1e-5);
+    EXPECT_LE(lower, (std::min)(2 / 1.1, double(within)));
+    EXPECT_EQ(tables.interval(1, 0), std::make_pair(lower, upper));
+  }
+}
+
+class Portal_file : public testing::Test
+{
+protected:
+  using Labels = Portal_labels<Discrete_geodesic_graph>;
+
+  Portal_file()
+    : m_random(test_seed()),
+      m_mesh(to_mesh(terrain(40, 15, m_random))),
+      m_graph(Triangulation(m_mesh), parameters::epsilon(0.3)),
+      m_labels(m_graph, parameters::epsilon(0.1)),
+      m_file(saved(m_labels))
+  {
+  }
+
+  template <typename AnyLabels>
+  static std::string saved(const AnyLabels& labels)
+  {
+    std::ostringstream out(std::ios::binary);
+    labels.save(out);
+    return out.str();
+  }
+
+  template <typename AnyGraph>
+  static Portal_labels<AnyGraph> loaded(const std::string& file, const AnyGraph& graph)
+  {
+    std::istringstream in(file, std::ios::binary);
+    return Portal_labels<AnyGraph>::load(in, graph);
+  }
+
+  void expect_refused(const std::string& file, const std::string& reason) const
+  {
+    expect_message<std::invalid_argument>([&] { loaded(file, m_graph); }, reason);
+  }
+
+  Random m_random;
+  Mesh m_mesh;
+  Discrete_geodesic_graph m_graph;
+  Labels m_labels;
+  std::string m_file;
+};
+
+TEST_F(Portal_file, gives_the_same_intervals)
+{
+  const Labels read = loaded(m_file, m_graph);
+  EXPECT_EQ(read.epsilon(), 0.1);
+  EXPECT_EQ(&read.graph(), &m_graph);
+  EXPECT_TRUE(read.are_valid());
+  EXPECT_EQ(read.number_of_labels(), m_labels.number_of_labels());
+  EXPECT_EQ(saved(read), m_file);
+  for(std::uint32_t v = 0; v < 600; v += 7)
+    for(std::uint32_t w = 0; w < 600; ++w)
+      ASSERT_EQ(read.distance_interval(v, w), m_labels.distance_interval(v, w));
+}
+
+TEST_F(Portal_file, holds_labels_of_a_mesh_in_pieces)
+{
+  for(const Named_mesh& row : generated_meshes(test_seed()))
+  {
+    SCOPED_TRACE(row.name);
+    const AG::Edge_graph graph{Triangulation(row.mesh)}, empty;
+    const Portal_labels<AG::Edge_graph> built(graph);
+    EXPECT_EQ(saved(loaded(saved(built), graph)), saved(built));
+    const Portal_labels<AG::Edge_graph> none(empty);
+    EXPECT_EQ(loaded(saved(none), empty).number_of_labels(), 0u);
+  }
+}
+
+TEST_F(Portal_file, is_refused_if_anything_is_missing_or_changed)
+{
+  for(std::size_t size = 0; size < m_file.size(); size += 1 + size / 50)
+    expect_refused(m_file.substr(0, size), "is truncated");
+  for(std::size_t i = 0; i < m_file.size(); i += 1 + i / 50)
+  {
+    std::string file = m_file;
+    file[i] = static_cast<char>(file[i] ^ (1 << (i % 8)));
+    EXPECT_THROW(loaded(file, m_graph), std::invalid_argument) << "at byte " << i;
+  }
+}
+
+TEST_F(Portal_file, is_refused_if_it_is_something_else)
+{
+  expect_refused("OFF\n8 12 0\n0 0 0\n", "not that of labels");
+  std::string other = m_file;
+  other[8] = 7;
+  expect_refused(other, "version 7");
+  const Discrete_geodesic_graph finer(Triangulation(m_mesh), parameters::epsilon(0.1));
+  expect_message<std::invalid_argument>([&] { loaded(m_file, finer); }, "another graph", "arcs");
+  const AG::Edge_graph larger{Triangulation(to_mesh(flat_grid(40, 16)))};
+  expect_message<std::invalid_argument>([&] { loaded(m_file, larger); }, "another graph",
+                                        "600 vertices, this one has 640");
+  std::ostringstream out;
+  out.setstate(std::ios::badbit);
+  expect_message<std::runtime_error>([&] { m_labels.save(out); }, "could not be written");
 }
 
 // Throws at one of the checks.
@@ -349,29 +507,36 @@ TEST(Portal_labels, refuse_directions_and_barriers)
       [&] { Portal_labels<Steiner_graph<Fixed_number_of_points>>{with_walls}; }, "barriers");
 }
 
-// No arc leads from one side to the other, and none of the nodes is lost.
+// What is left has no arcs between its pieces, and none of them is much larger than the others
+// together.
 TEST(Portal_separators, separate)
 {
   Random random(test_seed());
   for(const Named_mesh& row : generated_meshes(test_seed()))
   {
     SCOPED_TRACE(row.name);
-    const Two_way_arcs arcs(discrete_geodesic_graph(0.2).make(Triangulation(row.mesh)));
-    AG::internal::Two_way_search search(arcs);
-    for(const AG::internal::Part_nodes& part : AG::internal::connected_parts(arcs))
+    const Two_way_arcs all(discrete_geodesic_graph(0.2).make(Triangulation(row.mesh)));
+    for(const Part_nodes& part : AG::internal::connected_parts(all))
     {
-      AG::internal::Separator separator(arcs, search, part);
-      std::vector<int> side(arcs.number_of_nodes(), -1);
-      for(const int i : {0, 1})
-        for(const auto node : separator.side(std::size_t(i)))
-          side[node] = i;
-      EXPECT_EQ(separator.nodes().size() + separator.side(0).size() + separator.side(1).size(),
-                part.size());
-      EXPECT_LE(3 * separator.side(1).size(), 2 * part.size() + 3);
-      for(const auto node : part)
+      const Two_way_arcs arcs = arcs_of_part(all, part);
+      Two_way_search search(arcs);
+      const Part_nodes separator = AG::internal::Separator(arcs, search).nodes();
+      std::vector<int> piece_of(part.size(), -1);
+      std::size_t number = separator.size();
+      int piece = 0;
+      for(const Part_nodes& nodes : AG::internal::connected_parts(arcs, separator))
+      {
+        EXPECT_LE(3 * nodes.size(), 2 * part.size() + 3);
+        number += nodes.size();
+        for(const auto node : nodes)
+          piece_of[node] = piece;
+        ++piece;
+      }
+      EXPECT_EQ(number, part.size());
+      for(std::uint32_t node = 0; node < part.size(); ++node)
         arcs.for_each_neighbor(node, [&](const auto other) {
-          EXPECT_FALSE(side[node] + side[other] == 1 && side[node] * side[other] == 0 &&
-                       side[node] >= 0 && side[other] >= 0);
+          EXPECT_TRUE(piece_of[node] == piece_of[other] || piece_of[node] < 0 ||
+                      piece_of[other] < 0);
         });
     }
   }
@@ -383,8 +548,8 @@ TEST(Portal_cover, covers_all_nodes)
   Random random(test_seed());
   const Two_way_arcs arcs(
       discrete_geodesic_graph(0.1).make(Triangulation(to_mesh(terrain(60, 20, random)))));
-  AG::internal::Workspaces<AG::internal::Two_way_search> searches(arcs);
-  AG::internal::Part_nodes separator;
+  AG::internal::Workspaces<Two_way_search> searches(arcs);
+  Part_nodes separator;
   for(std::uint32_t node = 0; node < 1200; node += 7)
     separator.push_back(node);
   constexpr float stretch = 1.02f;

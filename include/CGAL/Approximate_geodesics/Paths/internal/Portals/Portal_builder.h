@@ -16,19 +16,17 @@
 #include <CGAL/Approximate_geodesics/Paths/internal/Workspaces.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
- * Divides a graph by nested separators, and chooses portals on them. Threads share the work on the
- * few large parts, and later take different parts; nothing depends on that.
+ * Divides a graph by nested separators, and chooses portals on them. Threads share the work on a
+ * large part, and take different ones of the others; nothing depends on that.
  */
 class Portal_builder
 {
@@ -44,8 +42,7 @@ public:
       m_number_of_vertices(number_of_vertices),
       m_stretch(static_cast<float>(stretch)),
       m_loop(loop),
-      m_scale(arcs.arc_lengths().longest),
-      m_searches(arcs)
+      m_scale(arcs.arc_lengths().longest)
   {
   }
 
@@ -55,30 +52,34 @@ public:
   std::vector<Portal_part> run()
   {
     std::vector<Portal_part> result;
-    std::vector<Open_part> open, next;
-    for(Part_nodes& nodes : connected_parts(m_arcs))
-      add_open(std::move(nodes), Portal_part::no_parent, open);
+    Part_nodes all(m_arcs.number_of_nodes());
+    std::iota(all.begin(), all.end(), Node(0));
+    std::vector<Open_part> open = pieces(m_arcs, all, {});
     for(std::uint32_t depth = 0; !open.empty(); ++depth)
     {
       const std::size_t first = result.size();
       result.resize(first + open.size());
-      const bool is_few = open.size() < FEW_PARTS;
-      const Loop none, &outer = is_few ? none : m_loop, &inner = is_few ? m_loop : none;
-      outer.run(open.size(), [&](const std::size_t i, std::size_t) {
-        result[first + i].depth = depth;
-        label(open[i], inner, result[first + i]);
-      });
-      next.clear();
       for(std::size_t i = 0; i < open.size(); ++i)
-        for(Part_nodes& side : open[i].sides)
-          add_open(std::move(side), static_cast<std::uint32_t>(first + i), next);
+      {
+        result[first + i].parent = open[i].parent;
+        result[first + i].depth = depth;
+      }
+      label_all(open, result.data() + first);
+      std::vector<Open_part> next;
+      for(std::size_t i = 0; i < open.size(); ++i)
+        for(Open_part& piece : open[i].pieces)
+        {
+          piece.parent = static_cast<std::uint32_t>(first + i);
+          next.push_back(std::move(piece));
+        }
       open.swap(next);
     }
     return result;
   }
 
 private:
-  static constexpr std::size_t FEW_PARTS = 8;
+  // Of nodes, as a part of all. Above, threads work on one part at a time.
+  static constexpr std::size_t LARGE_PART = 8;
   // Of vertices. Below, labels would take more memory than all distances.
   static constexpr std::size_t SIZE_OF_LAST_PART = 96;
   // Of vertices. Below, a part is not divided by a separator of more than a third of it.
@@ -86,63 +87,88 @@ private:
 
   struct Open_part
   {
-    Part_nodes nodes;
-    std::uint32_t parent;
-    std::array<Part_nodes, 2> sides; // after it was divided
+    Part_nodes nodes;  // of the graph, sorted, so that vertices come first
+    Two_way_arcs arcs; // between these
+    std::uint32_t parent = Portal_part::no_parent;
+    std::vector<Open_part> pieces = {}; // after it was divided
   };
 
-  // Leaves out parts without vertices.
-  void add_open(Part_nodes nodes, const std::uint32_t parent, std::vector<Open_part>& open) const
+  // Returns the connected pieces that have vertices. `nodes` are the numbers of nodes in the graph.
+  std::vector<Open_part>
+  pieces(const Two_way_arcs& arcs, const Part_nodes& nodes, const Part_nodes& separator) const
   {
-    if(std::any_of(nodes.begin(), nodes.end(), [&](const Node n) { return is_vertex(n); }))
-      open.push_back({std::move(nodes), parent, {}});
+    const std::vector<Part_nodes> parts = connected_parts(arcs, separator);
+    Part_nodes place(arcs.number_of_nodes(), Two_way_search::null_node);
+    for(const Part_nodes& part : parts)
+      for(std::size_t i = 0; i < part.size(); ++i)
+        place[part[i]] = static_cast<Node>(i);
+    std::vector<Open_part> result;
+    for(const Part_nodes& part : parts)
+    {
+      if(nodes[part.front()] >= m_number_of_vertices)
+        continue;
+      Part_nodes numbers;
+      numbers.reserve(part.size());
+      for(const Node node : part)
+        numbers.push_back(nodes[node]);
+      result.push_back({std::move(numbers), Two_way_arcs(arcs, part, place)});
+    }
+    return result;
   }
 
-  bool is_vertex(const Node node) const { return node < m_number_of_vertices; }
+  void label_all(std::vector<Open_part>& open, Portal_part* const parts)
+  {
+    const auto is_large = [&](const std::size_t i) {
+      return open[i].nodes.size() > m_arcs.number_of_nodes() / LARGE_PART;
+    };
+    for(std::size_t i = 0; i < open.size(); ++i)
+      if(is_large(i))
+        label(open[i], m_loop, parts[i]);
+    m_loop.run(open.size(), [&](const std::size_t i, std::size_t) {
+      if(!is_large(i))
+        label(open[i], Loop(), parts[i]);
+    });
+  }
 
-  void label(Open_part& open, const Loop& loop, Portal_part& part)
+  void label(Open_part& open, const Loop& loop, Portal_part& part) const
   {
     check_for_interruption();
-    part.parent = open.parent;
-    std::copy_if(open.nodes.begin(), open.nodes.end(), std::back_inserter(part.vertices),
-                 [this](const Node n) { return is_vertex(n); });
-    std::sort(part.vertices.begin(), part.vertices.end());
+    part.vertices.assign(open.nodes.begin(), std::lower_bound(open.nodes.begin(), open.nodes.end(),
+                                                              m_number_of_vertices));
+    Workspaces<Two_way_search> searches(open.arcs);
     Part_nodes separator;
     if(part.vertices.size() > SIZE_OF_LAST_PART)
-      separator = divide(open, part.vertices.size());
-    open.nodes = {};
-    part.is_last = open.sides[0].empty() && open.sides[1].empty();
+      separator = divide(open, part.vertices.size(), searches);
+    part.is_last = open.pieces.empty();
     if(part.is_last)
-      tabulate(loop, part);
+      tabulate(searches, loop, part);
     else
-      Portal_cover(m_searches, loop, m_scale, m_stretch, separator, part).run();
+      Portal_cover(searches, loop, m_scale, m_stretch, separator, part).run();
   }
 
-  // Returns a separator, and sets the two sides; both stay empty if it is not worth it.
-  Part_nodes divide(Open_part& open, const std::size_t number_of_vertices)
+  // Returns a separator, and finds the pieces; there are none if it is not worth it.
+  Part_nodes divide(Open_part& open,
+                    const std::size_t number_of_vertices,
+                    Workspaces<Two_way_search>& searches) const
   {
-    const auto search = m_searches.borrow();
-    const std::size_t size = open.nodes.size();
-    Separator separator(m_arcs, *search, std::move(open.nodes));
-    if(number_of_vertices > SIZE_TO_DIVIDE || 3 * separator.nodes().size() < size)
-      open.sides = {std::move(separator.side(0)), std::move(separator.side(1))};
-    return std::move(separator.nodes());
+    Part_nodes separator = std::move(Separator(open.arcs, *searches.borrow()).nodes());
+    if(number_of_vertices > SIZE_TO_DIVIDE || 3 * separator.size() < open.nodes.size())
+      open.pieces = pieces(open.arcs, open.nodes, separator);
+    return separator;
   }
 
   // Finds the distances between all vertices of a last part.
-  void tabulate(const Loop& loop, Portal_part& part)
+  void tabulate(Workspaces<Two_way_search>& searches, const Loop& loop, Portal_part& part) const
   {
-    const Part_nodes& vertices = part.vertices;
-    part.size = vertices.size();
+    part.size = part.vertices.size();
     part.table.resize(part.size * (part.size - 1) / 2);
-    loop.run(part.size, [&](const std::size_t i, std::size_t) {
+    loop.run(part.size - 1, [&](const std::size_t i, std::size_t) {
       check_for_interruption();
-      const auto search = m_searches.borrow();
-      const Part_nodes targets(vertices.begin(),
-                               vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-      search->run({Seed{vertices[i]}}, Stop_rule{std::numeric_limits<double>::infinity(), targets});
-      for(std::size_t j = 0; j < i; ++j)
-        part.table[i * (i - 1) / 2 + j] = m_scale.stored(search->labels().distance(vertices[j]));
+      const auto search = searches.borrow();
+      search->run_from(static_cast<Node>(i + 1));
+      const double* const distances = search->labels().distances();
+      std::transform(distances, distances + i + 1, part.table.data() + i * (i + 1) / 2,
+                     [this](const double d) { return m_scale.stored(d); });
     });
   }
 
@@ -151,7 +177,6 @@ private:
   float m_stretch;
   const Loop& m_loop;
   Portal_scale m_scale;
-  Workspaces<Two_way_search> m_searches;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

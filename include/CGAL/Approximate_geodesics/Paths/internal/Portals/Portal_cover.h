@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -35,11 +34,11 @@ namespace CGAL::Approximate_geodesics::internal {
  */
 class Portal_cover
 {
-  using Node = Two_way_arcs::Node;
   using Searches = Workspaces<Two_way_search>;
 
 public:
-  // The vertices are those of `part`, which gets the labels. All is referred to, not copied.
+  // Searches are those of a connected part, whose first nodes are its vertices. `part` gets the
+  // labels. All is referred to, not copied.
   Portal_cover(Searches& searches,
                const Loop& loop,
                const Portal_scale& scale,
@@ -52,27 +51,24 @@ public:
       m_scale(scale),
       m_stretch(stretch),
       m_separator(separator),
+      m_number_of_vertices(part.vertices.size()),
       m_part(part),
       m_bytes_of_block(bytes_of_block),
-      m_targets(part.vertices),
+      m_is_in_separator(m_number_of_vertices),
       m_table(separator.size() * separator.size())
   {
-    m_targets.insert(m_targets.end(), separator.begin(), separator.end());
-    std::sort(m_targets.begin(), m_targets.end());
-    m_targets.erase(std::unique(m_targets.begin(), m_targets.end()), m_targets.end());
   }
 
   void run()
   {
     label_separator();
-    const std::size_t size = m_separator.size(),
-                      bytes_of_row = m_part.vertices.size() * sizeof(float),
-                      block = (std::max)(SMALLEST_BLOCK, m_bytes_of_block / (bytes_of_row + 1));
+    const std::size_t size = m_separator.size(), vertices = m_number_of_vertices,
+                      block = (std::max)(SMALLEST_BLOCK,
+                                         m_bytes_of_block / (vertices * sizeof(float) + 1));
     for(m_first = 0; m_first < size; m_first += m_number)
     {
       m_number = (std::min)(block, size - m_first);
       find_rows();
-      const std::size_t vertices = m_part.vertices.size();
       m_loop.run((vertices + LANES - 1) / LANES, [&](const std::size_t i, std::size_t) {
         cover_vertices(i * LANES, (std::min)((i + 1) * LANES, vertices));
       });
@@ -87,7 +83,7 @@ private:
   static constexpr std::size_t MOST_PORTALS = std::size_t(1) << 16;
 
   // Distances from nodes of the block to the vertices.
-  const float* row(const std::size_t i) const { return m_rows.data() + i * m_part.vertices.size(); }
+  float* row(const std::size_t i) { return m_rows.data() + i * m_number_of_vertices; }
 
   // Distances between a node of the separator and those of the block.
   const float* in_block(const std::size_t portal) const
@@ -98,40 +94,37 @@ private:
   // A vertex of the separator covers all by itself.
   void label_separator()
   {
-    const Part_nodes& vertices = m_part.vertices;
-    m_part.labels.resize(vertices.size());
-    m_part.is_in_separator.resize(vertices.size());
-    std::vector<std::pair<Node, std::uint32_t>> places;
-    for(const Node node : m_separator)
-      places.emplace_back(node, static_cast<std::uint32_t>(places.size()));
-    std::sort(places.begin(), places.end());
-    for(std::size_t i = 0; i < vertices.size(); ++i)
-    {
-      const auto place =
-          std::lower_bound(places.begin(), places.end(), std::make_pair(vertices[i], 0u));
-      if(place == places.end() || place->first != vertices[i])
-        continue;
-      m_part.is_in_separator[i] = true;
-      m_part.labels[i] = {{place->second, 0}};
-    }
+    m_part.labels.resize(m_number_of_vertices);
+    for(std::size_t i = 0; i < m_separator.size(); ++i)
+      if(const auto node = m_separator[i]; node < m_number_of_vertices)
+      {
+        m_is_in_separator[node] = true;
+        m_part.labels[node] = {{static_cast<std::uint32_t>(i), 0}};
+      }
   }
 
   void find_rows()
   {
-    const Part_nodes& vertices = m_part.vertices;
-    m_rows.resize(m_number * vertices.size());
+    m_rows.resize(m_number * m_number_of_vertices);
     m_loop.run(m_number, [&](const std::size_t i, std::size_t) {
       check_for_interruption();
       const auto search = m_searches.borrow();
-      search->run({Seed{m_separator[m_first + i]}},
-                  Stop_rule{std::numeric_limits<double>::infinity(), m_targets});
-      const auto stored = [&](const Node n) {
-        return m_scale.stored(search->labels().distance(n));
-      };
-      std::transform(vertices.begin(), vertices.end(), m_rows.data() + i * vertices.size(), stored);
+      search->run_from(m_separator[m_first + i]);
+      const double* const distances = search->labels().distances();
+      std::transform(distances, distances + m_number_of_vertices, row(i),
+                     [this](const double d) { return m_scale.stored(d); });
       std::transform(m_separator.begin(), m_separator.end(),
-                     m_table.data() + (m_first + i) * m_separator.size(), stored);
+                     m_table.data() + (m_first + i) * m_separator.size(),
+                     [&](const auto node) { return m_scale.stored(distances[node]); });
     });
+    // the same in both directions, as sums may be rounded differently
+    const std::size_t size = m_separator.size();
+    for(std::size_t i = m_first; i < m_first + m_number; ++i)
+      for(std::size_t j = 0; j < i; ++j)
+      {
+        float &there = m_table[i * size + j], &back = m_table[j * size + i];
+        there = back = (std::max)(there, back);
+      }
   }
 
   void cover_vertices(const std::size_t first, const std::size_t beyond)
@@ -142,7 +135,7 @@ private:
       for(std::size_t v = first; v < beyond; ++v)
         columns[(v - first) * m_number + i] = row(i)[v];
     for(std::size_t v = first; v < beyond; ++v)
-      if(!m_part.is_in_separator[v])
+      if(!m_is_in_separator[v])
         cover_vertex(columns.data() + (v - first) * m_number, limits.data(), m_part.labels[v]);
   }
 
@@ -184,8 +177,9 @@ private:
   best_portal(const std::size_t i, const float* const distance, const float* const limit) const
   {
     std::vector<std::size_t> candidates;
+    const float* const between = in_block(m_first + i);
     for(std::size_t j = 0; j < m_number; ++j)
-      if(in_block(m_first + j)[i] <= limit[i] - distance[j])
+      if(between[j] <= limit[i] - distance[j])
         candidates.push_back(j);
     std::size_t result = i, most = number_covered(i, distance[i], limit);
     const std::size_t stride = candidates.size() / MOST_CANDIDATES + 1;
@@ -202,7 +196,7 @@ private:
     return result;
   }
 
-  // Numbers the portals, and keeps the distances between them, the same in both directions.
+  // Numbers the portals, and keeps the distances between them.
   void keep_portals()
   {
     const std::size_t size = m_separator.size();
@@ -225,7 +219,7 @@ private:
     m_part.table.reserve(kept.size() * kept.size());
     for(const std::size_t i : kept)
       for(const std::size_t j : kept)
-        m_part.table.push_back((std::max)(m_table[i * size + j], m_table[j * size + i]));
+        m_part.table.push_back(m_table[i * size + j]);
     for(auto& portals : m_part.labels)
       sort_and_number(number, portals);
   }
@@ -246,9 +240,10 @@ private:
   const Portal_scale& m_scale;
   float m_stretch;
   const Part_nodes& m_separator;
+  std::size_t m_number_of_vertices;
   Portal_part& m_part;
   std::size_t m_bytes_of_block;
-  Part_nodes m_targets;
+  std::vector<bool> m_is_in_separator;   // for each vertex
   std::vector<float> m_table;            // between all nodes of the separator
   std::size_t m_first = 0, m_number = 0; // nodes of the block
   std::vector<float> m_rows;             // of the block

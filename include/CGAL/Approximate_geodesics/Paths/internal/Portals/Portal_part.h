@@ -54,9 +54,10 @@ struct Portal_label
 };
 
 /*
- * A part of the graph. Its vertices have labels at the portals on its separator, by increasing
- * distances, and there are the distances between these portals; or it is a last part, and there are
- * the distances between its vertices.
+ * A part of the graph, in which all distances are those along paths that do not leave it. Its
+ * vertices have labels at the portals on its separator, by increasing distances, and there are the
+ * distances between these portals; or it is a last part, and there are the distances between its
+ * vertices.
  */
 struct Portal_part
 {
@@ -66,7 +67,6 @@ struct Portal_part
   bool is_last = true;
   Part_nodes vertices;
   std::vector<std::vector<Portal_label>> labels; // of each vertex
-  std::vector<bool> is_in_separator;             // for each vertex
   std::size_t size = 0;                          // the number of portals, or of vertices
   std::vector<float> table;                      // row by row; of a last part, below the diagonal
 };

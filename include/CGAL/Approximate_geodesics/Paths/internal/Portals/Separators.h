@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -24,14 +23,18 @@ namespace CGAL::Approximate_geodesics::internal {
 
 using Two_way_search = Propagation<Two_way_arcs>;
 
-// Nodes of a graph: a connected part of it, or what separators have left of one.
+// Nodes of a graph.
 using Part_nodes = std::vector<Two_way_arcs::Node>;
 
-// Returns the connected parts of a graph, in the order of their smallest nodes.
-inline std::vector<Part_nodes> connected_parts(const Two_way_arcs& arcs)
+// Returns the connected parts that a graph has without some nodes, in the order of their smallest
+// nodes. Nodes of a part are sorted.
+inline std::vector<Part_nodes> connected_parts(const Two_way_arcs& arcs,
+                                               const Part_nodes& removed = {})
 {
   using Node = Two_way_arcs::Node;
   std::vector<bool> is_known(arcs.number_of_nodes());
+  for(const Node node : removed)
+    is_known[node] = true;
   std::vector<Part_nodes> result;
   for(Node first = 0; first < arcs.number_of_nodes(); ++first)
   {
@@ -48,13 +51,14 @@ inline std::vector<Part_nodes> connected_parts(const Two_way_arcs& arcs)
         is_known[node] = true;
       });
     }
+    std::sort(part.begin(), part.end());
     result.push_back(std::move(part));
   }
   return result;
 }
 
 /*
- * A separator of a part: nodes such that no arc joins the two sides that are left.
+ * A separator of a connected graph: nodes without which it falls into parts.
  *
  * Nodes are ranked by their distances from a node, or by the difference of those from two nodes;
  * there are three that are far from each other. Nodes below a rank with an arc to one that is not
@@ -67,11 +71,8 @@ class Separator
 
 public:
   // `search` belongs to the same arcs.
-  Separator(const Two_way_arcs& arcs, Two_way_search& search, Part_nodes part)
-    : m_search(search), m_part(std::move(part))
+  Separator(const Two_way_arcs& arcs, Two_way_search& search) : m_arcs(arcs), m_search(search)
   {
-    std::sort(m_part.begin(), m_part.end());
-    find_neighbors(arcs);
     find_distances();
     for(std::size_t i = 0; i < m_distances.size(); ++i)
     {
@@ -85,58 +86,26 @@ public:
 
   // From one end of the separator to the other.
   Part_nodes& nodes() { return m_nodes; }
-  // What is left.
-  Part_nodes& side(const std::size_t i) { return m_side[i]; }
 
 private:
-  void search_from(const Node node, const Part_nodes& targets)
-  {
-    m_search.run({Seed{node}}, Stop_rule{std::numeric_limits<double>::infinity(), targets});
-  }
-
   double distance(const Node node) const { return m_search.labels().distance(node); }
-
-  // Returns the farthest of some nodes from one of them.
-  Node farthest_from(const Node node, const Part_nodes& nodes)
-  {
-    search_from(node, nodes);
-    return *std::max_element(nodes.begin(), nodes.end(), [this](const Node a, const Node b) {
-      return std::make_pair(distance(a), b) < std::make_pair(distance(b), a);
-    });
-  }
-
-  // Neighbors in the part, by their places there.
-  void find_neighbors(const Two_way_arcs& arcs)
-  {
-    m_first_neighbor.push_back(0);
-    for(std::size_t i = 0; i < m_part.size(); ++i)
-    {
-      check_for_interruption_at(i);
-      arcs.for_each_neighbor(m_part[i], [this](const Node node) {
-        const auto found = std::lower_bound(m_part.begin(), m_part.end(), node);
-        if(found != m_part.end() && *found == node)
-          m_neighbor.push_back(static_cast<Node>(found - m_part.begin()));
-      });
-      m_first_neighbor.push_back(m_neighbor.size());
-    }
-  }
 
   // Each of the nodes that they are from is far from those before it.
   void find_distances()
   {
-    std::vector<double> nearest(m_part.size(), infinity);
-    Node next = farthest_from(m_part.front(), m_part);
+    const std::size_t size = m_arcs.number_of_nodes();
+    std::vector<double> nearest(size, infinity);
+    m_search.run_from(0);
+    const double* row = m_search.labels().distances();
+    auto next = static_cast<Node>(std::max_element(row, row + size) - row);
     for(std::vector<double>& distances : m_distances)
     {
-      search_from(next, m_part);
-      distances.resize(m_part.size());
-      for(std::size_t i = 0; i < m_part.size(); ++i)
-      {
-        distances[i] = distance(m_part[i]);
+      m_search.run_from(next);
+      row = m_search.labels().distances();
+      distances.assign(row, row + size);
+      for(std::size_t i = 0; i < size; ++i)
         nearest[i] = (std::min)(nearest[i], distances[i]);
-      }
-      const auto farthest = std::max_element(nearest.begin(), nearest.end());
-      next = m_part[static_cast<std::size_t>(farthest - nearest.begin())];
+      next = static_cast<Node>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
     }
   }
 
@@ -144,21 +113,26 @@ private:
   template <typename F>
   void try_ranking(const F& key_of)
   {
-    const std::size_t size = m_part.size();
-    std::vector<std::pair<double, std::size_t>> ranked;
-    for(std::size_t i = 0; i < size; ++i)
+    const std::size_t size = m_arcs.number_of_nodes();
+    std::vector<std::pair<double, Node>> ranked;
+    for(Node i = 0; i < size; ++i)
       ranked.emplace_back(key_of(i), i);
     std::sort(ranked.begin(), ranked.end());
     std::vector<std::size_t> rank_of(size);
     for(std::size_t i = 0; i < size; ++i)
       rank_of[ranked[i].second] = i;
     std::vector<std::size_t> highest = rank_of; // of a node and its neighbors
-    for(std::size_t i = 0; i < size; ++i)
-      for(std::size_t j = m_first_neighbor[i]; j < m_first_neighbor[i + 1]; ++j)
-        highest[i] = (std::max)(highest[i], rank_of[m_neighbor[j]]);
+    for(Node i = 0; i < size; ++i)
+      m_arcs.for_each_neighbor(
+          i, [&](const Node j) { highest[i] = (std::max)(highest[i], rank_of[j]); });
     const auto [rank, number] = best_rank(rank_of, highest);
-    if(m_side[1].empty() || number < m_nodes.size())
-      divide(rank_of, highest, rank);
+    if(m_is_found && number >= m_nodes.size())
+      return;
+    m_is_found = true;
+    m_nodes.clear();
+    for(Node i = 0; i < size; ++i)
+      if(rank_of[i] < rank && highest[i] >= rank)
+        m_nodes.push_back(i);
   }
 
   // Returns where to divide, and the size of the separator. A node is in those at the ranks above
@@ -186,37 +160,25 @@ private:
     return {result, smallest};
   }
 
-  void divide(const std::vector<std::size_t>& rank_of,
-              const std::vector<std::size_t>& highest,
-              const std::size_t rank)
-  {
-    m_nodes.clear();
-    m_side[0].clear();
-    m_side[1].clear();
-    for(std::size_t i = 0; i < m_part.size(); ++i)
-      (rank_of[i] >= rank   ? m_side[1]
-       : highest[i] >= rank ? m_nodes
-                            : m_side[0])
-          .push_back(m_part[i]);
-  }
-
   // Neighbors in this order are near to each other, so that the same portals serve them.
   void sort_nodes()
   {
     if(m_nodes.empty())
       return;
-    search_from(farthest_from(m_nodes.front(), m_nodes), m_nodes);
+    m_search.run_from(m_nodes.front());
+    m_search.run_from(
+        *std::max_element(m_nodes.begin(), m_nodes.end(), [this](const Node a, const Node b) {
+          return distance(a) < distance(b);
+        }));
     std::stable_sort(m_nodes.begin(), m_nodes.end(),
                      [this](const Node a, const Node b) { return distance(a) < distance(b); });
   }
 
+  const Two_way_arcs& m_arcs;
   Two_way_search& m_search;
-  Part_nodes m_part;
-  std::vector<std::size_t> m_first_neighbor;
-  std::vector<Node> m_neighbor;
   std::array<std::vector<double>, 3> m_distances;
+  bool m_is_found = false;
   Part_nodes m_nodes;
-  std::array<Part_nodes, 2> m_side;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

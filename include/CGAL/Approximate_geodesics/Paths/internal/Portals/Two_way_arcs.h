@@ -16,13 +16,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * The arcs of a graph, each of them in both directions: a `GeodesicGraph` whose distances there and
- * back are the same. A graph with `asymmetry()` may leave out an arc in one direction.
+ * back are the same. A graph with `asymmetry()` may leave out an arc in one direction. Of several
+ * arcs between two nodes, the shortest one is kept.
  */
 class Two_way_arcs
 {
@@ -36,10 +38,7 @@ public:
     for_each_end(graph,
                  [this](const Node node, Node, double) { ++m_first[std::size_t(node) + 2]; });
     for(std::size_t i = 2; i < m_first.size(); ++i)
-    {
-      m_maximum_degree = (std::max)(m_maximum_degree, m_first[i]);
       m_first[i] += m_first[i - 1];
-    }
     m_target.resize(m_first.back());
     m_length.resize(m_first.back());
     for_each_end(graph, [this](const Node node, const Node target, const double length) {
@@ -48,7 +47,31 @@ public:
       m_length[i] = length;
     });
     m_first.pop_back();
-    m_arc_lengths = summarize_arc_lengths(m_length);
+    remove_longer_arcs();
+    summarize();
+  }
+
+  // The arcs between the nodes of a part. `place` are the numbers that nodes get, `null_node` if
+  // they are not in it.
+  Two_way_arcs(const Two_way_arcs& all,
+               const std::vector<Node>& part,
+               const std::vector<Node>& place)
+    : m_unit(all.m_unit)
+  {
+    m_first.reserve(part.size() + 1);
+    for(const Node node : part)
+    {
+      check_for_interruption_at(node);
+      m_first.push_back(m_target.size());
+      all.for_each_arc(node, place, [&](const Node target, const double length) {
+        if(place[target] == Labels::null_node)
+          return;
+        m_target.push_back(place[target]);
+        m_length.push_back(length);
+      });
+    }
+    m_first.push_back(m_target.size());
+    summarize();
   }
 
   std::size_t number_of_nodes() const { return m_first.size() - 1; }
@@ -112,6 +135,40 @@ private:
 
     const F& f;
   };
+
+  void remove_longer_arcs()
+  {
+    std::vector<std::pair<Node, double>> arcs;
+    std::size_t size = 0;
+    for(Node node = 0; node < number_of_nodes(); ++node)
+    {
+      check_for_interruption_at(node);
+      arcs.clear();
+      for_each_arc(node, arcs, [&](const Node target, const double length) {
+        arcs.emplace_back(target, length);
+      });
+      std::sort(arcs.begin(), arcs.end());
+      m_first[node] = size;
+      for(std::size_t i = 0; i < arcs.size(); ++i)
+        if(arcs[i].first != node && (i == 0 || arcs[i].first != arcs[i - 1].first))
+        {
+          m_target[size] = arcs[i].first;
+          m_length[size++] = arcs[i].second;
+        }
+    }
+    m_first.back() = size;
+    m_target.resize(size);
+    m_length.resize(size);
+    m_target.shrink_to_fit();
+    m_length.shrink_to_fit();
+  }
+
+  void summarize()
+  {
+    for(std::size_t i = 1; i < m_first.size(); ++i)
+      m_maximum_degree = (std::max)(m_maximum_degree, m_first[i] - m_first[i - 1]);
+    m_arc_lengths = summarize_arc_lengths(m_length);
+  }
 
   std::vector<std::size_t> m_first;
   std::vector<Node> m_target;
