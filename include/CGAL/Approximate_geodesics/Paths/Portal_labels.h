@@ -46,16 +46,18 @@ namespace CGAL::Approximate_geodesics {
  * the separator divides. The distances between the portals of a separator are in a table. So the
  * distance of a pair is at most the smallest sum over portals of both, and at least this sum
  * divided by \f$1 + \varepsilon\f$: see the report \cgalCite{ag-report}. Parts of about a hundred
- * vertices are not divided; their distances are in tables. Hub labels \cgalCite{adgw-hlarn-11} keep nodes that shortest
- * paths of both vertices have in common instead, which makes them exact, and larger.
+ * vertices are not divided; their distances are in tables. Hub labels \cgalCite{adgw-hlarn-11} keep
+ * nodes that shortest paths of both vertices have in common instead, which makes them exact, and
+ * larger.
  *
  * Distances are those in the graph whose arcs all lead back, too. They are at most
  * `asymmetry()` smaller, relatively, than those in `graph`, and paths on the surface all the same.
  *
  * Labels are worth it for very many pairs that are not known beforehand. An object takes a search
  * of each part from each node of its separator, and most nodes are in one if arcs are long; and one
- * to two thousand bytes per vertex. It can be saved. Section \ref AG_pair_lists of the user manual has figures. A graph with a large
- * bound is better than one with a small bound, as its arcs make thinner separators.
+ * to two thousand bytes per vertex. It can be saved. Section \ref AG_pair_lists of the user manual
+ * has figures. A graph with a large bound is better than one with a small bound, as its arcs make
+ * thinner separators.
  *
  * An object never changes after its construction, and may be used by several threads.
  *

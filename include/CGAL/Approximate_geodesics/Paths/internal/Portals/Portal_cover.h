@@ -30,7 +30,8 @@ namespace CGAL::Approximate_geodesics::internal {
  * stretch times b. All nodes of the separator are covered.
  *
  * Rows of distances, from each node of the separator, are found and used block by block. In a
- * block, the first node that is not covered gets the portal that covers it and most others.
+ * block, the first node that is not covered gets a portal that covers it and many others: the best
+ * of the portals of the vertex before, or of a few others if none of these covers it.
  */
 class Portal_cover
 {
@@ -78,8 +79,8 @@ public:
 
 private:
   static constexpr std::size_t SMALLEST_BLOCK = 64;
-  static constexpr std::size_t LANES = 64;           // vertices whose distances are near by
-  static constexpr std::size_t MOST_CANDIDATES = 32; // of which the best one is taken
+  static constexpr std::size_t LANES = 64;          // vertices whose distances are near by
+  static constexpr std::size_t MOST_CANDIDATES = 8; // of which the best one is taken
   static constexpr std::size_t MOST_PORTALS = std::size_t(1) << 16;
 
   // Distances from nodes of the block to the vertices.
@@ -134,15 +135,20 @@ private:
     for(std::size_t i = 0; i < m_number; ++i)
       for(std::size_t v = first; v < beyond; ++v)
         columns[(v - first) * m_number + i] = row(i)[v];
+    std::vector<std::size_t> hints; // portals of the vertex before, as nodes of the block
     for(std::size_t v = first; v < beyond; ++v)
       if(!m_is_in_separator[v])
-        cover_vertex(columns.data() + (v - first) * m_number, limits.data(), m_part.labels[v]);
+        cover_vertex(columns.data() + (v - first) * m_number, limits.data(), hints,
+                     m_part.labels[v]);
   }
 
   // `limit` of a node is the largest sum that covers it, or negative if it is covered.
-  void
-  cover_vertex(const float* const distance, float* const limit, std::vector<Portal_label>& portals)
+  void cover_vertex(const float* const distance,
+                    float* const limit,
+                    std::vector<std::size_t>& hints,
+                    std::vector<Portal_label>& portals)
   {
+    const std::size_t number_before = portals.size();
     for(std::size_t i = 0; i < m_number; ++i)
       limit[i] = m_stretch * distance[i];
     for(const Portal_label& portal : portals)
@@ -150,10 +156,13 @@ private:
     for(std::size_t i = 0; i < m_number; ++i)
       if(limit[i] >= 0)
       {
-        const std::size_t best = best_portal(i, distance, limit);
+        const std::size_t best = best_portal(i, distance, limit, hints);
         portals.push_back({static_cast<std::uint32_t>(m_first + best), distance[best]});
         mark_covered(portals.back(), limit);
       }
+    hints.clear();
+    for(std::size_t i = number_before; i < portals.size(); ++i)
+      hints.push_back(portals[i].portal - m_first);
   }
 
   void mark_covered(const Portal_label& portal, float* const limit) const
@@ -172,15 +181,22 @@ private:
     return result;
   }
 
-  // Returns the node of the block that covers node `i` and most others.
-  std::size_t
-  best_portal(const std::size_t i, const float* const distance, const float* const limit) const
+  // Returns a node of the block that covers node `i` and many others.
+  std::size_t best_portal(const std::size_t i,
+                          const float* const distance,
+                          const float* const limit,
+                          const std::vector<std::size_t>& hints) const
   {
     std::vector<std::size_t> candidates;
     const float* const between = in_block(m_first + i);
-    for(std::size_t j = 0; j < m_number; ++j)
+    const auto add = [&](const std::size_t j) {
       if(between[j] <= limit[i] - distance[j])
         candidates.push_back(j);
+    };
+    std::for_each(hints.begin(), hints.end(), add);
+    if(candidates.empty())
+      for(std::size_t j = 0; j < m_number; ++j)
+        add(j);
     std::size_t result = i, most = number_covered(i, distance[i], limit);
     const std::size_t stride = candidates.size() / MOST_CANDIDATES + 1;
     for(std::size_t j = 0; j < candidates.size(); j += stride)
