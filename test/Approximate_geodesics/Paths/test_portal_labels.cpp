@@ -478,11 +478,11 @@ TEST(Portal_labels, refuse_bad_input)
 {
   const Mesh mesh = to_mesh(flat_grid(5, 4));
   const AG::Edge_graph graph{Triangulation(mesh)}, other{Triangulation(mesh)};
-  using Labels = Portal_labels<AG::Edge_graph>;
+  using Edge_labels = Portal_labels<AG::Edge_graph>;
   for(const double epsilon : {0., -1., infinity, std::nan("")})
-    expect_message<std::invalid_argument>([&] { Labels(graph, parameters::epsilon(epsilon)); },
+    expect_message<std::invalid_argument>([&] { Edge_labels(graph, parameters::epsilon(epsilon)); },
                                           "epsilon is", "finite number larger than 0");
-  const Labels labels(graph);
+  const Edge_labels labels(graph);
   expect_message<std::invalid_argument>([&] { labels.distance_interval(20, 0); },
                                         "vertex 20 does not exist", "20 vertices");
   expect_message<std::invalid_argument>([&] { labels.distance_interval(0, 4000000000u); },
