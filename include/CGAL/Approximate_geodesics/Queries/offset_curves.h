@@ -106,8 +106,10 @@ inline double smallest_step(const std::vector<double>& distances, const double m
  * if a distance is not finite or not larger than `0`. Nothing is written then.
  *
  * Run time is that of an exact search up to the largest distance, linear in the number of vertices
- * and points after it, and that of a query of the search for each point in faces near sources.
- * Where the medial axis crosses an edge, paths are followed back over the edges around.
+ * and points after it, and that of a query of the search for each point in faces near sources. Of
+ * these, there are up to tens of thousands for each edge that a curve crosses, if steps are far
+ * smaller than edges. Where the medial axis crosses an edge, paths are followed back over the edges
+ * around.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `isolines()`
